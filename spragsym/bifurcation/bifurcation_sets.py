@@ -25,6 +25,7 @@ from ..core.questions import Method, question
 from ..core.remarks import Remark
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
+from ..numerics.arithmetic import is_zero
 from ..numerics.chains import link, walked
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -36,6 +37,7 @@ from ..numerics.interval_arrays import (
     scale_of,
     width_of,
 )
+from ..numerics.jets import Jet, variables
 from ..numerics.vectors import norm
 from ..results import BifurcationSet, Curve, Points
 from ..statics.balance import Balance
@@ -245,7 +247,8 @@ def border_extrema(
     (over, along), contact, p = near.vary, near.balance.beyond, near.p
     if contact is None or over not in balance.balanced:
         return
-    yield isolated(near, touch_turn(contact), BORDER)
+    if _moves_border(near, contact):
+        yield isolated(near, touch_turn(contact), BORDER)
     closed = [other for other in balance.opens if balance.pushing[other] and other > contact]
     for other in closed:  # where a curve of one contact ends at that of another
         over_all = Family.of(p, near.vary, between, within, balance.extended())
@@ -256,6 +259,25 @@ def border_extrema(
         here = p.replace(**{over: p.ranges[over].reached(end, high - low)})
         at_end = Family.of(here, (along,), rest, within, near.balance)
         yield isolated(at_end, touch(contact), BORDER)
+
+
+def _moves_border(near: Family, contact: int) -> bool:
+    """Whether states at the gap 0 of a contact may depend on the first parameter. Its force is 0
+    there, so that they are those of the open contact, on which its stiffness does not act.
+    """
+    balance, over = near.balance.across(contact), near.vary[0]
+    if over in balance.angles or balance.springs:
+        return True
+    moved = variables([Intervals.point(np.full(1, 0.5))] * (balance.n + 1), 1)
+    values = {**balance.over(near.over[:, :1]), over: moved[-1]}
+    try:
+        with quiet():
+            at = balance.at(moved[:-1], values, (1,))
+            rows = [*at.rows("forces"), at.gap(contact)]
+    except ZeroDivisionError:  # a law that has no value there
+        return True
+    terms = [it for row in rows if isinstance(row, Jet) for it in row.terms.items()]
+    return any(balance.n in term and not is_zero(part) for term, part in terms)
 
 
 def rows_of(family: Family, found: Points) -> FloatArray:

@@ -139,3 +139,34 @@ def test_a_path_of_contacts_that_never_open_says_that_all_touch() -> None:
     for value, *place in zip(path.values, path["x_1"], path["x_2"], strict=True):
         expected = np.linalg.solve(K, value * np.array([p.N_1, p.N_2]))
         assert place == pytest.approx(expected.tolist(), rel=1e-12)
+
+
+STOP = '''r"""A mass on a belt that comes to a stop."""
+from spragsym.derive.model import Page, tanh
+page = Page("A mass on a belt before a stop.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+a = page.unit("a", "m", "gap of the stop")
+mu = page.parameter("mu", "1", "friction", ">= 0", 0.4)
+k_s = page.parameter("k_s", "N/m", "stiffness of the stop", "> 0", 2.0)
+P = page.parameter("P", "N", "load", "> 0", 0.5)
+V = page.parameter("V", "m/s", "speed", ">= 0", 0.5)
+x = page.coordinate("x", "m", "along")
+y = page.coordinate("y", "m", "across")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2)
+page.spring(k, along=x)
+page.force(-P, along=y)
+disc = page.contact(y, lambda depth: k * depth, name="disc")
+page.contact(a - x, lambda depth: k_s * depth, name="stop")
+page.friction(x, V, lambda v: mu * tanh(v * (m / k) ** (1 / 2) / a), at_rest=mu, on=disc)
+'''
+
+
+@pytest.mark.thorough
+def test_the_stiffness_of_a_stop_does_not_move_where_it_is_touched() -> None:
+    """At μ P = k a for every k_s: no point of that line is one at which it turns back."""
+    p = model_of(STOP, "before_a_stop").Parameters()
+    found = ss.bifurcation_set(p, ("k_s", "mu"), 4, between={"k_s": (1.0, 3.0), "mu": (1.0, 3.0)})
+    assert (found.complete, len(found)) == (True, 0)
+    passes = ss.folds(p, "mu", between={"mu": (1.0, 3.0)})
+    assert (passes.kind.tolist(), passes["mu"][0]) == (["passes"], pytest.approx(2.0, rel=1e-12))

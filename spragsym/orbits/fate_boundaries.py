@@ -617,14 +617,8 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     parted = times[off_by.max(axis=0) > options.parted]
     own, until = system.scaled(scales), float(parted.min(initial=t_end)) / scales.time
     hovering = own.flow.plain(samples.start / scales.states, own.constants, until)
-    states = np.array(
-        [
-            extremum.state
-            for extremum in hovering.extrema
-            if extremum.border == -1 and extremum.direction < 0
-        ]
-        or [hovering.state]
-    )
+    turns = [extremum for extremum in hovering.extrema if extremum.border == -1]
+    states = np.array([*(extremum.state for extremum in turns), hovering.state])
     rests: dict[float, Saddle] = {}
     for state in states:
         with suppress(ConvergenceError):

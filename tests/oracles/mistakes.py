@@ -76,7 +76,7 @@ CALLS: list[tuple[str, tuple[str, ...]]] = [
     ("ss.simulate(P, t_end=9, backend='matlab')", ("'matlab'", "heyoka, compiled, scipy")),
     ("ss.cycle(P, near=(1, 2))", ("near has the shape (2,)", "4 numbers")),
     ("ss.load('trolly')", ("'trolly'", "did you mean trolley?")),
-    ("ss.certify(P, 'no jmp')", ("claim = 'no jmp'", "'no jump'")),
+    ("ss.certify(P, 'no jmp')", ("claim = 'no jmp'", "no jump?")),
     (
         "ss.quasi_static_path(P, 'mu0', [0.5, 0.1, 0.7])",
         ("values do not go one way", "strictly increasing"),

@@ -139,7 +139,9 @@ def linked(
         failed = [step for step in open_ if step not in complete]
         abandoned = len(failed) > options.open_steps or halvings == options.halvings
         if failed and abandoned and only is not None:
-            why = "" if eq.whole.all() else f"; not all are known: {'; '.join(eq.remarks)}"
+            known = f"not all are known: {'; '.join(eq.remarks)}"
+            remedy = f"ask for the folds along {vary} with a larger region, within=…"
+            why = "" if eq.whole.all() else f"; {known}; {remedy}"
             one, two = open_[0]
             raise ConvergenceError(
                 f"branches between {vary} = {one:.17g} and {two:.17g} can't be told apart{why}"

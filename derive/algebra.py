@@ -101,11 +101,9 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
     """
 
     def normal(argument: sp.Expr) -> sp.Expr:
-        return (
-            reduce_circles(argument, circles)
-            if argument.is_polynomial(*argument.free_symbols)
-            else argument
-        )
+        if argument.is_polynomial(*argument.free_symbols):
+            return reduce_circles(argument, circles)
+        return argument
 
     def unknown(node: sp.Expr) -> sp.Expr:
         """Stand-in for a function, or for the case that it is one."""

@@ -155,10 +155,8 @@ def _motion(
         name: str, meaning: str, unit: str, order: int = 0, quantity: str = ""
     ) -> targets.Variable:
         """The derivative of this order of what is in the unit, by time."""
-        radians, dimension = (
-            Fraction(unit == "rad"),
-            units.times(units.read(unit), units.TIME, -order),
-        )
+        radians = Fraction(unit == "rad")
+        dimension = units.times(units.read(unit), units.TIME, -order)
         if data is None:
             return targets.Variable(
                 name, meaning, "rad" if radians and not order else "", (*units.NONE, radians)

@@ -108,12 +108,10 @@ class _MethodReader:
 
         from .model import refused
 
-        self.page, self.refused, self.loads, self.time = (
-            page,
-            refused,
-            [*(method.loads or ())],
-            dynamicsymbols._t,
-        )
+        self.page = page
+        self.refused = refused
+        self.loads = [*(method.loads or ())]
+        self.time = dynamicsymbols._t
         kane = hasattr(method, "kindiffdict")
         if any(map(len, (method._qdep, method._udep) if kane else (method.coneqs,))):
             raise refused(

@@ -176,11 +176,9 @@ class NormalForce:
     @cached_property
     def push(self) -> sp.Expr:
         """The force on the contact's side, in coordinates or in the penetration."""
-        return (
-            expanded(self.law.subs(self.depth, -self.gap))
-            if self.gap is not None and self.in_coordinates
-            else self.law
-        )
+        if self.gap is not None and self.in_coordinates:
+            return expanded(self.law.subs(self.depth, -self.gap))
+        return self.law
 
     @cached_property
     def force(self) -> sp.Expr:

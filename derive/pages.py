@@ -127,10 +127,8 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
 
 def _said(error: BaseException) -> str:
     """Text of an error, and the remedy for a name that is not there."""
-    said, names = (
-        f"{type(error).__name__}: {error}",
-        f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}",
-    )
+    said = f"{type(error).__name__}: {error}"
+    names = f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}"
     if isinstance(error, ImportError):
         return f"{str(error).partition(' (')[0]}; {names}"  # without the place of the package
     forcing = f": {Limit.FORCING}" if getattr(error, "name", None) in ("t", "time") else ""

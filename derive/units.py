@@ -98,11 +98,9 @@ def of(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimens
             return dimension
         case sp.Pow() if expression.exp.is_Rational:
             base = of(expression.base, dimensions)
-            return (
-                None
-                if base is None
-                else times(NONE, base, Fraction(expression.exp.p, expression.exp.q))
-            )
+            if base is None:
+                return None
+            return times(NONE, base, Fraction(expression.exp.p, expression.exp.q))
         case sp.Abs():
             return of(expression.args[0], dimensions)
         case sp.Max() | sp.Min():

@@ -377,11 +377,9 @@ def in_rows(
 
 def points(places: Sequence[IntArray]) -> dict[str, list[str]]:
     """A column that says where in an array rows are of; none for an array of no axis."""
-    return (
-        {"point": [", ".join(map(str, index)) for index in zip(*places, strict=True)]}
-        if places
-        else {}
-    )
+    if places:
+        return {"point": [", ".join(map(str, index)) for index in zip(*places, strict=True)]}
+    return {}
 
 
 def named_fields(thing: Any) -> dict[str, Any]:
@@ -475,11 +473,9 @@ def _is_single(value: object) -> bool:
 
 
 def _size(shape: tuple[int, ...]) -> str:
-    return (
-        counted(shape[0], "row", "rows")
-        if len(shape) == 1
-        else f"{' × '.join(map(str, shape))} points"
-    )
+    if len(shape) == 1:
+        return counted(shape[0], "row", "rows")
+    return f"{' × '.join(map(str, shape))} points"
 
 
 # ------------------------------------------------------------------------------------------------

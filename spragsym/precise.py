@@ -278,11 +278,9 @@ def _exactly(
             )
     given: dict[str, Any] = {}
     for name in (one for one in model.parameters if one not in unasked):
-        allowed, degrees, value = (
-            model.Parameters.ranges[name],
-            exact.get(f"{name}_deg"),
-            exact.get(spelled[name]),
-        )
+        allowed = model.Parameters.ranges[name]
+        degrees = exact.get(f"{name}_deg")
+        value = exact.get(spelled[name])
         if degrees is not None and value is not None:
             raise ParameterError(f"give one of {name} (radians) and {name}_deg (degrees)")
         if degrees is not None:

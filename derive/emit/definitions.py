@@ -135,11 +135,9 @@ def definition(text: str) -> Definition:
 
 
 def _results(text: str, node: ast.expr) -> Results:
-    return (
-        tuple(_results(text, item) for item in node.elts)
-        if isinstance(node, ast.Tuple)
-        else _plain(text, node)
-    )
+    if isinstance(node, ast.Tuple):
+        return tuple(_results(text, item) for item in node.elts)
+    return _plain(text, node)
 
 
 def _plain(text: str, node: ast.expr) -> str:

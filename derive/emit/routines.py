@@ -100,8 +100,6 @@ def places(target: ast.expr) -> Iterator[str]:
 
 def items(node: ast.expr) -> list[ast.expr]:
     """Items of a nested tuple, in order."""
-    return (
-        [leaf for item in node.elts for leaf in items(item)]
-        if isinstance(node, ast.Tuple)
-        else [node]
-    )
+    if isinstance(node, ast.Tuple):
+        return [leaf for item in node.elts for leaf in items(item)]
+    return [node]

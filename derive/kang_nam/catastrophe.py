@@ -30,10 +30,8 @@ third = sp.expand(rotate_derivative(curvature))
 @cache
 def surface() -> sp.Expr:
     """M(θ, θ₀) = μ₀ n̄ on the equilibrium surface: f is linear in M."""
-    f, surface = (
-        elimination.f_in_parameters(),
-        surface_in_coefficients().subs(elimination.f_coefficients()),
-    )
+    f = elimination.f_in_parameters()
+    surface = surface_in_coefficients().subs(elimination.f_coefficients())
     (friction,) = sp.solve(f, M)
     require(
         not sp.diff(f, M).has(M) and sp.simplify(friction - surface) == 0,

@@ -15,12 +15,10 @@ def render(outcome: ledger.Ledger, models: dict[str, str]) -> dict[str, str]:
     """The text of every file, by its path below ``generated/``, those of the ``models`` among
     them.
     """
-    parts, solver, named, header = (
-        modules(),
-        library.kernel(),
-        mechanics.quantities(),
-        write.header(),
-    )
+    parts = modules()
+    solver = library.kernel()
+    named = mechanics.quantities()
+    header = write.header()
     counts = bounds.counts(
         solver, {function.name: function for module in parts for function in module.functions}
     )

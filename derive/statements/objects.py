@@ -546,10 +546,8 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
 
 def _cleared(D: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Expr, Names]:
     """|adj(D) b|² − det² D and det D in names of their entries, and what these are."""
-    matrix, side = (
-        sp.Matrix(2, 2, sp.symbols("D_11 D_12 D_21 D_22")),
-        sp.Matrix(sp.symbols("b_1:3")),
-    )
+    matrix = sp.Matrix(2, 2, sp.symbols("D_11 D_12 D_21 D_22"))
+    side = sp.Matrix(sp.symbols("b_1:3"))
     scaled, parts = matrix.adjugate() * side, dict(zip((*matrix, *side), (*D, *b), strict=True))
     return scaled.dot(scaled) - matrix.det() ** 2, matrix.det(), parts
 

@@ -94,10 +94,8 @@ def linear_poles() -> Outcome:
 def no_linear_sliding() -> Outcome:
     low, high = poles = _poles()
     angles = np.append(np.radians(_GRID), np.add.outer(poles, [-1e-6, 1e-6]))
-    model, between = (
-        linear_sprag(_article(theta0=angles, mu0=0.7)),
-        np.searchsorted(poles, angles) == 1,
-    )
+    model = linear_sprag(_article(theta0=angles, mu0=0.7))
+    between = np.searchsorted(poles, angles) == 1
     holds = ((model.y > 0) == between).all() and ((model.determinant < 0) == between).all()
     return holds, {"from_deg": _deg(low), "to_deg": _deg(high)}
 
@@ -429,10 +427,8 @@ def lives_below() -> Outcome:
         near = found[case] = cycle(
             _at(degrees, V=speed, d=creep), near=found.get((degrees, V, D), near)
         )
-    ours, others = (
-        [found[degrees, V, D] for degrees in far_below],
-        [found[with_others, *belt] for belt in OTHER_BELTS],
-    )
+    ours = [found[degrees, V, D] for degrees in far_below]
+    others = [found[with_others, *belt] for belt in OTHER_BELTS]
     return all(one.stable and _slides_stably(*case) for case, one in found.items()), {
         "theta0_deg": far_below,
         "periods": [one.period for one in ours],

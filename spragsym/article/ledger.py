@@ -122,11 +122,9 @@ def rounded(value: object, digits: int) -> Value:
         return items
     if isinstance(value, float | np.floating):
         return float(f"{float(value):.{digits}g}")
-    return (
-        int(value)
-        if isinstance(value, np.integer | int) and not isinstance(value, bool)
-        else str(value)
-    )
+    if isinstance(value, np.integer | int) and not isinstance(value, bool):
+        return int(value)
+    return str(value)
 
 
 def _differences(now: Row, before: Row) -> list[str]:
@@ -169,11 +167,9 @@ PARADOX = (
 
 def page() -> str:
     """The page, in Markdown: reproduction.md, filled in (extra ``plot``)."""
-    rows, claims, forms = (
-        printed()["rows"],
-        recorded(),
-        shipped_text("spragsym.generated", "LEDGER.md"),
-    )
+    rows = printed()["rows"]
+    claims = recorded()
+    forms = shipped_text("spragsym.generated", "LEDGER.md")
 
     def both_forms(id: str) -> str:
         """Printed form above the derived one, as the ledger's page shows the row."""

@@ -215,10 +215,8 @@ def extrema(
     family_of = partial(Family.of, p, vary, between, within)
     balances = balances_of(p.model, within, options)
     families = [family_of(one) for one in balances]
-    family, rest = (
-        families[0],
-        {name: ends for name, ends in between.items() if name != over},
-    )
+    family = families[0]
+    rest = {name: ends for name, ends in between.items() if name != over}
     with doing("cusps over {} and {}", *vary):
         found = cusps(p, vary, between=between, within=within, options=options)
     yield "cusp", found

@@ -15,14 +15,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import ConvergenceError
 from ..models.model import Touching, label_of
-from ..models.parameters import Ranges
+from ..models.parameters import ParameterSet, Ranges
 from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -41,9 +40,6 @@ from ..statics.forces import as_intervals, filled
 from ..statics.reference_state import in_order
 from .defining_systems import Augmented, Family, touch
 from .points import arranged, search
-
-if TYPE_CHECKING:
-    from ..models.parameters import ParameterSet
 
 #: A state passes from one combination of contacts into another.
 PASSES = "passes"

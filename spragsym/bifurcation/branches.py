@@ -118,11 +118,9 @@ def linked(
     """
     at, kinds, q = np.empty(0), np.empty(0, dtype=str), np.empty((0, 0))
     if turns is not None:
-        at, kinds, q = (
-            turns[vary],
-            turns.kind,
-            np.array([turns[name] for name in p.model.coordinates]),
-        )
+        at = turns[vary]
+        kinds = turns.kind
+        q = np.array([turns[name] for name in p.model.coordinates])
     whole = bool(eq.whole.all()) and (turns is None or turns.whole)
     along = Along(balance_of(p.model, eq.contact), p, vary, at, kinds, q, whole)
     stops = eq.parameters[vary].tolist()

@@ -434,11 +434,11 @@ class _CandidateSearch:
         """
         length = float(np.ptp(self.spans[0]))
         # How far beside a cusp its folds are looked for, over the range.
-        return (
-            [[one.where - far * length, one.where + far * length] for far in (1e-3, 1e-4, 1e-5)]
-            if one.kind == "cusp"
-            else [[one.where]]
-        )
+        if one.kind == "cusp":
+            return [
+                [one.where - far * length, one.where + far * length] for far in (1e-3, 1e-4, 1e-5)
+            ]
+        return [[one.where]]
 
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""
@@ -455,10 +455,8 @@ class _CandidateSearch:
 
     def end_at(self, value: float, limit: float) -> ModelEnd | None:
         """Value at which the state ends there below a limit; None if it does not."""
-        here, near = (
-            self.p.replace(**{self.over: value}),
-            dict(zip(self.p.model.coordinates, self.beginning[value], strict=True)),
-        )
+        here = self.p.replace(**{self.over: value})
+        near = dict(zip(self.p.model.coordinates, self.beginning[value], strict=True))
         slot = nearest_state(equilibria(here.replace(**{self.vary: self.low})), near)
         return first_end(here, self.vary, (self.low, limit), start=int(slot))
 

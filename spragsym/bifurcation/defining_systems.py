@@ -18,13 +18,13 @@ import math
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import TYPE_CHECKING, Any, Self, TypeAlias
+from typing import Any, Self, TypeAlias
 
 import numpy as np
 
 from ..core.errors import ParameterError
 from ..models import Model
-from ..models.parameters import Ranges, as_ranges
+from ..models.parameters import ParameterSet, Ranges, as_ranges
 from ..numerics import contractors
 from ..numerics.arithmetic import (
     Matrix,
@@ -61,9 +61,6 @@ from ..statics.namespaces import XP
 from ..statics.precise_balance import refined_in_digits
 from ..statics.regions import requested_region
 from ..statics.systems import Boxes, Entries, StateSystem, at_anchors
-
-if TYPE_CHECKING:
-    from ..models.parameters import ParameterSet
 
 #: Arcs of directions, π/16 wide, looked at one by one: 32 are a full turn, one more covers what
 #: rounding leaves.

@@ -235,11 +235,9 @@ class _Plane(Family):
                     curve = self.curve(states, omega, forms)
                     curves.append(curve)
                     changes += self.changes(found.curves, states, curve.criticality.tolist())
-            undecided, whole, said = (
-                np.concatenate([undecided, found.undecided]),
-                whole and found.whole,
-                said + found.remarks,
-            )
+            undecided = np.concatenate([undecided, found.undecided])
+            whole = whole and found.whole
+            said = said + found.remarks
             lines = found.lines
         hardly = (
             int(self.hardly_damped(undecided.mean(axis=2).T).sum())

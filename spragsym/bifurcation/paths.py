@@ -262,10 +262,8 @@ class QuasiStaticContinuation:
         every = self._turns_within(along, ends)
         #: Points at which states vanish, and those at which they pass from one combination of
         #: contacts that touch into another.
-        self.turns, self.passes = (
-            every.select(every.kind != PASSES),
-            every.select(every.kind == PASSES),
-        )
+        self.turns = every.select(every.kind != PASSES)
+        self.passes = every.select(every.kind == PASSES)
         self.at, self.kinds = self.turns[vary], self.turns.kind
         #: Coordinates of the points at which states vanish, shape (n, numbers).
         self.q = np.array([self.turns[name] for name in self.balance.coordinates])
@@ -362,10 +360,8 @@ class QuasiStaticContinuation:
         are inside of what is searched.
         """
         allowed, room = self.p.ranges[self.vary], beyond * _size(along, along)
-        low, high = (
-            max(float((along - room).min()), allowed.low),
-            min(float((along + room).max()), allowed.high),
-        )
+        low = max(float((along - room).min()), allowed.low)
+        high = min(float((along + room).max()), allowed.high)
         found = folds(self.p, self.vary, between={self.vary: (low, high)}, options=self.search)
         if not found.decided:
             raise ConvergenceError(
@@ -698,10 +694,8 @@ class QuasiStaticContinuation:
 
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""
-        value, kind = (
-            float(self.at[number]),
-            INFINITY if self.far[number] else str(self.kinds[number]),
-        )
+        value = float(self.at[number])
+        kind = INFINITY if self.far[number] else str(self.kinds[number])
         touching, at_border = "", label_of(self.p.model.contacts[0])
         if self.p.model.has_regimes:
             touching, at_border = (

@@ -27,12 +27,12 @@ import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.parameters import Ranges
+from ..models.parameters import ParameterSet, Ranges
 from ..numerics import balls, certified_roots, contractors
 from ..numerics.arithmetic import Number, cofactor, determinant
 from ..numerics.balls import UndecidedSign
@@ -76,9 +76,6 @@ from .defining_systems import (
     cusp,
 )
 from .points import Found, all_of, arranged, of_ends, search, vanishes
-
-if TYPE_CHECKING:
-    from ..models.parameters import ParameterSet
 
 
 def folds_of(

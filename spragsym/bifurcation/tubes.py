@@ -507,19 +507,17 @@ class Tubes(ByColumn):
         least = 2 * self.options.half_width * scale_of(z[others])
         more = 1 + self.options.inflation
         reach = np.maximum(least, more * beside[others] * self.half.any(axis=0))
-        out, most = (
-            Place(
-                z,
-                along,
-                moved,
-                by_p,
-                swing.copy(),
-                np.zeros_like(z),
-                np.zeros_like(z),
-                np.zeros(half.size, dtype=bool),
-            ),
-            np.zeros_like(reach),
+        out = Place(
+            z,
+            along,
+            moved,
+            by_p,
+            swing.copy(),
+            np.zeros_like(z),
+            np.zeros_like(z),
+            np.zeros(half.size, dtype=bool),
         )
+        most = np.zeros_like(reach)
         found = None if self.half.any() else self._tapes
         if found is None:
             self._inflate(out, beside, reach, most)
@@ -583,12 +581,10 @@ class Tubes(ByColumn):
         """Make boxes about places, at first as wide as ``reach``, wider until they are proved, and
         ``out`` and ``most`` what is known of those that are.
         """
-        others, rows, swing, more = (
-            self.others,
-            np.arange(out.sure.size),
-            out.held,
-            1 + self.options.inflation,
-        )
+        others = self.others
+        rows = np.arange(out.sure.size)
+        swing = out.held
+        more = 1 + self.options.inflation
         forces = self._forces(out.z)
         for _ in range(self.options.inflations):
             if not rows.size:
@@ -610,10 +606,8 @@ class Tubes(ByColumn):
                 )[0]
                 out.room[:, here], most[:, here] = alone[:, done], np.maximum(*step[:, :, done])
             left = good & ~done
-            rows, reach = (
-                rows[left],
-                more * np.maximum(reach, np.maximum(*np.abs(step)))[:, left],
-            )
+            rows = rows[left]
+            reach = more * np.maximum(reach, np.maximum(*np.abs(step)))[:, left]
 
     def rises(self, tube: Place, by_s: FloatArray) -> FloatArray:
         """Sign of dv/ds for all states in places or tubes, 0 where it is not known; ``by_s`` is

@@ -112,10 +112,8 @@ def _passed(
     open_ = tubes.rises(start, by_s) == towards
     rising = open_.copy()
     # All states of the place lie within the first segment.
-    here, step = (
-        start[np.arange(goal.size)],
-        np.maximum(0.25 * straight, 2 * start.held[tubes.pivot]),
-    )
+    here = start[np.arange(goal.size)]
+    step = np.maximum(0.25 * straight, 2 * start.held[tubes.pivot])
     for _ in range(tubes.options.turn_steps):
         rows = np.flatnonzero(open_ & (step > tubes.options.least_step * straight))
         if not rows.size:

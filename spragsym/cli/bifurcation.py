@@ -133,11 +133,9 @@ def _draw(
     from ..figures.style import window
 
     p, ranges = case.set(*vary), case.between
-    shown, onsets, plane = (
-        window(case.model, vary, ranges, lambda: found["cusps"]),
-        None,
-        " and ".join(vary),
-    )
+    shown = window(case.model, vary, ranges, lambda: found["cusps"])
+    onsets = None
+    plane = " and ".join(vary)
     if undamped or len(found["onsets"]) or not (len(found["folds"]) or len(found["cusps"])):
         with show_progress(f"searching for onsets in the plane of {plane}"):
             onsets = ss.onset_curves(

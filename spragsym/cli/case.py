@@ -88,10 +88,8 @@ class Case:
         for name in (
             name for name, value in values.items() if value is None and name not in spanned
         ):
-            flag, number = (
-                options_of(self.model.about, name)[0],
-                "DEGREES" if self.model.is_angle(name) else "NUMBER",
-            )
+            flag = options_of(self.model.about, name)[0]
+            number = "DEGREES" if self.model.is_angle(name) else "NUMBER"
             varying = f" while {' and '.join(self.names)} varies" if self.spans else ""
             raise click.UsageError(
                 f"{flag} has no value{varying}, and {self.model.name} no usual one; give "

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 import numpy as np
@@ -23,15 +23,12 @@ from ..core.remarks import At, Remark
 from ..core.type_variables import T
 from ..design.jumps import first_limit_points, require_known, verb_of
 from ..display import columns_of_class, own_name
-from ..models.parameters import INSIDE
+from ..models.parameters import INSIDE, ParameterSet
 from ..results.equilibria import Equilibria
 from . import options as o
 from .bifurcation import lengths, summed
 from .case import Case, Row, Span
 from .output import drawn, print_rows
-
-if TYPE_CHECKING:
-    from ..models.parameters import ParameterSet
 
 
 @o.of_model(kind=o.NumberList, statics=True, values=True)
@@ -59,10 +56,8 @@ def equilibria(case: Case, plot: Path | None) -> object:
       spragsym equilibria --model cubic_contact --theta0 49
       spragsym equilibria --model mode_coupling --vary mu0=0:1 --plot modes.pdf
     """
-    titles, values = (
-        {name: case.parameter(name) for name in case.model.parameters},
-        dict(case.values),
-    )
+    titles = {name: case.parameter(name) for name in case.model.parameters}
+    values = dict(case.values)
     if case.spans:
         case.require_ends()
         values[case.span.name], titles[case.span.name] = (
@@ -319,13 +314,11 @@ def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> 
     """First end of the state; ``searched`` says from where to where, infinite if that is
     everywhere.
     """
-    name, ends, searched, at, error = (
-        along.name,
-        along.ends,
-        (math.nan, math.nan),
-        math.nan,
-        math.nan,
-    )
+    name = along.name
+    ends = along.ends
+    searched = (math.nan, math.nan)
+    at = math.nan
+    error = math.nan
     kind, before = None, dict.fromkeys(case.model.coordinates, math.nan)
     if not jumped:
         lowest = (
@@ -340,16 +333,12 @@ def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> 
                 p, name, direction="down" if falls else "up", begin=begin, until=until, **case.ask
             )
         )
-        searched, at = (
-            (float(p[name]) if begin is None else begin, float(found.until)),
-            float(found.value),
-        )
+        searched = (float(p[name]) if begin is None else begin, float(found.until))
+        at = float(found.value)
         if not math.isnan(at):
-            kind, before, error = (
-                "fold",
-                dict(zip(before, found.state.tolist(), strict=True)),
-                float(found.error),
-            )
+            kind = "fold"
+            before = dict(zip(before, found.state.tolist(), strict=True))
+            error = float(found.error)
         for end in found.others.values():
             kind, before = end.kind, {name: float(end.before[name]) for name in before}
     row = {"searched": [0.0 if abs(end) <= INSIDE else along.unit * end for end in searched]}
@@ -381,11 +370,9 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
     def fold() -> tuple[float, float, str | None] | None:
         found = ss.critical_friction(p, **case.ask)
         remarks.extend(Remark("mu0_lowest: {}", text) for text in found.remarks)
-        return (
-            (float(found), math.degrees(found.where), found.kind or None)
-            if found.complete
-            else None
-        )
+        if found.complete:
+            return (float(found), math.degrees(found.where), found.kind or None)
+        return None
 
     lowest, at_deg, kind = answer("mu0_lowest", fold, *labels) or (None, None, None)
     varies = None in case.values.values()

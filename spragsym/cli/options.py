@@ -313,10 +313,8 @@ class OfModel(Command):
             "state": ",".join(model.components).upper(),
         }
         # What varies unless told otherwise: what the help of --vary names as its default.
-        usual, texts = (
-            {"{axes}": model.axes, "{last}": model.axes[-1:]},
-            str([getattr(one, "help", "") for one in self.own]),
-        )
+        usual = {"{axes}": model.axes, "{last}": model.axes[-1:]}
+        texts = str([getattr(one, "help", "") for one in self.own])
         self.varied = [name for word, names in usual.items() if word in texts for name in names]
         kind = self.kind(FINITE)
         start = [
@@ -422,16 +420,12 @@ class OfModel(Command):
     def _parameters(self) -> Iterator[click.Option]:
         for entry in self.model.about["parameters"]:
             name, default = entry["name"], entry["base"]
-            allowed, meaning = (
-                self.model.Parameters.ranges[name],
-                f"{entry['meaning'][:1].upper()}{entry['meaning'][1:]}",
-            )
+            allowed = self.model.Parameters.ranges[name]
+            meaning = f"{entry['meaning'][:1].upper()}{entry['meaning'][1:]}"
             if self.model.is_angle(name):
                 allowed = in_degrees(allowed, f"give the {entry['meaning']} in degrees")
-                meaning, default = (
-                    f"{meaning}, degrees",
-                    None if default is None else degrees(default),
-                )
+                meaning = f"{meaning}, degrees"
+                default = None if default is None else degrees(default)
             exact = default is not None and float(f"{default:.7g}") == default
             # Click puts a default that is told in words into parentheses.
             rounded = "" if default is None or exact else f"  [default: {default:.7g}]"
@@ -446,10 +440,8 @@ class OfModel(Command):
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them: of statics with the friction that works."""
-        kind, p = (
-            study.kind,
-            study.operating_point if self.statics and study.moves else study.dimensionless,
-        )
+        kind = study.kind
+        p = study.operating_point if self.statics and study.moves else study.dimensionless
         if not self.statics and not study.moves:
             raise ParameterError(
                 f"--data {study.source}: there is no motion without belt speed and creep; add "

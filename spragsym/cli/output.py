@@ -84,13 +84,11 @@ def _fitted(
 def _written(name: str, cell: object, digits: int) -> str:
     if not isinstance(cell, float):
         return str(cell)
-    return (
-        upward(cell)
-        if name == "error"
-        else f"{cell:.1e}"
-        if name.startswith("growth")
-        else f"{cell:.{digits}g}"
-    )
+    if name == "error":
+        return upward(cell)
+    if name.startswith("growth"):
+        return f"{cell:.1e}"
+    return f"{cell:.{digits}g}"
 
 
 def print_json(thing: object) -> None:

@@ -20,11 +20,9 @@ INTERRUPTED = 130
 def _handler() -> Callable[[int, FrameType | None], object] | None:
     """The handler of Ctrl-C; None where that goes to another thread, or is ignored."""
     handler = signal.getsignal(signal.SIGINT)
-    return (
-        handler
-        if threading.current_thread() is threading.main_thread() and callable(handler)
-        else None
-    )
+    if threading.current_thread() is threading.main_thread() and callable(handler):
+        return handler
+    return None
 
 
 @contextmanager

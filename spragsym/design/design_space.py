@@ -126,10 +126,8 @@ class Space:
     @functools.cached_property
     def ends(self) -> Limits:
         """The smallest and the largest value of each quantity that changes."""
-        allowed, clear = (
-            [self.design.ranges[name] for name in self.names],
-            1e-9 * np.maximum(np.abs(self.origin), self.scale),
-        )
+        allowed = [self.design.ranges[name] for name in self.names]
+        clear = 1e-9 * np.maximum(np.abs(self.origin), self.scale)
         low, high = np.array([(one.low, one.high) for one in allowed]).T
         low = low + clear * [one.open_low for one in allowed]
         return np.minimum(low, self.origin), np.maximum(high - clear, self.origin)

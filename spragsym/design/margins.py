@@ -271,10 +271,8 @@ def redesign(
             raise ParameterError(
                 f"{name} is the target and can't be what changes; leave it out of one of the two"
             )
-        at, lowest = (
-            designs.at(name, as_number(f"target[{name!r}]", value, ranges[name])),
-            ranges[name].reached(ranges[name].low),
-        )
+        at = designs.at(name, as_number(f"target[{name!r}]", value, ranges[name]))
+        lowest = ranges[name].reached(ranges[name].low)
         own = (
             lowest
             if np.isfinite(lowest)

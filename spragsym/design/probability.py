@@ -181,10 +181,8 @@ def estimated(variables: Mapping[str, Any], event: Event, sampling: Sampling) ->
         for i, records in results:
             done[i] = records
             step()
-    every, titles = (
-        [one for i in range(len(tasks)) for one in done[i]],
-        together.titles if sampling.sobol else (),
-    )
+    every = [one for i in range(len(tasks)) for one in done[i]]
+    titles = together.titles if sampling.sobol else ()
     return estimate(every, [part.replicate for part in parts], confidence, titles)
 
 

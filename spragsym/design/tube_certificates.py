@@ -94,10 +94,8 @@ class Splitting(Claim):
         model = low.model
         self.model, self.vary, self.begin, self.near = model, vary, begin, low.followed
         self.balance = BalanceInUnits(model, units or {})
-        names, ends = (
-            self.balance.parameters,
-            corner_values(model.parameters, low, high, self.balance.units),
-        )
+        names = self.balance.parameters
+        ends = corner_values(model.parameters, low, high, self.balance.units)
         least = ends[0][names.index(vary), 0]
         if begin > least:
             raise ParameterError(

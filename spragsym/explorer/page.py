@@ -311,9 +311,7 @@ def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, floa
     last = reach if high is None else high
     # Share of a range that a slider keeps from ends that are not allowed.
     room = 0.003 * (last - first)
-    first, last = (
-        first + room * bool(entry["low_open"]),
-        last - room * (high is not None and bool(entry["high_open"])),
-    )
+    first = first + room * bool(entry["low_open"])
+    last = last - room * (high is not None and bool(entry["high_open"]))
     shown = math.degrees if entry["unit"] == "rad" else float
     return {"low": shown(first), "high": shown(last)}

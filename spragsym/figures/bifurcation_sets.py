@@ -104,10 +104,8 @@ def figure_12() -> Sheet:
 def figure_14(*, detail: float = 1.0) -> Sheet:
     """Surface and bifurcation set at σ = 1, with flutter."""
     figure = Sheet(figsize=(DOUBLE, 3.3))
-    space, plane = (
-        space_axes(figure, (0.02, 0.0, 0.56, 1.0), 0.95),
-        figure.add_axes((0.64, 0.16, 0.345, 0.74)),
-    )
+    space = space_axes(figure, (0.02, 0.0, 0.56, 1.0), 0.95)
+    plane = figure.add_axes((0.64, 0.16, 0.345, 0.74))
     p = Parameters.article(sigma=1.0)
     onsets = ss.kang_nam.flutter_boundary(p)
     flutter = [

@@ -329,10 +329,8 @@ def mark_folds(
     low, high = varied_range(vary, between, FINITE) if between else (-np.inf, np.inf)
     inside = (low <= along) & (along <= high)
     model = turns.parameters.model
-    x, y = (
-        model.column(vary).size * along[inside],
-        model.column(quantity).size * turns[quantity][inside],
-    )
+    x = model.column(vary).size * along[inside]
+    y = model.column(quantity).size * turns[quantity][inside]
     style = {
         "linestyle": "none",
         "marker": "o",

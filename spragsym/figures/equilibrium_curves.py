@@ -89,10 +89,8 @@ def figure_5() -> Sheet:
         for ax, name, letter, ylim in zip(
             axes[row], "xy", ("ab", "cd")[row], ((-2.2, 3.2), lowest), strict=True
         ):
-            figure.tables[letter], (figure.tables[f"{letter}_linear"], _) = (
-                table_of(curves),
-                draw_linear(ax, p, name),
-            )
+            figure.tables[letter] = table_of(curves)
+            (figure.tables[f"{letter}_linear"], _) = draw_linear(ax, p, name)
             draw_panel(ax, p, curves, name, ylim=ylim)
             remark(ax, rf"$\mu_0 = {mu0}$")
     for ax, angle in zip(axes[:, 0], (86, 92), strict=True):

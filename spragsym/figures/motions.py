@@ -357,10 +357,8 @@ def _divided(
             step * np.arange(0.5, round(top / step), dtype=float) for top, step in ends
         )
         if level == 0:
-            rms, asked = (
-                np.zeros((frictions.size, angles.size)),
-                np.ones((frictions.size, angles.size), dtype=bool),
-            )
+            rms = np.zeros((frictions.size, angles.size))
+            asked = np.ones((frictions.size, angles.size), dtype=bool)
         else:
             rms, asked = (
                 cells.repeat(2, axis=0).repeat(2, axis=1) for cells in (rms, _beside_a_step(rms))
@@ -384,10 +382,8 @@ def _divided(
 def _beside_a_step(rms: FloatArray) -> BoolArray:
     """Cells that differ from a neighbour, beside or above, by a step."""
     cross = ndimage.generate_binary_structure(2, 1)
-    above, below = (
-        ndimage.maximum_filter(rms, footprint=cross) - rms,
-        rms - ndimage.minimum_filter(rms, footprint=cross),
-    )
+    above = ndimage.maximum_filter(rms, footprint=cross) - rms
+    below = rms - ndimage.minimum_filter(rms, footprint=cross)
     # Neighbouring cells whose RMS differ by more than this are divided.
     return np.maximum(above, below) > 0.3
 

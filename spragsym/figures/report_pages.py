@@ -112,11 +112,9 @@ def _planes(report: Facts) -> Rows:
     the loading parameter.
     """
     study, jump = report.study, report.mu_jump
-    (low, _, high), p, first = (
-        study.in_use,
-        study.operating_point,
-        study.kind.about["coordinates"][0],
-    )
+    (low, _, high) = study.in_use
+    p = study.operating_point
+    first = study.kind.about["coordinates"][0]
     angle, friction = p.model.inclination, p.model.coefficient
     jump, lowest = (math.nan if one is None else one for one in (jump, report.mu_lowest))
     seen = not lowest > _top(high, jump)  # a plane that no line crosses shows nothing
@@ -242,11 +240,9 @@ def _kinds_of(onsets: OnsetCurves) -> str:
 
 
 def _of_motion(report: Facts, lives: Oscillation) -> Rows:
-    (unit, size), time, name = (
-        unit_of(report.study),
-        report.study.scales.time,
-        report.study.kind.model.coordinates[0],
-    )
+    (unit, size) = unit_of(report.study)
+    time = report.study.scales.time
+    name = report.study.kind.model.coordinates[0]
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
     up, speed = (
         ("speed along the belt in m/s", 1e-3 * size / time)

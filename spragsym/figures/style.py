@@ -155,11 +155,9 @@ def stacked(tables: Sequence[Table], number: str = "", names: Iterable[str] = ()
         name: np.concatenate(parts or ([],))
         for name, *parts in zip(tables[0] if tables else names, *rows, strict=True)
     }
-    return (
-        {number: np.repeat(np.arange(len(rows)), [row[0].size for row in rows]), **columns}
-        if number
-        else columns
-    )
+    if number:
+        return {number: np.repeat(np.arange(len(rows)), [row[0].size for row in rows]), **columns}
+    return columns
 
 
 def runs(kinds: NDArray[Any]) -> list[slice]:
@@ -244,11 +242,9 @@ def symbol(name: str) -> str:
     """
     base, _, index = name.partition("_")
     if numbered := re.fullmatch(r"([^\W\d]+)(\d)", base):
-        return (
-            f"{symbol(numbered[1])}_{numbered[2]}"
-            if not index
-            else f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
-        )
+        if not index:
+            return f"{symbol(numbered[1])}_{numbered[2]}"
+        return f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
     # Names that are letters.
     greek = {
         "alpha",

@@ -213,10 +213,8 @@ def read_own(path: Path, key: str) -> dict[str, Any]:
     """
     columns, attributes = read(path)
     if attributes.get("fingerprint") != key:
-        model, source = (
-            attributes.get("model", "some model"),
-            attributes.get("source", "another program"),
-        )
+        model = attributes.get("model", "some model")
+        source = attributes.get("source", "another program")
         raise TargetError(
             f"{path} exists, a result of {model} by {source}, for other parameters or "
             "settings or of other code; remove it, "

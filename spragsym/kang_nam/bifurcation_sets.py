@@ -303,10 +303,8 @@ def _links(columns: _Columns, number: IntArray, step: float) -> list[set[int]]:
     for index in np.flatnonzero(~on):
         both = slice(index, index + 2)
         some = number[:, both] >= 0
-        who, pairs = (
-            number[:, both][some].tolist(),
-            _pairs(columns.theta0[:, both][some], np.nonzero(some)[1]),
-        )
+        who = number[:, both][some].tolist()
+        pairs = _pairs(columns.theta0[:, both][some], np.nonzero(some)[1])
         link(links, ((who[one], who[other]) for one, other in pairs))
     return links
 

@@ -198,10 +198,8 @@ def _change(
     c, s, c0, s0 = *kernel.cos_sin(theta), *kernel.cos_sin(values["theta0"])
     others = [values[name] for name in kernel.LINEAR]
     slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, *others, 1))
-    changes, moved = (
-        _catastrophe.unfolding(c, s, c0, s0, *others),
-        boxes.parameters(sides(boxes.low, boxes.high)),
-    )
+    changes = _catastrophe.unfolding(c, s, c0, s0, *others)
+    moved = boxes.parameters(sides(boxes.low, boxes.high))
     found = np.asarray(
         sum(
             term(-one / slope * moved[name].terms)
@@ -453,9 +451,7 @@ def covered(
         keep = result[box]
         box, begin, end = box[keep], begin[keep], end[keep]
         middle = 0.5 * (begin + end)
-        box, begin, end = (
-            np.tile(box, 2),
-            np.concatenate([begin, middle]),
-            np.concatenate([middle, end]),
-        )
+        box = np.tile(box, 2)
+        begin = np.concatenate([begin, middle])
+        end = np.concatenate([middle, end])
     return result, weight

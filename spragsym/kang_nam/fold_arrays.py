@@ -273,10 +273,8 @@ def _sharpened(
     while True:
         centre, v = middle(t), middle(value)
         (here, enclosing), values = (on_circle(one) for one in (centre, t)), with_value(value)
-        trig, change = (
-            kernel.f_coefficients(*values, 1),
-            kernel.f_changes(*values)[NAMES.index(vary)],
-        )
+        trig = kernel.f_coefficients(*values, 1)
+        change = kernel.f_changes(*values)[NAMES.index(vary)]
         drift = (
             kernel.f_slope(*enclosing[:2], *trig)
             / kernel.f(*enclosing[:2], *change)

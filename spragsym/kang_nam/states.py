@@ -45,10 +45,8 @@ def airborne(constants: tuple[float, ...], state: FloatArray) -> bool:
         np.concatenate([found.x, surface, [cos0]]),
         np.concatenate([found.y, np.zeros_like(surface), [sin0]]),
     )
-    values, energy = (
-        _potential(*places, *arguments),
-        _potential(x, y, *arguments, xp=math) + (vx * vx + vy * vy) / 2,
-    )
+    values = _potential(*places, *arguments)
+    energy = _potential(x, y, *arguments, xp=math) + (vx * vx + vy * vy) / 2
     for slot in np.flatnonzero(found.undamped == EquilibriumType.STABLE):
         brim = float(np.min(values[values > values[slot] + 1e-12], initial=np.inf))
         # Points between which the energy is bounded on the straight way to the well's bottom.

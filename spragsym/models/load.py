@@ -122,10 +122,8 @@ def load(name: str | os.PathLike[str]) -> Model:
         )
     with _LOCK:
         if where in shipped():
-            about, files = (
-                json.loads((folder / "model.json").read_text(encoding="utf-8")),
-                dict[str, bytes](),
-            )
+            about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
+            files = dict[str, bytes]()
         else:
             about, files = _verified(folder)
         known_model = _LOADED.get(where)

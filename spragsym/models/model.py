@@ -77,12 +77,10 @@ class Model:
         closed: Mapping[str, str] | None = None,
     ) -> None:
         self.name: str = about["name"]
-        self.where, self.about, self.Parameters, self.closed = (
-            where,
-            about,
-            parameters,
-            closed or {},
-        )
+        self.where = where
+        self.about = about
+        self.Parameters = parameters
+        self.closed = closed or {}
         self._module = module
         #: The model with its closed forms.
         self.whole: Model = self

@@ -43,10 +43,8 @@ class Quantities:
         def by(key: str, section: str, value: str) -> dict[str, str]:
             return {entry[key]: entry[value] for entry in self.about[section]}
 
-        self.bases, self.coordinates = (
-            by("name", "units", "unit"),
-            by("name", "coordinates", "unit"),
-        )
+        self.bases = by("name", "units", "unit")
+        self.coordinates = by("name", "coordinates", "unit")
         self.parameters = by("quantity", "parameters", "name")
         self.units = self.bases | by("quantity", "parameters", "quantity_unit")
         self.meanings = by("name", "units", "meaning") | by("quantity", "parameters", "meaning")

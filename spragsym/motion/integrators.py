@@ -79,11 +79,9 @@ def is_there(backend: str) -> bool:
 
 def version(backend: str) -> str:
     """Name and version of the integrator, which decide the last bits of a result."""
-    return (
-        with_compiled.version()
-        if backend == "compiled"
-        else f"{backend} {importlib.metadata.version(backend)}"
-    )
+    if backend == "compiled":
+        return with_compiled.version()
+    return f"{backend} {importlib.metadata.version(backend)}"
 
 
 def integrate(problem: Problem, backend: str) -> Solution:

@@ -114,10 +114,8 @@ class PiecewisePolynomial:
             # Where an end of the interval stays twice in a row, its value is halved: that draws the
             # next root to its side.
             halved = np.where(side == before, 0.5, 1.0)
-            above, below = (
-                np.where(left, halved * above, value),
-                np.where(left, value, halved * below),
-            )
+            above = np.where(left, halved * above, value)
+            below = np.where(left, value, halved * below)
             low, high = np.where(left, root, low), np.where(left, high, root)
             if np.all(np.abs(root - last) <= 1e-15 * (1 + np.abs(root))):
                 break

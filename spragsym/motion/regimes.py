@@ -177,11 +177,9 @@ class Outcome(Named):
     @property
     def cycle_spread(self) -> float:
         """Root mean square of x about its mean over one period."""
-        return (
-            float(np.sqrt(max(self.cycle_rms**2 - self.cycle_mean**2, 0.0)))
-            if self.period > 0
-            else float("nan")
-        )
+        if self.period > 0:
+            return float(np.sqrt(max(self.cycle_rms**2 - self.cycle_mean**2, 0.0)))
+        return float("nan")
 
 
 #: Boxes of connected sets of rest, the least and the largest of each coordinate: (k, 2, n).

@@ -482,11 +482,9 @@ class Trajectory(Named):
             options = replace(options, settled=as_number("tol", tol, POSITIVE))
         problem = replace(problem, options=options)
         found = classify(late.statistics(), Onward(problem, self.backend))
-        return (
-            replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest))))
-            if found.rest and not self.model.clock
-            else found
-        )
+        if found.rest and not self.model.clock:
+            return replace(found, equilibrium=int(rest_index(self.p, np.array(found.rest))))
+        return found
 
     def period(self, transient: float | None = None, *, tol: float | None = None) -> float:
         """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has
@@ -640,12 +638,10 @@ class Trajectory(Named):
         """
         rubbing = self.model.rubbing
         name = rubbing[forces.contact_named(self.model, contact, rubbing)]
-        sides, felt, pushing, gaps = (
-            self._sides(),
-            [1] * self.model.about["layers"],
-            self._pushing(),
-            np.diff(self.t),
-        )
+        sides = self._sides()
+        felt = [1] * self.model.about["layers"]
+        pushing = self._pushing()
+        gaps = np.diff(self.t)
         before = np.concatenate([sides[:, :1], sides[:, :-1]], axis=1)
         names = [entry["name"] for entry in self.model.contacts]
         rubs = pushing.copy()

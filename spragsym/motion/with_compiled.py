@@ -73,12 +73,10 @@ def integrate(problem: Problem) -> Solution:
     from . import _carried
 
     unit = unit_points()
-    mode, state, elapsed, steps = (
-        problem.field.initial_mode(problem.start, problem.constants),
-        np.array(problem.start),
-        0.0,
-        0,
-    )
+    mode = problem.field.initial_mode(problem.start, problem.constants)
+    state = np.array(problem.start)
+    elapsed = 0.0
+    steps = 0
     constants, most = np.array(problem.constants), problem.max_steps or MAX_STEPS
     # Time in a mode, and the length of the next step, of which the first is as SciPy chooses it.
     clock = np.array(

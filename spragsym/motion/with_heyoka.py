@@ -370,11 +370,9 @@ class BatchIntegrator:
         """Passage of the zero of a root's argument: where it is zero to OVERSHOOT, the state moves
         on by as much: at its anchor a spring has no direction.
         """
-        one, state, pars = (
-            self.some[lane],
-            self.state[: self.m, lane].copy(),
-            self.pars[:, lane].copy(),
-        )
+        one = self.some[lane]
+        state = self.state[: self.m, lane].copy()
+        pars = self.pars[:, lane].copy()
         if (
             each.argument is not None
             and abs(each.value(state, pars=pars[: each.value.nparams])[0]) < OVERSHOOT**2
@@ -445,10 +443,8 @@ class BatchIntegrator:
                 self.solver.set_dtime(late, early)
                 for values in (self.state, self.pars):
                     values[:, free] = values[:, going[:1]]
-            begun, left = (
-                self.times.copy(),
-                min(self.some[lane].most - self.some[lane].steps for lane in going),
-            )
+            begun = self.times.copy()
+            left = min(self.some[lane].most - self.some[lane].steps for lane in going)
             output, _ = self.solver.propagate_until(
                 end, c_output=record, max_steps=min(BURST, left + 1)
             )
@@ -476,11 +472,9 @@ class BatchIntegrator:
         """Count the steps of a lane in a flow that ``begun``; an error where it can't go on, or
         has passed a border unseen.
         """
-        outcomes, (outcome, _, _, made), t = (
-            library().taylor_outcome,
-            self.solver.propagate_res[lane],
-            float(self.times[lane]),
-        )
+        outcomes = library().taylor_outcome
+        (outcome, _, _, made) = self.solver.propagate_res[lane]
+        t = float(self.times[lane])
         problem, state = one.problem, self.state[: self.m, lane]
         one.steps += int(made)
         if one.error:
@@ -528,11 +522,9 @@ class BatchIntegrator:
         (one,) = self.some
         self.propagate(self.some, 0.0, one.problem.t_end)
         found = FlowResult(*self._split(one.carried), tuple(one.crossings), tuple(one.extrema))
-        return (
-            replace(found, integrals=tuple((one.carried[-2:] / DEVIATION_UNIT).tolist()))
-            if self.derivatives
-            else found
-        )
+        if self.derivatives:
+            return replace(found, integrals=tuple((one.carried[-2:] / DEVIATION_UNIT).tolist()))
+        return found
 
 
 def missed_event(t: float) -> ConvergenceError:

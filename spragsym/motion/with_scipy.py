@@ -144,13 +144,11 @@ class Flight:
         field, duration, clock = self.problem.field, self.problem.t_end, 0.0
         m, most = field.size, self.problem.max_steps or MAX_STEPS
         first = None
-        mode, looked, steps = (
-            start_mode(
-                self.problem, whole[:m], Deviations(self.directions, whole[m:].reshape(m, -1))
-            ),
-            0.0,
-            0,
+        mode = start_mode(
+            self.problem, whole[:m], Deviations(self.directions, whole[m:].reshape(m, -1))
         )
+        looked = 0.0
+        steps = 0
         # Steps between two looks at whether they have collapsed.
         look = 2000
         while clock < duration:

@@ -66,14 +66,12 @@ class Ball(Arithmetic):
         if not isinstance(other, Ball) and (other := _as_ball(other, self.bits)) is None:
             return NotImplemented
         one, other = (self, other) if self.exp >= other.exp else (other, self)
-        m, r, n, s, exp, gap = (
-            one.mid,
-            one.rad,
-            other.mid,
-            other.rad,
-            other.exp,
-            one.exp - other.exp,
-        )
+        m = one.mid
+        r = one.rad
+        n = other.mid
+        s = other.rad
+        exp = other.exp
+        gap = one.exp - other.exp
         if gap:
             if not (m or r):
                 return Ball(n, s, exp, self.bits)

@@ -179,10 +179,8 @@ def _refined(
 def stepped(system: EquationSystem, ends: FloatArray, parameters: Intervals) -> contractors.Newton:
     """The step of interval Newton from the middles of boxes of shape (2, n, N)."""
     middle = Intervals(ends).middle
-    values, slopes = (
-        system.residuals(Intervals.point(middle), parameters),
-        system.jacobian(Intervals(ends), parameters),
-    )
+    values = system.residuals(Intervals.point(middle), parameters)
+    slopes = system.jacobian(Intervals(ends), parameters)
     return contractors.newton(values, slopes, middle, contractors.distance(ends, middle))
 
 

@@ -55,11 +55,9 @@ class ByColumn:
         """These, and others."""
 
         def joined(one: object, *more: Any) -> object:
-            return (
-                one.concatenated(*more)
-                if isinstance(one, ByColumn)
-                else np.concatenate([one, *more], axis=-1)
-            )
+            if isinstance(one, ByColumn):
+                return one.concatenated(*more)
+            return np.concatenate([one, *more], axis=-1)
 
         return self._made(joined, *others)
 

@@ -113,11 +113,9 @@ def _product(
 def _quotient(
     one: DoubleDouble | FloatArray | float, other: DoubleDouble | FloatArray | float
 ) -> DoubleDouble:
-    return (
-        _product(one, 1.0 / other)
-        if _is_power_of_two(other)
-        else _of(dd.dd_divide(_wide(one), _wide(other)))
-    )
+    if _is_power_of_two(other):
+        return _product(one, 1.0 / other)
+    return _of(dd.dd_divide(_wide(one), _wide(other)))
 
 
 def _less(one: Number, other: Number) -> Array:

@@ -205,18 +205,14 @@ class Intervals(Arithmetic):
 
     def __mul__(self, other: Number) -> Intervals:
         if isinstance(other, Intervals):
-            return (
-                self.squared()
-                if other is self
-                else Intervals(rounded_outward(_extremes(np.multiply, self.ends, other.ends)))
-            )
+            if other is self:
+                return self.squared()
+            return Intervals(rounded_outward(_extremes(np.multiply, self.ends, other.ends)))
         if isinstance(other, int | float):
             return self._times(exactly(other))
-        return (
-            Intervals(rounded_outward(scaled(self.ends, other)))
-            if isinstance(other, np.ndarray)
-            else NotImplemented
-        )
+        if isinstance(other, np.ndarray):
+            return Intervals(rounded_outward(scaled(self.ends, other)))
+        return NotImplemented
 
     def _times(self, factor: float) -> Intervals:
         ends = self.ends if factor >= 0 else self.ends[::-1]

@@ -315,8 +315,6 @@ def _power(value: Number, power: int) -> Number:
     """A power; of python-flint's balls by products, since its own is no number where a ball holds
     0.
     """
-    return (
-        repeated_product(value, power)
-        if power and type(value).__module__.startswith("flint")
-        else value**power
-    )
+    if power and type(value).__module__.startswith("flint"):
+        return repeated_product(value, power)
+    return value**power

@@ -68,11 +68,9 @@ class Digits(Protocol):
 
     def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """F of balls, or of jets of balls where no derivatives are needed."""
-        return (
-            list(map(constant, self.equations(variables(unknowns, self.order))))
-            if self.order
-            else self.equations(unknowns)
-        )
+        if self.order:
+            return list(map(constant, self.equations(variables(unknowns, self.order))))
+        return self.equations(unknowns)
 
     def slopes(self, unknowns: Sequence[Any]) -> Matrix:
         """∂F/∂x over a box."""

@@ -313,10 +313,8 @@ def steps(
                 raise
             continue
         yield seen
-        point, length = (
-            remeshed_point(found),
-            min(options.longest_step, length * (1.6 if straight > options.straighter else 1.1)),
-        )
+        point = remeshed_point(found)
+        length = min(options.longest_step, length * (1.6 if straight > options.straighter else 1.1))
 
 
 def zero_of(
@@ -372,10 +370,8 @@ def along(point: BranchPoint, value: float) -> BranchPoint:
             if point.value == value:
                 break
     except (ConvergenceError, ZeroDivisionError) as error:
-        name, what = (
-            point.orbit.field.parameters[setting.free[0]],
-            "cycle" if setting.holds is in_phase else "equilibrium",
-        )
+        name = point.orbit.field.parameters[setting.free[0]]
+        what = "cycle" if setting.holds is in_phase else "equilibrium"
         raise ConvergenceError(
             f"the {what} ends near {name} = {point.value:.10g} on the way"
         ) from error
@@ -426,11 +422,9 @@ def aligned(one: BranchPoint, other: BranchPoint) -> float:
     """
     chord, both = other.place - one.place, float(one.way @ other.way)
     length = norm(chord)
-    return (
-        min(both, *(float(chord @ each.way) / length for each in (one, other)))
-        if length > 0
-        else both
-    )
+    if length > 0:
+        return min(both, *(float(chord @ each.way) / length for each in (one, other)))
+    return both
 
 
 def started(setting: Setting, guess: Iterate) -> BranchPoint:

@@ -394,10 +394,8 @@ class Smooth:
                 accelerations = self.field.acceleration(
                     variables(series, 1), self.constants, self.mode, XP
                 )
-            rates, slopes = (
-                [constant(each) for each in accelerations],
-                [gradient(each, m) for each in accelerations],
-            )
+            rates = [constant(each) for each in accelerations]
+            slopes = [gradient(each, m) for each in accelerations]
             by_state = [
                 arb_mat(n, m, [_term(value, k) for row in slopes for value in row])
                 for k in range(count - terms)

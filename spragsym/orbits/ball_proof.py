@@ -132,11 +132,9 @@ def _refined(
 
     Each round works with as many digits as it may gain.
     """
-    digits, state, period = (
-        claim["digits"],
-        [arb(value) for value in claim["state"]],
-        arb(claim["period"]),
-    )
+    digits = claim["digits"]
+    state = [arb(value) for value in claim["state"]]
+    period = arb(claim["period"])
     state[len(begun.field.coordinates)] = arb(
         0
     )  # exactly: the section is where the first coordinate is largest
@@ -291,10 +289,8 @@ def _multipliers(monodromy: list[list[arb]]) -> dict[str, Any]:
     trivial = [value for value in eigenvalues if (value - 1).contains(0)]
     others = [value for value in eigenvalues if not (value - 1).contains(0)]
     others.sort(key=lambda value: (-float(abs(value).mid()), -float(value.imag.mid())))
-    inside, outside = (
-        all(abs(value) < 1 for value in others),
-        any(abs(value) > 1 for value in others),
-    )
+    inside = all(abs(value) < 1 for value in others)
+    outside = any(abs(value) > 1 for value in others)
     return {
         "multipliers": [
             [

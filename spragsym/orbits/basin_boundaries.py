@@ -30,7 +30,7 @@ from ..models.parameters import (
 from ..motion.integrators import Flow
 from ..motion.options import MotionOptions
 from ..motion.scales import MotionScales
-from ..motion.simulation import state_of
+from ..motion.simulation import Trajectory, state_of
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import magnitude, norm
 from ..results.result import Result
@@ -38,7 +38,6 @@ from ..statics.equilibria import equilibria
 from .system import FateVerdict, Saddle, System, judged, saddle_near, verified
 
 if TYPE_CHECKING:
-    from ..motion.simulation import Trajectory
     from .orbit import Cycle
 
 

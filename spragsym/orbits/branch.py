@@ -372,10 +372,8 @@ def _followed(
             if length > options.event_step and point.alone:
                 raise ConvergenceError("the orbit is one of a whole family")
             return [*_joins(followed, found)]
-        items, before = (
-            list[BranchPoint | DetectedEvent](),
-            followed[-2] if len(followed) > 1 else None,
-        )
+        items = list[BranchPoint | DetectedEvent]()
+        before = followed[-2] if len(followed) > 1 else None
         if (
             before and followed[-1] is not point
         ):  # it was cut anew, and is compared with what is cut like it

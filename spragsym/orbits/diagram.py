@@ -14,13 +14,13 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import combinations, islice, pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..bifurcation.branches import joined, undecided_parts, undecided_points
-from ..bifurcation.flutter import flutter_onsets
+from ..bifurcation.flutter import Onsets, flutter_onsets
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.questions import model_of
@@ -42,9 +42,6 @@ from .finding import cycle_near
 from .options import BranchOptions
 from .orbit import same_cycle
 from .system import FixedPoints, System
-
-if TYPE_CHECKING:
-    from ..bifurcation.flutter import Onsets
 
 #: Options of branches of equilibria, whose steps are in units of the motion and halves of the
 #: range.

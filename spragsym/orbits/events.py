@@ -99,10 +99,8 @@ def detected_events(
         for kind in kinds
         if significant_value(kind, since[kind]) * significant_value(kind, other) < 0
     ]
-    pairs, came = (
-        matched_events(one.touches, other.touches),
-        matched_events(sliding_entries(one), sliding_entries(other)),
-    )
+    pairs = matched_events(one.touches, other.touches)
+    came = matched_events(sliding_entries(one), sliding_entries(other))
     left = [*lost(one, pairs, length), *lost(other, pairs, -length)]
     ended = [
         [(near, touch)]
@@ -271,10 +269,8 @@ def _switching(
 
     passing, staying = sorted((one, other), key=stays)
     returns = len(sliding_entries(passing)) > len(sliding_entries(staying))
-    kind, name = (
-        "switching-sliding" if returns else "crossing-sliding",
-        one.orbit.field.borders[arrival.way[0]].name,
-    )
+    kind = "switching-sliding" if returns else "crossing-sliding"
+    name = one.orbit.field.borders[arrival.way[0]].name
     yield from _located(kind, stays, one, other, length, name)
 
 
@@ -329,10 +325,8 @@ def _located(
             raise ConvergenceError(f"a {kind} was not located")
         if kind in SLIDING:
             return
-        off, how = (
-            max(off, width),
-            "a multiplier jumps past its value there, as it does at a grazing",
-        )
+        off = max(off, width)
+        how = "a multiplier jumps past its value there, as it does at a grazing"
     if kind == "crossing":
         yield DetectedEvent(
             "fold",
@@ -466,11 +460,9 @@ def touching(
     mode = near.mode(target[: near.field.size])
 
     def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
-        both, begin, size = (
-            partial(level_and_rate, orbit, border, mode),
-            orbit.states.size + 1,
-            orbit.field.size,
-        )
+        both = partial(level_and_rate, orbit, border, mode)
+        begin = orbit.states.size + 1
+        size = orbit.field.size
         point = np.append(orbit.state, orbit.guess.varied)
         slopes, rows = differences(both, point, 1e-7), np.zeros((2, len(orbit.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]

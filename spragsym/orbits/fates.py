@@ -218,11 +218,9 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
         "a transient it would live for more "
         f"than {lasting:.2g} on the average (95 %)"
     )
-    kind, exponents, error = (
-        "undecided" if why else "chaotic",
-        rates.exponents[rates.order],
-        rates.error[rates.order],
-    )
+    kind = "undecided" if why else "chaotic"
+    exponents = rates.exponents[rates.order]
+    error = rates.error[rates.order]
     t = verdict.t + rates.span
     return Fate(
         kind, reason, t, verdict.outcome, exponents, error, rates.trivial, scale, near, rates.end

@@ -221,11 +221,9 @@ def _steep(system: System) -> str:
         for name, value in zip(system.field.parameters, system.values, strict=True)
     )
     # Parameters beyond this are named where a motion can't be followed.
-    return (
-        f"; {name} = {value:g} is larger than it can carry: give a smaller one"
-        if value > 1e8
-        else ""
-    )
+    if value > 1e8:
+        return f"; {name} = {value:g} is larger than it can carry: give a smaller one"
+    return ""
 
 
 def _towards(flow: Flow, earlier: Iterate, values: Values, halvings: int = 6) -> Orbit:
@@ -305,10 +303,8 @@ def returns(
     largest_miss = 0.3
     highest = [extremum for extremum in extrema if extremum.direction < 0]
     found, best = [], 2 * largest_miss
-    states, scale = (
-        np.array([extremum.state for extremum in highest]),
-        np.ptp([extremum.state for extremum in extrema] or np.zeros((1, 1)), axis=0),
-    )
+    states = np.array([extremum.state for extremum in highest])
+    scale = np.ptp([extremum.state for extremum in extrema] or np.zeros((1, 1)), axis=0)
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
     # Rounds after which a state may return, at most.
     for rounds in range(1, min(len(highest), 60)):
@@ -368,11 +364,9 @@ def born_at(
     """
     if not len(onsets):
         raise ParameterError("there are no onsets; search where there is one to begin from")
-    row, model, vary = (
-        as_count("index", index, 0, len(onsets) - 1),
-        onsets.parameters.model,
-        onsets.vary[0],
-    )
+    row = as_count("index", index, 0, len(onsets) - 1)
+    model = onsets.parameters.model
+    vary = onsets.vary[0]
     form = onsets.normal_forms[row]
     if isinstance(form, str):
         raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
@@ -389,10 +383,8 @@ def born_at(
         raise ConvergenceError(
             f"the motion has no generic Hopf point beside the onset: {reason}"
         ) from reason
-    system, rest = (
-        System(Flow.of(model.field, backend, options), tuple(given.tolist())),
-        still(state),
-    )
+    system = System(Flow.of(model.field, backend, options), tuple(given.tolist()))
+    rest = still(state)
     scales = system.scales(rest)
     most = int(np.abs(form.q[: len(state)] / scales.places).argmax())
     size = float(np.abs(form.q[most]))

@@ -86,11 +86,9 @@ def _aside(point: BranchPoint, crossed: FloatArray | None, rounds: int) -> Branc
     orbit = setting.integrated(
         Iterate(np.vstack([guess.states] * rounds), rounds * guess.period, guess.values)
     )
-    unknowns, size, weights = (
-        point.tangent if crossed is None else crossed,
-        guess.states.size,
-        setting.weights(orbit),
-    )
+    unknowns = point.tangent if crossed is None else crossed
+    size = guess.states.size
+    weights = setting.weights(orbit)
     along = (
         np.concatenate(
             [*[unknowns[:size]] * rounds, rounds * unknowns[size : size + 1], unknowns[size + 1 :]]

@@ -293,10 +293,8 @@ class FixedPoints:
         self, state: FloatArray, constants: Values, _: float, directions: FloatArray
     ) -> FlowResult:
         """The map with its derivatives."""
-        there, by_parameters = (
-            self.at(state, constants),
-            np.zeros((self.field.size, len(directions))),
-        )
+        there = self.at(state, constants)
+        by_parameters = np.zeros((self.field.size, len(directions)))
         n = len(self.field.coordinates)
         try:
             force = self.field.acceleration(*there, FLOATS)

@@ -184,10 +184,8 @@ def _damping(report: Facts) -> Iterator[str]:
 
 def next_steps(report: Facts) -> Rows:
     """Verb and object of each step, the most useful first, the command to go on with last."""
-    study, steps = (
-        report.study,
-        [*_changes(report), *_ranges(report), *_measurements(report), *_other_state(report)],
-    )
+    study = report.study
+    steps = [*_changes(report), *_ranges(report), *_measurements(report), *_other_state(report)]
     command = (
         f"spragsym explore --data {shlex.quote(study.source)}, to walk over the folds and let it "
         "move"

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from ..core.errors import ParameterError, hint
 from ..design.sampling import Correlation, Dependence, dependence
 from ..models.load import USUAL, WITH_DAMPERS
-from ..models.parameters import Range, Ranges, Span, as_number, as_range
+from ..models.parameters import ParameterSet, Range, Ranges, Span, as_number, as_range
 from ..models.quantities import Quantities, QuantityValues, Scales, factor, quantities, share
 from .damping import RATIO, modal_dampers
 from .friction_fit import FrictionFit
@@ -25,7 +25,6 @@ from .units import Measured, Numbers, plain_unit, read, shown_in
 
 if TYPE_CHECKING:
     from ..design.jumps import Ends
-    from ..models.parameters import ParameterSet
 
 #: Least, as drawn, and largest within the tolerances.
 Spread: TypeAlias = tuple[float, float, float]
@@ -433,11 +432,9 @@ class Brake:
 
     def load_text(self, value: float, digits: int = 4) -> str:
         """A value of the loading parameter: a friction as a number, a quantity with its unit."""
-        return (
-            f"{value:.{digits}g}"
-            if self.of_friction
-            else self.shown(self.loading.quantity, value, digits)
-        )
+        if self.of_friction:
+            return f"{value:.{digits}g}"
+        return self.shown(self.loading.quantity, value, digits)
 
     def named(self, value: float, digits: int = 4) -> str:
         """The value in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
@@ -452,11 +449,9 @@ class Brake:
         N``.
         """
         word = self.loading.word
-        return (
-            word
-            if math.isinf(self.upper_limit)
-            else f"{word} up to {self.load_text(self.upper_limit)}"
-        )
+        if math.isinf(self.upper_limit):
+            return word
+        return f"{word} up to {self.load_text(self.upper_limit)}"
 
     def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
         """The unit of this file for an SI unit, that of a quantity if it is there, and what one of

@@ -47,11 +47,9 @@ def example(model: Model) -> str:
     def written(name: str, value: float) -> str:
         si = kind.units[name]
         unit = plain_unit(si)
-        return (
-            example_of(name, si)
-            if si in given
-            else f"{float(f'{value / factor(unit, si):.3g}'):g} {unit}".strip()
-        )
+        if si in given:
+            return example_of(name, si)
+        return f"{float(f'{value / factor(unit, si):.3g}'):g} {unit}".strip()
 
     load, lines = kind.rises, list[str]()
     tolerances = {"k": " +- 10 %", "k_t": " +- 10 %", "theta0": " +- 1 deg", "mu0": " +- 10 %"}

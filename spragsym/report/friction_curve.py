@@ -162,10 +162,8 @@ def _rows(lines: Sequence[tuple[int, str]], between: str) -> Iterator[Span]:
         and not any(a_number.match(cell) for cell in data[0][1] if cell not in ("1", ""))
     ):
         units, data = [cell.strip("[]()") for cell in data[0][1]], data[1:]
-    speed, friction = (
-        _column(names, units, SPEED, "m/s", number),
-        _column(names, units, FRICTION, "1", number),
-    )
+    speed = _column(names, units, SPEED, "m/s", number)
+    friction = _column(names, units, FRICTION, "1", number)
     used = []
     for number, row in data:
         if len(row) < len(names) or any(row[len(names) :]):

@@ -53,10 +53,8 @@ def speed_for(study: Brake, friction: float) -> float:
     ):
         return math.nan
     law, name = _Law(study), study.kind.law["belt"]
-    index, speed = (
-        law.balance.parameters.index(name),
-        abs(float(study.dimensionless[name])),
-    )
+    index = law.balance.parameters.index(name)
+    speed = abs(float(study.dimensionless[name]))
     # Times the belt's own speed up to which a speed is looked for, as a power of two.
     parts = [
         (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(30))

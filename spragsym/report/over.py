@@ -68,12 +68,13 @@ class Verdicts:
         none.
         """
         count = sum(row[-2] == OUTCOMES[""] for row in self.rows)
-        return (
-            f"{count} of {len(self.rows)} unsettled, the first because {self.reason}; write that "
-            "value into the file and ask for its report, which says more, or take other ends"
-            if count
-            else ""
-        )
+        if count:
+            return (
+                f"{count} of {len(self.rows)} unsettled, the first because {self.reason}; write "
+                "that value into the file and ask for its report, which says more, or take other "
+                "ends"
+            )
+        return ""
 
     def csv(self) -> str:
         """Lines with commas under one line of titles; what has no number is empty."""

@@ -95,11 +95,9 @@ def distance(study: Brake) -> float:
     one, or a jump.
     """
     scale = {name: size for name, size in study.tolerances.items() if name in study.kind.of_statics}
-    return (
-        float(jump_margin(design(study), scale, **study.along()).distance)
-        if scale and study.load
-        else math.nan
-    )
+    if scale and study.load:
+        return float(jump_margin(design(study), scale, **study.along()).distance)
+    return math.nan
 
 
 def design(study: Brake) -> Design:
@@ -144,11 +142,9 @@ class _RedesignSearch:
         if self.study.may_change:
             return self.study.may_change.get(name, (start, start))
         low, high = sorted((start / LARGEST_FACTOR, start * LARGEST_FACTOR))
-        return (
-            (max(low, _INCLINATION_TOLERANCE), min(high, math.pi - _INCLINATION_TOLERANCE))
-            if self.study.kind.units[name] == "rad"
-            else (low, high)
-        )
+        if self.study.kind.units[name] == "rad":
+            return (max(low, _INCLINATION_TOLERANCE), min(high, math.pi - _INCLINATION_TOLERANCE))
+        return (low, high)
 
     def _scale(self, name: str) -> float:
         study, si = self.study, self.study.kind.units
@@ -231,20 +227,16 @@ class _RedesignSearch:
             after: Any = redesign(self.within, change, target, begin=study.start()).parameters
         except SpragsymError:
             return None
-        return (
-            {name: float(np.clip(value, *self.span[name])) for name, value in after.items()}
-            if after
-            else None
-        )
+        if after:
+            return {name: float(np.clip(value, *self.span[name])) for name, value in after.items()}
+        return None
 
     def _further(self, after: Numbers) -> Iterator[Numbers]:
         """A change where no corner of its tolerances jumps, and further ones, up to the end of what
         a quantity may be.
         """
-        before, way = (
-            self.study.values,
-            {name: value - self.study.values[name] for name, value in after.items()},
-        )
+        before = self.study.values
+        way = {name: value - self.study.values[name] for name, value in after.items()}
         left = min(
             [
                 (self.span[name][step > 0] - after[name]) / step

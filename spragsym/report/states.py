@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from ..bifurcation.paths import quasi_static_path
 from ..core.errors import ConvergenceError, SpragsymError
 from ..design.jumps import jump_value
 from ..models import forces
-from ..models.parameters import FloatArray, Ranges
+from ..models.parameters import FloatArray, ParameterSet, Ranges
 from ..models.quantities import factor
 from ..motion import Outcome, Regime, Trajectory, simulate
 from ..numerics.interval_arrays import ComplexArray
@@ -30,9 +30,6 @@ from ..statics.search import balances_of, number_of
 from ..statics.stability import linearization, roots, verdicts
 from .brake import Brake
 from .units import Numbers
-
-if TYPE_CHECKING:
-    from ..models.parameters import ParameterSet
 
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
 SHARE_BEYOND_FOLD = 1e-2
@@ -455,10 +452,8 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
             followed[word] = motion, outcome = _followed(p, start)
             found = _cycle_of(p, start, outcome)
             if found is not None and found.stable:  # no motion comes to one that is not
-                frequency, force_ranges = (
-                    1 / (found.period * study.scales.time),
-                    _forces(study, found.forces),
-                )
+                frequency = 1 / (found.period * study.scales.time)
+                force_ranges = _forces(study, found.forces)
                 return Oscillation(
                     "cycle",
                     frequency,
@@ -495,10 +490,8 @@ def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillat
     )
     kind = _COMES_TO.get(regime, goes).replace("cycle", "motion")
     goes_on = 1.0 if kind == "motion" else math.nan
-    force_ranges, lives = (
-        _forces(study, _extremes(p, late.state), goes_on),
-        beside if kind == "motion" else None,
-    )
+    force_ranges = _forces(study, _extremes(p, late.state), goes_on)
+    lives = beside if kind == "motion" else None
     return Oscillation(
         kind, math.nan, goes_on * 0.5 * now * size, unit, *force_ranges, lives, word, late
     )

@@ -51,11 +51,9 @@ def _on_others(report: Facts) -> str:
 
 def followed_state(study: Brake) -> str:
     """Name of the state that is followed."""
-    return (
-        f"the state chosen near {_places(in_units(study, study.near))}"
-        if study.state
-        else "the reference state"
-    )
+    if study.state:
+        return f"the state chosen near {_places(in_units(study, study.near))}"
+    return "the reference state"
 
 
 def _on_the_motion(report: Facts) -> str:
@@ -67,17 +65,15 @@ def _on_the_motion(report: Facts) -> str:
     sliding = report.study.slides
     if found is None or not (found.alive or found.kind == "lift-off"):
         unstable = bool(here) and all(state.stability == "unstable" for state in here)
-        return (
-            f"{'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow."
-            if unstable
-            else ""
-        )
+        if unstable:
+            return (
+                f"{'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow."
+            )
+        return ""
     if found.kind == "lift-off":
         return "From rest it lifts off the belt for good."
-    beside, at = (
-        f", beside stable {'sliding' if sliding else 'rest'}" if found.coexists else "",
-        hertz(found.frequency_hz),
-    )
+    beside = f", beside stable {'sliding' if sliding else 'rest'}" if found.coexists else ""
+    at = hertz(found.frequency_hz)
     if found.kind == "motion":
         return (
             f"From {found.start} it goes on swinging, and had not repeated itself when it was "
@@ -178,11 +174,9 @@ def _unknown(report: Facts) -> str:
 def _on_the_tolerances(report: Facts) -> str:
     odds, speed = report.probability, " at this speed" if report.reach == "faster" else ""
     if report.within == "proved":
-        return (
-            f"Proved{speed}: nothing within {box(report.unbounded)} sprags."
-            if report.study.tolerances
-            else "That it does not sprag is proved."
-        )
+        if report.study.tolerances:
+            return f"Proved{speed}: nothing within {box(report.unbounded)} sprags."
+        return "That it does not sprag is proved."
     if odds is None:
         return "A proof was not found." if report.within == "undecided" else ""
     if report.within != "refuted" and not report.hits:
@@ -521,10 +515,8 @@ def _tolerances(report: Facts) -> Rows:
         ends = f"{_percent(odds.low)} to {_percent(odds.high)} with confidence {odds.confidence:g}"
         yield "probability of a jump", f"{share(odds)}, {ends}{more}"
         if odds.proved != (0.0, 1.0):
-            low, high = (
-                math.floor(1e4 * odds.proved[0]) / 1e2,
-                math.ceil(1e4 * odds.proved[1]) / 1e2,
-            )
+            low = math.floor(1e4 * odds.proved[0]) / 1e2
+            high = math.ceil(1e4 * odds.proved[1]) / 1e2
             what = (
                 "what is proved to jump, and all but what is proved not to; no sampling can leave "
                 "that"
@@ -628,13 +620,11 @@ def as_json(report: Facts) -> Json:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as
     null.
     """
-    study, state, lives, odds, reached = (
-        report.study,
-        report.current,
-        report.oscillation,
-        report.probability,
-        report.certificate,
-    )
+    study = report.study
+    state = report.current
+    lives = report.oscillation
+    odds = report.probability
+    reached = report.certificate
     alive, jump = lives if lives and lives.alive else None, report.peak
     first = next(iter(jump.before)) if jump else ""
     unit = first.rpartition("_")[2]
@@ -649,11 +639,9 @@ def as_json(report: Facts) -> Json:
     def told(value: float | None) -> Any:
         if value is None:
             return None
-        return (
-            {"value": value, "unit": ""}
-            if study.of_friction
-            else one(study.loading.quantity, value)
-        )
+        if study.of_friction:
+            return {"value": value, "unit": ""}
+        return one(study.loading.quantity, value)
 
     def both(name: str) -> Json:
         return {"rest": getattr(state, name, None), "oscillation": getattr(alive, name, None)}

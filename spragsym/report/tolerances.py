@@ -108,11 +108,9 @@ def samples(study: Brake, number: int) -> FloatArray:
     from scipy.stats import qmc  # heavy, and a refusal does not need it
 
     names = varied(study)
-    return (
-        study.together(names).shares(qmc.Sobol(len(names), rng=0).random(number))
-        if names
-        else np.zeros((1, 0))
-    )
+    if names:
+        return study.together(names).shares(qmc.Sobol(len(names), rng=0).random(number))
+    return np.zeros((1, 0))
 
 
 def ending(
@@ -170,11 +168,9 @@ def certificate(study: Brake, *, coarse: bool = False) -> Certificate:
     )
     # A part of the box where all jump need not hold a brake: the bounds of its friction may be
     # loose.
-    return (
-        found
-        if found.outcome == "proved"
-        else replace(found, outcome="undecided", counterexample=None)
-    )
+    if found.outcome == "proved":
+        return found
+    return replace(found, outcome="undecided", counterexample=None)
 
 
 def counterexample(study: Brake, number: int) -> Numbers | None:

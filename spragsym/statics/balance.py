@@ -101,10 +101,8 @@ class Balance(Forces, StateSystem):
         q = middles
         for _ in range(4):
             at = self.at(list(q), values, xp=np)
-            slopes, forces = (
-                filled(at.slopes, middles.shape[1:]),
-                filled([at.forces()], middles.shape[1:]),
-            )
+            slopes = filled(at.slopes, middles.shape[1:])
+            forces = filled([at.forces()], middles.shape[1:])
             q = q - (contractors.inverse(slopes) * forces).sum(axis=1)
         return q
 
@@ -260,12 +258,10 @@ class PreciseBalance(Digits):
     def __init__(
         self, system: StateSystem, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})
     ) -> None:
-        self.system, self.balance, self.bits, self.order = (
-            system,
-            system.balance,
-            bits,
-            system.order,
-        )
+        self.system = system
+        self.balance = system.balance
+        self.bits = bits
+        self.order = system.order
         with balls.precision(bits):
             between = {name: balls.between(*ends) for name, ends in spans.items()}
         numbers = zip([*self.balance.parameters, SCALE], np.nan_to_num(given), strict=False)
@@ -397,8 +393,6 @@ def _times(value: Number, factor: Number) -> Number:
     if is_zero(value):
         return value
     product = value * factor
-    return (
-        Intervals(np.where(value.ends == 0, 0.0, product.ends))
-        if isinstance(value, Intervals)
-        else product
-    )
+    if isinstance(value, Intervals):
+        return Intervals(np.where(value.ends == 0, 0.0, product.ends))
+    return product

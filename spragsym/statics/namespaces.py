@@ -67,11 +67,9 @@ class FreeWaves(LawFunctions):
 
     def of(self, name: str, value: Number) -> Number:
         """A function of one number or jet."""
-        return (
-            Intervals(np.ones_like(self.taken(constant(value)).ends))
-            if name in ("cos", "sin")
-            else super().of(name, value)
-        )
+        if name in ("cos", "sin"):
+            return Intervals(np.ones_like(self.taken(constant(value)).ends))
+        return super().of(name, value)
 
 
 #: ``xp`` over boxes.

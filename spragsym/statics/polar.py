@@ -143,10 +143,8 @@ class Polar(StateSystem):
         c, s, length = at.directions[3 * self.spring : 3 * self.spring + 3]
         forces = self.other_forces(at)
         x, y = self.chart
-        tension, across = (
-            elongation * at.of_springs("stiffnesses")[self.spring],
-            forces[y] * c - forces[x] * s,
-        )
+        tension = elongation * at.of_springs("stiffnesses")[self.spring]
+        across = forces[y] * c - forces[x] * s
         out = list(forces)
         out[x] = forces[x] * c + forces[y] * s - tension
         out[y] = across

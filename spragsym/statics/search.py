@@ -55,10 +55,8 @@ def equilibria_by_search(
     """The equilibria of :func:`spragsym.equilibria`, by a search for each combination of contacts
     that touch.
     """
-    balances, asked = (
-        balances_of(p.model, within, options, contact=contact),
-        requested_region(p.model, within),
-    )
+    balances = balances_of(p.model, within, options, contact=contact)
+    asked = requested_region(p.model, within)
     given = columns(p, balances[0].parameters)
     parts = [(balance, *roots_of(balance, given, asked)) for balance in balances]
     return _arranged(p, parts)

@@ -13,13 +13,12 @@ from numpy.typing import NDArray
 
 from ..display import own_name
 from ..models.model import Touching
-from ..models.parameters import FloatArray
+from ..models.parameters import FloatArray, ParameterSet
 from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import Int8Array, IntArray
 from ..results import Equilibria
 
 if TYPE_CHECKING:
-    from ..models.parameters import ParameterSet
     from .stability import Linearized
 
 

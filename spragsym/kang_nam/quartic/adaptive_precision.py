@@ -53,10 +53,8 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEq
     spread = _spread(theta0, rational)
     # Bits beside the spread of the parameters: where one is far below the others, so is what
     # decides.
-    bits, most = (
-        max(FIRST_BITS, 96 + spread, int(3.4 * digits) + 64),
-        MAXIMUM_BITS + BITS_A_SPREAD * spread,
-    )
+    bits = max(FIRST_BITS, 96 + spread, int(3.4 * digits) + 64)
+    most = MAXIMUM_BITS + BITS_A_SPREAD * spread
     while True:
         with balls.precision(bits):
             try:

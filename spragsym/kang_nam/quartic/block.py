@@ -106,10 +106,8 @@ def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
     # Roundings of a double that θ, L, x and y in double-double arithmetic are off by when
     # they are stored: the arc tangent is within one unit in the last place, and its argument
     # is rounded.
-    theta, error = (
-        2.0 * (kernel.arctangent(t.high) if wide else np.arctan(t)),
-        root.error + (4 * 2.0**-53) if wide else root.error,
-    )
+    theta = 2.0 * (kernel.arctangent(t.high) if wide else np.arctan(t))
+    error = root.error + (4 * 2.0**-53) if wide else root.error
     return {
         "theta": theta,
         "L": root.L,

@@ -39,11 +39,9 @@ def solve(
     """
     from . import _compiled
 
-    settled, rows, here = (
-        np.empty(size, dtype=bool),
-        np.empty(size, dtype=int),
-        slice(begin, begin + size),
-    )
+    settled = np.empty(size, dtype=bool)
+    rows = np.empty(size, dtype=int)
+    here = slice(begin, begin + size)
     first = tuple(out.first[name][here] for name in COLUMNS)
     shape = size, out.slots - 1
     further = (

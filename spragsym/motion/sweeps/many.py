@@ -160,10 +160,8 @@ def rms_sweep(
         "options": options or MotionOptions(),
     }
     work, together = partial(measured, model, settings), partial(_together, settings)
-    made, key = (
-        partial(_made_of, model, inputs, settings),
-        partial(fingerprint, model, inputs, settings),
-    )
+    made = partial(_made_of, model, inputs, settings)
+    key = partial(fingerprint, model, inputs, settings)
     columns = [own_name(model, name) for name in (*reported(model), "regime", "reason")]
     computation = Computation(inputs, work, made, columns[:-1], columns[-1], key, together)
     return made_or_loaded(computation, workers, progress, store)

@@ -272,12 +272,10 @@ def _map(
     children: list[subprocess.Popen[bytes]], function: Callable[[Any], Any], items: Iterable[Any]
 ) -> Iterator[Any]:
     """Whoever is free takes the next item; the results come as they are done."""
-    free, left, asked, found = (
-        [*children],
-        iter(items),
-        dict[Future[Any], subprocess.Popen[bytes]](),
-        list[Future[Any]](),
-    )
+    free = [*children]
+    left = iter(items)
+    asked = dict[Future[Any], subprocess.Popen[bytes]]()
+    found = list[Future[Any]]()
     with ThreadPoolExecutor(len(children)) as threads:
         try:
             while True:

@@ -34,11 +34,9 @@ def c_name(name: str) -> str:
 
 
 def _result(function: Definition) -> str:
-    return (
-        f"double result[{len(function.leaves)}]"
-        if isinstance(function.results, tuple)
-        else "double *result"
-    )
+    if isinstance(function.results, tuple):
+        return f"double result[{len(function.leaves)}]"
+    return "double *result"
 
 
 def _signature(start: str, names: Iterable[str], result: str | None) -> str:

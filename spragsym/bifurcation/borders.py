@@ -23,6 +23,7 @@ from ..core.errors import ConvergenceError
 from ..models.model import Touching, label_of
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.arithmetic import determinant
+from ..numerics.certified_roots import in_order
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -37,7 +38,6 @@ from ..results.points import Ended, Points
 from ..statics import stability
 from ..statics.balance import Balance
 from ..statics.forces import as_intervals, filled
-from ..statics.reference_state import in_order
 from .defining_systems import Augmented, Family, touch
 from .points import arranged, search
 

@@ -137,6 +137,26 @@ class Family:
         """All parameters over the ranges."""
         return Intervals.between(self.begin, self.at(self.spans[:, 1:]))
 
+    def is_affine(self) -> bool:
+        """Whether the forces are affine in the coordinates, by structure: there is one state, none,
+        or a line, and no two meet.
+        """
+        balance = self.balance
+        if balance.springs:
+            return False
+        with quiet():
+            values = balance.over(self.over[:, :1])
+            try:
+                rows = balance.at(
+                    variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), values, (1,)
+                ).rows("forces")
+            except ZeroDivisionError:  # a law that has no value there
+                return False
+        jets = (row for row in rows if isinstance(row, Jet))
+        return all(
+            len(term) < 2 or is_zero(part) for jet in jets for term, part in jet.terms.items()
+        )
+
 
 def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
     """Lower and upper ends of the parameters that vary, shape (number, 2)."""

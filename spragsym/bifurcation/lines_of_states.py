@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from ..numerics import balls
-from ..numerics.arithmetic import Matrix, Number, determinant, is_zero
+from ..numerics.arithmetic import Matrix, Number, determinant
 from ..numerics.balls import UndecidedSign, ball
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -32,29 +32,10 @@ from ..numerics.interval_arrays import (
     quiet,
     stacked,
 )
-from ..numerics.jets import Jet, constant, variables
+from ..numerics.jets import Jet, constant
 from ..statics.balance import PreciseBalance
 from ..statics.forces import Evaluation
 from .defining_systems import FOLD, Augmented, Family
-
-
-def is_affine(family: Family) -> bool:
-    """Whether the forces are affine in the coordinates, by structure: there is one state, none, or
-    a line, and no two meet.
-    """
-    balance = family.balance
-    if balance.springs:
-        return False
-    with quiet():
-        values = balance.over(family.over[:, :1])
-        try:
-            rows = balance.at(
-                variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), values, (1,)
-            ).rows("forces")
-        except ZeroDivisionError:  # a law that has no value there
-            return False
-    jets = (row for row in rows if isinstance(row, Jet))
-    return all(len(term) < 2 or is_zero(part) for jet in jets for term, part in jet.terms.items())
 
 
 def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:

@@ -27,8 +27,8 @@ from typing import Any
 
 import numpy as np
 
-from ..models.field import Mode, undecorated
-from ..models.forces import presses_either
+from ..models.field import Mode
+from ..models.forces import presses_either, undecorated
 from ..numerics import balls, contractors
 from ..numerics.arithmetic import Complex, Matrix, Number, as_complex, linear_solution
 from ..numerics.balls import XP, Ball, UndecidedSign, ball

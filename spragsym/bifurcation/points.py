@@ -31,7 +31,7 @@ from ..display import own_name
 from ..models.model import label_of
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import Number, determinant
-from ..numerics.certified_roots import Roots, distinct, stepped
+from ..numerics.certified_roots import Roots, distinct, in_order, stepped
 from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import (
     BoolArray,
@@ -54,11 +54,10 @@ from ..statics.balance import NEGLIGIBLE, Balance
 from ..statics.forces import SEARCHED_ANGLE, Evaluation, Values, as_intervals
 from ..statics.namespaces import SCALED, XP, NoChart, Scaled
 from ..statics.precise_balance import on_contact_side, reduced_by_turns
-from ..statics.reference_state import in_order
 from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
 from .defining_systems import Augmented, Condition, Family, OfFamily, refined_roots, slope
-from .lines_of_states import is_affine, lines_of_states
+from .lines_of_states import lines_of_states
 
 #: What kinds of points begin with at which a state runs to infinity.
 INFINITY = "infinity"
@@ -87,7 +86,7 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     parameters that do not vary.
     """
     balance, alone = family.balance, family.given.shape[1] == len(family.vary) == 1
-    if condition.singular and is_affine(family):
+    if condition.singular and family.is_affine():
         return _of_affine_forces(family)
     searched, whole = _region(family, balance)
     if condition.touching is not None and not whole.all():

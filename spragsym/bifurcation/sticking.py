@@ -25,8 +25,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..core.questions import Method, question
-from ..models.field import undecorated
-from ..models.forces import named, presses_either
+from ..models.forces import named, presses_either, undecorated
 from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import Number, determinant

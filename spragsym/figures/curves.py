@@ -8,7 +8,7 @@ import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -50,9 +50,6 @@ from .style import (
     styled,
     window,
 )
-
-if TYPE_CHECKING:
-    pass
 
 #: Names of axes in the article's figures.
 LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$"}
@@ -158,13 +155,27 @@ def curves_between(
     In lift-off there are none. A curve between two cuts is split by stability; at a fold it is
     extended to the exact point.
     """
-    curves, spans = list[Branch](), [undecided_parts(turns, ends)]
+    pieces, undecided = _pieces(p, vary, ends, turns, damping, n)
+    curves = [
+        curve
+        for own, eq, cuts, at in pieces
+        for curve in _by_stability(vary, eq, at, cuts, own.turns, damping)
+    ]
+    return Branches(curves, p.model, vary, undecided)
+
+
+def _pieces(
+    p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
+) -> tuple[list[tuple[_Combination, Equilibria, Span, States]], FloatArray]:
+    """Every curve between two cuts: its combination, equilibria, the cuts, and which of these are
+    the curve; and the ranges in which something is undecided.
+    """
+    found, spans = list[tuple[_Combination, Equilibria, Span, States]](), []
     for own in _by_combination(p, turns):
         for eq, cuts in pieces_between(p, vary, ends, own, damping, n):
             spans.append(undecided_points(eq, vary, cuts))
-            for at in chains(p, vary, eq, own.turns):
-                curves += _by_stability(vary, eq, at, cuts, own.turns, damping)
-    return Branches(curves, p.model, vary, joined(np.concatenate(spans)))
+            found += [(own, eq, cuts, at) for at in chains(p, vary, eq, own.turns)]
+    return found, joined(np.concatenate([undecided_parts(turns, ends), *spans]))
 
 
 @dataclass(frozen=True)
@@ -598,14 +609,9 @@ def _drawn(
     vary, ends, turns = _range(p, vary, between, contact)
     model, lines, courses = p.model, list[Line2D](), list[Any]()
     nowhere = complex(np.nan, np.nan)
-    spans = [undecided_parts(turns, ends)]
-    states = list[tuple[Equilibria, States]]()
-    for own in _by_combination(p, turns):
-        for eq, cuts in pieces_between(p, vary, ends, own, False, n):
-            spans.append(undecided_points(eq, vary, cuts))
-            states += [(eq, at) for at in chains(p, vary, eq, own.turns)]
+    pieces, undecided = _pieces(p, vary, ends, turns, False, n)
     size = model.column(vary).size
-    for eq, at in states:
+    for _, eq, _, at in pieces:
         values = eq.parameters[vary][at[0]]
         damped, undamped = (
             _followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues)
@@ -629,7 +635,7 @@ def _drawn(
     rate = in_letters(model.about["scales"]["rate"])
     for ax, text in zip(axes, (r"frequency Im $\lambda$", r"growth Re $\lambda$"), strict=True):
         ax.set_ylabel(f"{text} (units of ${rate}$)")
-        shade(ax, model, vary, joined(np.concatenate(spans)))
+        shade(ax, model, vary, undecided)
         ax.set_xlim(*size * np.array(ends))
     axes[0].set_ylim(bottom=max(0.0, axes[0].get_ylim()[0]))
     axes[1].axhline(0.0, color=BLACK, linewidth=0.4)

@@ -9,7 +9,6 @@ left out. What a model has not, as a contact that lifts, is no border.
 
 from __future__ import annotations
 
-import inspect
 import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -25,7 +24,7 @@ from ..core.remarks import At, Remark
 from ..display import Column
 from ..numerics.arithmetic import Number
 from ..numerics.vectors import WholeTurns, in_one_turn
-from . import forces
+from .forces import forces_of, of_statics, presses_either, undecorated
 from .parameters import FloatArray
 
 if TYPE_CHECKING:
@@ -294,14 +293,6 @@ class Field:
 
 
 @cache
-def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The algebra of a generated function, without the common shape of results; it takes a
-    namespace even where it needs none.
-    """
-    algebra: Callable[..., Any] = inspect.unwrap(function)
-    return algebra if algebra.__kwdefaults__ else lambda *given, xp=None: algebra(*given)
-
-
 @cache
 def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Field:
     """The field whose exponentials are left out where they are below exp(−reach), and whose borders
@@ -333,7 +324,7 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         faces=motion.faces
         if len(motion.contacts) == 1
         else tuple(k for k, entry in enumerate(motion.contacts) if entry["border"]),
-        forces=tuple(forces.forces_of(model).items()),
+        forces=tuple(forces_of(model).items()),
         nonlinear_levels=model.about.get("curved", False),
         periodic=model.whole_turns,
         model=model,
@@ -403,7 +394,7 @@ class _Motion:
         ]
         #: Contacts that press on either of two faces: places of what goes with the place alone.
         self.faces = tuple(
-            contact for contact, entry in enumerate(self.contacts) if forces.presses_either(entry)
+            contact for contact, entry in enumerate(self.contacts) if presses_either(entry)
         )
         rows = itertools.chain(levels, itertools.repeat(1.0))
         sizes = [1.0 if entry["border"] is None else next(rows) for entry in self.contacts]
@@ -556,7 +547,7 @@ class _Motion:
         position = state[: len(self.model.coordinates)]
         geometry = undecorated(self.model.algebra.geometry)
         try:
-            lines = geometry(*position, *forces.of_statics(self.model, constants))
+            lines = geometry(*position, *of_statics(self.model, constants))
         except ArithmeticError:
             return []
         return [float(rest) for *_, rest in lines if rest]

@@ -1,10 +1,11 @@
-"""Quantities of a state: directions, lengths and forces of springs, and the force of the
-contact.
+"""Quantities of a state: directions, lengths and forces of springs, and the force of the contact;
+how generated functions are named and called.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import inspect
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -49,6 +50,14 @@ def _ends(model: Model) -> list[str]:
 def named(function: str, contact: str) -> str:
     """Generated functions and facts of one contact; of the only one, which has no name."""
     return f"{function}_{contact}" if contact else function
+
+
+def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
+    """The algebra of a generated function, without the common shape of results; it takes a
+    namespace even where it needs none.
+    """
+    algebra: Callable[..., Any] = inspect.unwrap(function)
+    return algebra if algebra.__kwdefaults__ else lambda *given, xp=None: algebra(*given)
 
 
 def columns(model: Model) -> list[Column]:

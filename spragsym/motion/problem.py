@@ -26,8 +26,8 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError
-from ..models.field import Field, Values, field_of, undecorated
-from ..models.forces import of_statics
+from ..models.field import Field, Values, field_of
+from ..models.forces import of_statics, undecorated
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, Range, as_count, as_number
 from .options import MotionOptions

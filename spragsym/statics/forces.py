@@ -11,8 +11,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..models.field import undecorated
-from ..models.forces import named
+from ..models.forces import named, undecorated
 from ..models.model import Model, Touching, label_of
 from ..numerics import jets
 from ..numerics.arithmetic import Matrix, Number, is_zero, part_of

@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import undecorated
-from ..models.forces import named
+from ..models.forces import named, undecorated
 from ..models.model import Model
 from ..models.parameters import ParameterSet
 from ..numerics import boxes, contractors
@@ -24,7 +23,6 @@ from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
     IndexArray,
-    IntArray,
     Intervals,
     Shape,
     matrix,
@@ -304,25 +302,3 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray | floa
         least = one.min(axis=-1, keepdims=True, initial=np.inf, where=left)
         left &= one <= least + room
     return left.argmax(axis=-1)
-
-
-def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> IndexArray:
-    """Numbers of states of some points in their order: by the rows from the first on, of which
-    those that agree decide nothing.
-
-    Two states that mirror each other have equal coordinates, of which rounding would make a first
-    and a second. ``rows`` are coordinates, shape (n, states), ``error`` bounds over max(1,
-    |coordinate|); states of one ``point`` are compared.
-    """
-    keys = []
-    for row in rows:
-        order = np.lexsort((row, point))
-        at = row[order]
-        # Of states at infinity those on one side agree, and none of them with a finite one.
-        near = np.where(np.isfinite(at), 1e-12 * (1 + np.abs(at)) + error[order] * scale_of(at), 0)
-        with quiet():
-            begins = np.diff(at, prepend=-np.inf) > near + np.roll(near, 1)
-        ranks = np.empty(order.size, dtype=np.intp)
-        ranks[order] = np.cumsum(begins | (np.diff(point[order], prepend=-1) != 0))
-        keys.append(ranks)
-    return np.lexsort((*reversed(keys), point))

@@ -18,7 +18,7 @@ from ..models.field import SETTLED_SHARE
 from ..models.model import Touching, label_of
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics import certified_roots
-from ..numerics.certified_roots import Roots
+from ..numerics.certified_roots import Roots, in_order
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -40,7 +40,6 @@ from .namespaces import XP
 from .options import SearchOptions
 from .polar import around_anchors, stiff_points, turned_points
 from .precise_balance import on_contact_side, reduced_by_turns, refined, refined_in_digits
-from .reference_state import in_order
 from .regions import region, requested_region
 from .states import Held
 

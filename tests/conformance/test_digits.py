@@ -10,8 +10,7 @@ import pytest
 
 import spragsym as ss
 from spragsym import precise
-from spragsym.models.field import undecorated
-from spragsym.models.forces import named
+from spragsym.models.forces import named, undecorated
 from spragsym.numerics.decimals import exactly
 from spragsym.statics.balance import Balance
 from tests.conformance import models

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.numerics.certified_roots import in_order
 from spragsym.numerics.interval_arrays import Intervals, ends_around
 from spragsym.statics.balance import Balance
-from spragsym.statics.reference_state import in_order, is_reference, reference_state
+from spragsym.statics.reference_state import is_reference, reference_state
 from spragsym.statics.search import columns
 
 

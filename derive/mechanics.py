@@ -287,14 +287,12 @@ class Mechanics:
     kinetic: sp.Expr  #: the part of it that is quadratic in the rates
     linear: sp.Expr  #: the part that is linear in them, as in a frame that turns
     still: sp.Expr  #: the part without them, which stands in the potential with the other sign
-    potential: (
-        sp.Expr
-    )  #: in coordinates, lengths and turnings, without the contact and the applied forces
+    #: In coordinates, lengths and turnings, without the contact and the applied forces.
+    potential: sp.Expr
     stiffnesses: Row  #: of the spring along every line, 0 where there is none
     applied: Row  #: generalized applied forces
-    dissipation: (
-        sp.Expr
-    )  #: half of the power that the dampers take, in rates, directions and lengths
+    #: Half of the power that the dampers take, in rates, directions and lengths.
+    dissipation: sp.Expr
     contacts: tuple[NormalForce, ...]  #: of a page without one a force that is 0
     frictions: tuple[FrictionForce, ...]  #: of a page without one a friction along nothing
     clock: sp.Symbol | None  #: the coordinate that grows at a given rate

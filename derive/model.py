@@ -73,9 +73,8 @@ class PageError(ArithmeticError):
     """A page that can't be carried through: which line, what was expected, and what still works."""
 
     def __init__(self, line: int, message: str, page: str = "") -> None:
-        message = re.sub(
-            r"(?<!['\w])_(?=[a-z])", "", message
-        )  # names of generated code's own, as the page's laws have them
+        # Names of generated code's own become those of the page's laws.
+        message = re.sub(r"(?<!['\w])_(?=[a-z])", "", message)
         where = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
         super().__init__(f"{where}: {message}" if where else message)
         self.line, self.message = line, message

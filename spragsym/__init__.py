@@ -20,9 +20,8 @@ from typing import Any as _Any
 
 import lazy_loader as _lazy
 
-_HERE = (
-    _pathlib.Path(__file__).resolve().parent
-)  # a link to this folder, from wherever, leads to its checkout
+# A link to this folder, from wherever, leads to its checkout.
+_HERE = _pathlib.Path(__file__).resolve().parent
 
 
 def _find_beside(name: str) -> None:

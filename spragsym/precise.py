@@ -284,9 +284,8 @@ def _exactly(
         if degrees is not None and value is not None:
             raise ParameterError(f"give one of {name} (radians) and {name}_deg (degrees)")
         if degrees is not None:
-            low, high = (
-                round(math.degrees(end), 9) for end in (allowed.low, allowed.high)
-            )  # 180 where the end is π
+            # 180 where the end is π.
+            low, high = (round(math.degrees(end), 9) for end in (allowed.low, allowed.high))
             limits = replace(allowed, low=low, high=high)
             given[name] = Degrees(as_exact(f"{name}_deg", degrees, limits))
             continue

@@ -30,20 +30,16 @@ class Strength(IntEnum):
 class Syntax:
     """Syntax in which languages differ."""
 
-    primitives: Mapping[
-        str, str
-    ]  #: names of the functions that stand for the language's primitives but ``where``
-    logic: Mapping[
-        type[ast.operator] | type[ast.unaryop], str
-    ]  #: the signs for ``&``, ``|`` and ``~``
+    #: Names of the functions that stand for the language's primitives but ``where``.
+    primitives: Mapping[str, str]
+    #: The signs for ``&``, ``|`` and ``~``.
+    logic: Mapping[type[ast.operator] | type[ast.unaryop], str]
     algebra: Callable[[str], str]  #: how a generated function is called
     routine: Callable[[str], str] = str  #: how a function of the kernel is called
-    signs: Mapping[str, str] = field(
-        default_factory=dict
-    )  #: for + − * / and comparisons, where they differ, as ``.*`` for arrays
-    ternary: bool = (
-        True  #: whether ``c ? a : b`` chooses; otherwise a function does that ``primitives`` names
-    )
+    #: For + − * / and comparisons, where they differ, as ``.*`` for arrays.
+    signs: Mapping[str, str] = field(default_factory=dict)
+    #: Whether ``c ? a : b`` chooses; otherwise a function does that ``primitives`` names.
+    ternary: bool = True
 
 
 @dataclass(frozen=True)

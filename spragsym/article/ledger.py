@@ -39,9 +39,8 @@ class ArticleStatement:
     tolerance: str = "none: a yes or no"
     command: str
     test: str  #: in tests/article/test_claims.py
-    consequence: str = (
-        ""  #: for those who use the article, where a statement does not hold as it stands
-    )
+    #: For those who use the article, where a statement does not hold as it stands.
+    consequence: str = ""
 
     def row(self, holds: bool, values: dict[str, Value]) -> Row:
         """A row of the ledger of claims: what is stated and what was found."""

@@ -389,9 +389,8 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
         on_contact_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure)
     )
     apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
-    omega = sightings[-1, ~sure][
-        linear_sum_assignment(apart.T)[1]
-    ]  # of several pairs that cross at one place each has its own
+    # Of several pairs that cross at one place each has its own frequency.
+    omega = sightings[-1, ~sure][linear_sum_assignment(apart.T)[1]]
     return (
         replace(found, roots=distinct(found.roots.concatenated(proved.select(undecided=slice(0))))),
         open_,

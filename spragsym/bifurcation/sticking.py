@@ -260,9 +260,8 @@ def _sets(
     which they end.
     """
     eq, balance = continuation.eq, continuation.balance
-    first = np.concatenate(
-        [[0], np.cumsum(eq.count)]
-    )  # numbers of states, node by node, then those of folds and borders
+    # Numbers of the first state of each node, then of folds and borders.
+    first = np.concatenate([[0], np.cumsum(eq.count)])
     q = np.concatenate(
         [np.array([column[eq.states] for column in eq.coordinates.values()]), continuation.q],
         axis=1,

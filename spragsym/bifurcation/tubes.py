@@ -500,9 +500,10 @@ class Tubes(ByColumn):
         pivot does.
         """
         others = self.others
+        # The middle is rounded.
         moved = np.where(
             half > 0, half * ROUNDED_UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0
-        )  # the middle is rounded
+        )
         swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * ROUNDED_UP
         least = 2 * self.options.half_width * scale_of(z[others])
         more = 1 + self.options.inflation

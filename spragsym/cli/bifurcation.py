@@ -291,9 +291,8 @@ def print_points(title: str, found: Mapping[str, Any], where: Sequence[str]) -> 
         and any(math.isnan(value) for name, value in row.items() if "_after" in name)
     ]
     if lost:
-        everywhere = math.isinf(
-            next(iter(found["searched"].values()))[0]
-        )  # as by closed forms: a search may be undecided
+        # Closed forms search everywhere; a search may be undecided.
+        everywhere = math.isinf(next(iter(found["searched"].values()))[0])
         said = "is left" if found["complete"] and everywhere else "was found"
         nowhere = ", ".join(f"{row[where[0]]:.6g}" for row in lost)
         click.echo(

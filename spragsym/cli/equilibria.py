@@ -80,9 +80,10 @@ def equilibria(case: Case, plot: Path | None) -> object:
     with show_progress(
         f"searching for equilibria of {size} points" if many else "searching for equilibria"
     ):
+        # The first goes slowest.
         every = [
             dict(zip(values, combination, strict=True)) for combination in itertools.product(*lists)
-        ]  # the first slowest
+        ]
         named = [{title: unit * at[name] for name, (title, unit) in titles.items()} for at in every]
         points = [
             {"parameters": at, **one}

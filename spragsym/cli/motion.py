@@ -298,9 +298,8 @@ def cycles(
     if sound and case.study is None:
         raise click.UsageError("--sound needs metres and seconds: give --data FILE")
     names = case.model.components
-    ones = np.array(
-        [case.of(name)[1] for name in names]
-    )  # as a state is typed, and printed to be typed again
+    # A state is printed as it is typed, to be typed again.
+    ones = np.array([case.of(name)[1] for name in names])
     start = None if near is None else _state(near, names) / ones
     p = case.set(
         **(

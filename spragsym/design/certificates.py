@@ -345,10 +345,11 @@ class ClaimOfStates(Claim):
         nowhere = np.full((2, len(self.balances), self.balances[0].n, 1), np.inf)
         corners = corner_values(self.sides, low, high)
         box = Intervals.between(*corners)
+        # None flutters, wherever a state is.
         never = claim == "no flutter" and all(
             stability.without_flutter(balance, balance.prepared(box)).all()
             for balance in self.balances
-        )  # wherever a state is
+        )
         self.whole = LocatedParts(*corners, np.array([never]), nowhere)
 
     def point(self, values: FloatArray) -> ParameterSet:
@@ -397,9 +398,8 @@ class ClaimOfStates(Claim):
         )
         ends, point = found.every
         in_contact, beyond = on_side(balance, balance.prepared(bounds[:, point]), ends)
-        kept = in_contact & (
-            np.arange(point.size) < found.point.size
-        )  # of which the root is proved
+        # Only those whose root is proved.
+        kept = in_contact & (np.arange(point.size) < found.point.size)
         left = ~(beyond | kept)
         states = Roots.at(ends, point=point).reopened(kept, left)
         where = np.full(box.shape, -np.inf)

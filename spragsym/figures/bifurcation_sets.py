@@ -202,9 +202,8 @@ def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, I
 def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
     """For each θ₀ directions in contact, evenly spaced on the surface as it is shown."""
     kappa, sigma = p.scalars("kappa", "sigma")
-    start = np.arcsin(
-        np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0)
-    )  # contact is sin θ above it
+    # Contact is where sin θ is above it.
+    start = np.arcsin(np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0))
     u = np.linspace(1e-3, 1 - 1e-3, 20 * n)
     share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
     theta = start[:, None] + (np.pi - 2 * start[:, None]) * share

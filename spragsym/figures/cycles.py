@@ -346,9 +346,10 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
         for name in varied
     }
     across, up = map(np.unique, every.values())
+    # Each place once.
     order = np.unique([*every.values()][::-1], axis=1, return_index=True)[1].reshape(
         up.size, across.size
-    )  # once each
+    )
     kind, period = found.kind.ravel()[order], found.period.ravel()[order]
     patches = []
     # Kinds of a map that have one colour, and its name.

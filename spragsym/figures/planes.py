@@ -222,9 +222,8 @@ def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[
     """
     across, up = found.vary
     ax.set(xlabel=label(model.column(across)), ylabel=label(model.column(up)))
-    ends = zip(
-        found.vary, found.undecided.swapaxes(0, 1)[-2:], strict=False
-    )  # closed forms have none
+    # Closed forms have none.
+    ends = zip(found.vary, found.undecided.swapaxes(0, 1)[-2:], strict=False)
     places = (model.column(name).size * of.T for name, of in ends)
     return ax.plot(*places, color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
 

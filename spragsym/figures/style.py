@@ -117,9 +117,8 @@ def house_style() -> Iterator[None]:
     with matplotlib.rc_context(style):
         yield
         interactive = matplotlib.is_interactive()
-    matplotlib.interactive(
-        interactive
-    )  # which a notebook turns on when pyplot is first imported, perhaps in here
+    # A notebook turns it on when pyplot is first imported, perhaps in here.
+    matplotlib.interactive(interactive)
 
 
 #: Decorator: run a function with the house style, and leave the global one as it was.

@@ -195,9 +195,8 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
             DamageWarning,
             stacklevel=2,
         )
-    file.truncate(
-        len(data) - len(cut) if ours else 0
-    )  # without the beginning of a line that a killed process left
+    # The beginning of a line that a killed process left goes.
+    file.truncate(len(data) - len(cut) if ours else 0)
     _append(
         file,
         path,
@@ -227,9 +226,8 @@ def _append(file: FileIO, path: Path, line: bytes) -> None:
 
 def _holder(path: Path) -> str:
     """The process that holds a journal, as far as the file tells."""
-    time.sleep(
-        0.1
-    )  # the other process may have opened it just now, and not have written its name yet
+    # The other process may have opened it just now, and not have written its name yet.
+    time.sleep(0.1)
     writer: dict[str, Any] = {}
     with suppress(OSError), path.open("rb", buffering=0) as file:
         file.seek(1)  # on Windows nobody else may read the first byte

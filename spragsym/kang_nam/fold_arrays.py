@@ -275,11 +275,12 @@ def _sharpened(
         (here, enclosing), values = (on_circle(one) for one in (centre, t)), with_value(value)
         trig = kernel.f_coefficients(*values, 1)
         change = kernel.f_changes(*values)[NAMES.index(vary)]
+        # By dθ ≤ 2 dt.
         drift = (
             kernel.f_slope(*enclosing[:2], *trig)
             / kernel.f(*enclosing[:2], *change)
             * (2 * (t - centre))
-        )  # dθ ≤ 2 dt
+        )
         on_surface = v - kernel.f(*here[:2], *kernel.f_coefficients(*with_value(v), 1)) / kernel.f(
             *here[:2], *change
         )

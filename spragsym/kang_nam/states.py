@@ -155,9 +155,8 @@ def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
         given["mu0"] = sliding_friction(*(given[name] for name in ("mu0", "V", "d")))
         found = equilibria(Parameters(**given))
         away = np.hypot(found.x - x[:, None], found.y - y[:, None])
-        away = np.where(
-            np.isnan(away), np.inf, away
-        )  # empty slots: all of them where the equilibria are undecided
+        # Empty slots are far away: all of them are where the equilibria are undecided.
+        away = np.where(np.isnan(away), np.inf, away)
         index[rows] = np.where(
             away.min(axis=-1) <= SETTLED_SHARE * (1 + np.hypot(x, y)), away.argmin(axis=-1), -1
         )

@@ -451,9 +451,8 @@ class ParameterSet(Values):
     def scalars(self, *names: str) -> tuple[float, ...]:
         """The named parameters as floats; an error if one is missing or an array."""
         self.require(*names)
-        kept = (
-            (name, self[name]) for name in names
-        )  # each was seen to be allowed when it was given
+        # Each was seen to be allowed when it was given.
+        kept = ((name, self[name]) for name in names)
         return tuple(as_number(name, value) if value.ndim else value.item() for name, value in kept)
 
     def broadcast(self, *names: str) -> tuple[FloatArray, ...]:

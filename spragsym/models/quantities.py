@@ -98,9 +98,8 @@ class Quantities:
         """
         result = 1.0
         for name, power in self.powers(unit).items():
-            result = (
-                result * values[name] ** power if power else result
-            )  # exactly 1 for an angle or a number
+            # Exactly 1 for an angle or a number.
+            result = result * values[name] ** power if power else result
         return result
 
     def scales(self, values: Mapping[str, Any]) -> Scales:

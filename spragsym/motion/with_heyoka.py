@@ -135,9 +135,8 @@ def equations(
             make(state, given, mode, XP) for make in (field.jacobian, field.by_parameters)
         )
         for column in range(m + directions):
-            part = hy.make_vars(
-                *(f"by.{i}.{column}" for i in range(m))
-            )  # no coordinate has a dot in its name
+            # No coordinate has a dot in its name.
+            part = hy.make_vars(*(f"by.{i}.{column}" for i in range(m)))
             rates = [_dot(row, part) for row in jacobian]
             if column >= m:
                 begin = end + (column - m) * parameters
@@ -359,9 +358,8 @@ class BatchIntegrator:
             one.extrema.append(Extremum(t, border, direction, *self._split(self.dense[:, lane])))
             return
         state = self.dense[: self.m, lane].tolist()
-        kind, bound = (
-            (-1, max) if direction < 0 else (1, min)
-        )  # the direction is 0 where both derivatives are
+        # The direction is 0 where both derivatives are.
+        kind, bound = (-1, max) if direction < 0 else (1, min)
         one.latest[PASSAGE if border == PASSAGE else kind].append([t, *state])
         if border != PASSAGE:
             one.reach[kind] = bound(one.reach[kind], state[self.field.lead])

@@ -433,9 +433,8 @@ class Tree:
         """The hull of the boxes of all points below each node: ends of shape (2, n, points), result
         of shape (2, n, nodes).
         """
-        nothing = np.full(
-            (*ends.shape[:2], 1), -np.inf
-        )  # of leaves that are not there, whose number is −1
+        # Of leaves that are not there, whose number is −1, nothing is known.
+        nothing = np.full((*ends.shape[:2], 1), -np.inf)
         levels = [np.concatenate([ends, nothing], axis=2)[:, :, self.order]]
         for _ in range(self.depth):
             levels.append(levels[-1].reshape(*ends.shape[:2], -1, 2).max(axis=3))

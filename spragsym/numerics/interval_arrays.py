@@ -402,9 +402,8 @@ def _beside_zero(one: FloatArray, other: FloatArray) -> FloatArray:
     """
     positive = (other[0] == 0) & (other[1] > 0)
     negative = (other[1] == 0) & (other[0] > 0)
-    least, most = np.where(
-        negative, one[::-1], one
-    )  # −least and greatest dividend, its sign turned for negative divisors
+    # −least and greatest dividend, its sign turned for negative divisors.
+    least, most = np.where(negative, one[::-1], one)
     far = np.where(negative, other[0], other[1])
     ends = np.stack(
         [np.where(least > 0, np.inf, least / far), np.where(most > 0, np.inf, most / far)]

@@ -144,9 +144,8 @@ class Jet(Arithmetic):
 
     def _flat(self) -> Any:
         """0, and nothing known where the value may be 0."""
-        return abs(
-            1 / self.value * 0
-        )  # without the absolute value one end is known where 0 is an end of an interval
+        # Without the absolute value one end is known where 0 is an end of an interval.
+        return abs(1 / self.value * 0)
 
     def function(self, name: str, value: object) -> Jet:
         """A function by its Taylor series; ``value`` is that of the value, of cosine and sine

@@ -174,9 +174,8 @@ def as_intervals(values: Sequence[Ball]) -> Intervals:
 def outward(sides: Sequence[tuple[Fraction, Fraction]]) -> Intervals:
     """Lower and upper ends as intervals of floats, shape (numbers, 1)."""
     ends = np.array([[-float(low) for low, _ in sides], [float(high) for _, high in sides]])
-    return Intervals(
-        np.nextafter(ends, np.inf)[:, :, None]
-    )  # a float is the nearest to its end, or the next one
+    # A float is the nearest to its end, or the next one.
+    return Intervals(np.nextafter(ends, np.inf)[:, :, None])
 
 
 @dataclass(frozen=True)

@@ -135,9 +135,8 @@ def _refined(
     digits = claim["digits"]
     state = [arb(value) for value in claim["state"]]
     period = arb(claim["period"])
-    state[len(begun.field.coordinates)] = arb(
-        0
-    )  # exactly: the section is where the first coordinate is largest
+    # Exactly: the section is where the first coordinate is largest.
+    state[len(begun.field.coordinates)] = arb(0)
     # Digits beyond those that are known, with which the next round works: what it gains.
     ahead = 12
     missed, slow, now = 1.0, 0, min(digits, 2 * ahead)

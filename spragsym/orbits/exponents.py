@@ -370,9 +370,8 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         if norm(flow) > options.still:  # the flow is carried into itself
             ahead[:, 0] = rate(field, flow_result.state, constants) / norm(flow)
         norms = np.linalg.norm(ahead, axis=0)
-        order = np.argsort(
-            norms <= options.lost * norms.max(), kind="stable"
-        )  # what has ended spans nothing, and comes last
+        # What has ended spans nothing, and comes last.
+        order = np.argsort(norms <= options.lost * norms.max(), kind="stable")
         back = np.argsort(order)
         turned, triangle = np.linalg.qr(ahead[:, order])
         sizes = np.abs(np.diag(triangle))

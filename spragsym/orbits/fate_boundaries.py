@@ -546,9 +546,8 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
         samples.sample(inside)
     kind, state, growth, distance = _saddle(bracket)
     away = [(a.value, b.value) for a, b in samples.changes() if a.value < b.value]
-    others = {
-        (a, b) for a, b in away if b < value - error or a > value + error
-    }  # what the error reaches is this one
+    # What the error reaches is this one.
+    others = {(a, b) for a, b in away if b < value - error or a > value + error}
     return FateBoundary(
         samples.vary,
         value,

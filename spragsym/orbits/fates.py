@@ -210,9 +210,8 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
         if scale < np.inf:
             where = system.field.place(nearby, ".6g")
             why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
-    lasting = (
-        (system.options.neighbours + 1) * t_end / 3
-    )  # none of so many has settled: with 95 %, the mean life is above a third of their time
+    # None of so many has settled: with 95 %, the mean life is above a third of their time.
+    lasting = (system.options.neighbours + 1) * t_end / 3
     reason = why or (
         "every exponent but the trivial one is told from 0, and one at least is positive; as "
         "a transient it would live for more "

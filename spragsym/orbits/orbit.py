@@ -439,10 +439,11 @@ def range_of(orbit: Orbit) -> tuple[float, float]:
     """
     if orbit.winding:
         return -math.pi, math.pi
+    # The first coordinate stands still where another one leads.
     values = [
         *(float(extremum.state[0]) for extremum in orbit.extrema() if extremum.border == -1),
         *orbit.states[:, 0].tolist(),
-    ]  # the first coordinate stands still where another one leads
+    ]
     return min(values), max(values)
 
 

@@ -299,11 +299,12 @@ class Brake:
         if not set(friction_depends_on(self)) & set(self.tolerances):
             return here, here, here
         low, high = friction_bounds(self)
+        # Bounds of a friction that is 0 are a little above it.
         return (
             low,
             here,
             high if high > here + NEGLIGIBLE else here,
-        )  # bounds of a friction that is 0 are a little above it
+        )
 
     @property
     def other_frictions(self) -> Numbers:

@@ -288,9 +288,8 @@ def _state(study: Brake, eq: Equilibria, slot: int, position: Numbers, is_here: 
     def of(names: Iterable[str], scale: float) -> OfSprings:
         return _of_springs(study, [scale * float(eq[name][slot]) for name in names])
 
-    where = [
-        name for name in forces.columns_of(model) if name not in position
-    ]  # direction and length of each spring in turn
+    # Direction and length of each spring in turn.
+    where = [name for name in forces.columns_of(model) if name not in position]
     names = forces.forces_of(model)
     springs = [name for name in names if not name.startswith("contact_force")]
     contacts = {name: scales.force * float(eq[name][slot]) for name in names if name not in springs}

@@ -120,9 +120,8 @@ def chosen_state(
             among,
         )
     (_, point), *_ = model.cases()
-    missing = {
-        name: point[name] for name in model.parameters if p[name] is None
-    }  # of the motion: not felt here
+    # Of the motion: not felt here.
+    missing = {name: point[name] for name in model.parameters if p[name] is None}
     given = [value[..., None] for value in model.arguments(p.replace(**missing), "motion")]
     energy, shape = undecorated(model.algebra.strain_energy), (*p.shape, 1)
     with quiet():  # beyond ``count`` there are no numbers

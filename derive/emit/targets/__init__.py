@@ -45,9 +45,8 @@ class Variable:
     nominal: float = 1.0  #: what is 1 inside, in its unit
     start: float = 0.0
     allowed: Interval = field(default_factory=Interval)
-    input: str = (
-        ""  #: of a quantity that another model drives: "continuous", or "discrete" at events
-    )
+    #: Of a quantity that another model drives: "continuous", or "discrete" at events.
+    input: str = ""
     reset: bool = False  #: of a rate: whether it jumps where friction begins to hold
 
 
@@ -55,9 +54,8 @@ class Variable:
 class Edge:
     """A border at which a mode of a motion ends, and the number of the mode that it changes."""
 
-    kind: (
-        str  #: ``gap`` and ``face`` of a contact, ``slip``, ``ahead`` and ``behind`` of a friction
-    )
+    #: ``gap`` and ``face`` of a contact, ``slip``, ``ahead`` and ``behind`` of a friction.
+    kind: str
     place: int
     contact: str  #: its name, of several
     row: int = -1  #: of friction that holds, its number among these
@@ -74,9 +72,8 @@ class MotionMaterial:
     time: Variable
     states: tuple[Variable, ...]  #: coordinates, then their rates
     accelerations: tuple[Variable, ...]
-    given: tuple[
-        Variable, ...
-    ]  #: parameters in their order, then units of measure where there are any
+    #: Parameters in their order, then units of measure where there are any.
+    given: tuple[Variable, ...]
     step: float  #: between two samples, in the unit of time
     borders: tuple[Edge, ...]  #: where it is not smooth
     turnings: int  #: springs whose turning is counted, each with a border too
@@ -95,22 +92,19 @@ class Material:
 
     modules: tuple[tuple[Definition, ...], ...]
     quantities: Mapping[str, Quantity]  #: by their names in code
-    parameters: tuple[
-        str, ...
-    ]  #: of the dimensionless model, in the order in which functions take them
+    #: Of the dimensionless model, in the order in which functions take them.
+    parameters: tuple[str, ...]
     base_values: Mapping[str, float]
-    public: tuple[
-        str, ...
-    ]  #: functions of the algebra that a library in another language offers to its callers
+    #: Functions of the algebra that a library in another language offers to its callers.
+    public: tuple[str, ...]
     digest: str  #: SHA-256 of what it is made of
     header: str  #: one sentence for the head of every file: where it comes from
     # names of files and functions begin with it in languages without modules of their own
     library: str = "spragsym"
     summary: str = ""  #: one sentence: what the library computes
     kernel: Source = NOTHING
-    counts: Mapping[str, float] = field(
-        default_factory=dict
-    )  #: counts of roundings that the kernel's error bounds name
+    #: Counts of roundings that the kernel's error bounds name.
+    counts: Mapping[str, float] = field(default_factory=dict)
     #: By target language, the model's own files: what it offers besides algebra, with ``@name@``
     #: where emitted text goes.
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)

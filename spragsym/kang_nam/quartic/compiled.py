@@ -44,10 +44,11 @@ def solve(
     here = slice(begin, begin + size)
     first = tuple(out.first[name][here] for name in COLUMNS)
     shape = size, out.slots - 1
+    # The last is of the stability.
     further = (
         *np.empty((len(COLUMNS) - 1, *shape)),
         np.empty(shape, dtype=np.int8),
-    )  # of the stability, the last
+    )
     used = getattr(_compiled, how)(
         *values, int(contact), settled, out.count[here], first, (rows, *further)
     )

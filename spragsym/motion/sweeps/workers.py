@@ -286,9 +286,8 @@ def _map(
                     yield each.result()
                 if not asked:
                     return
-                found = list(
-                    wait(asked, timeout=1.0, return_when=FIRST_COMPLETED).done
-                )  # Windows notices Ctrl-C in between only
+                # Windows notices Ctrl-C in between only.
+                found = list(wait(asked, timeout=1.0, return_when=FIRST_COMPLETED).done)
                 free += map(asked.pop, found)
         except BaseException:
             _end(children)

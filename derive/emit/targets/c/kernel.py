@@ -121,9 +121,8 @@ class _CPrinter(Printer):
 
 def constants(values: Mapping[str, tuple[float, str]]) -> str:
     """Named numbers with their comments."""
-    finite = {
-        name: it for name, it in values.items() if not math.isinf(it[0])
-    }  # of infinity C has a name
+    # Of infinity C has a name.
+    finite = {name: it for name, it in values.items() if not math.isinf(it[0])}
     return "".join(
         f"{comment(text) if text else ''}#define {name} {number(value)}\n"
         for name, (value, text) in finite.items()

@@ -369,7 +369,7 @@ def _with_lost_term(it: Comparison, part: Component, exact: sp.Expr) -> Repair |
 
 
 @dataclass(frozen=True)
-class Limit:
+class LimitCase:
     """A limit that a statement names: quantities, and where they go, each by itself or together;
     ``linear`` to first order in what is small together.
     """
@@ -380,7 +380,7 @@ class Limit:
     linear: bool = False
 
 
-def _limit_of(item: Item) -> Limit | None:
+def _limit_of(item: Item) -> LimitCase | None:
     """The limit of a statement, as ``d*V -> oo``, ``c_x, c_y -> 0`` or ``linear in x, y``; None
     where what stands there is none.
     """
@@ -393,10 +393,10 @@ def _limit_of(item: Item) -> Limit | None:
         return None
     if end not in ("oo", "0") or (together and end == "oo" and len(symbols) > 1):
         return None
-    return Limit(tuple(symbols), end, together, is_linear)
+    return LimitCase(tuple(symbols), end, together, is_linear)
 
 
-def _in_limit(it: Comparison, part: Component, limit: Limit) -> bool:
+def _in_limit(it: Comparison, part: Component, limit: LimitCase) -> bool:
     """Whether the difference goes to 0 in a limit."""
     page = it.item.it
     laws, size = page.normals | page.friction, sp.Dummy("small", positive=True)

@@ -692,6 +692,9 @@ def test_changes_hold_at_full_slip_where_faster_sliding_jumps() -> None:
     study = ss.Study(brake(**inclined, mu0=1.05 * jump), tolerance={"mu0": "5 %", "theta0": "1 %"})
     found = study.report(oscillation=False, probability=False, safety=1.0)
     assert found.reach == "faster"
+    # The largest friction, μ₀ (1 − exp(−d v)) with both shares of 5 %, is that of the jump there.
+    faster = math.log(1 - 1 / 1.05**2) / math.log(0.1)
+    assert found.speed == pytest.approx(faster, rel=1e-9)
     assert len(found.redesign) > 2
     for change in found.redesign:
         assert change.outcome == "proved"

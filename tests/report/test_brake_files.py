@@ -184,6 +184,10 @@ MEASURED = {
         "v [Hz],mu\n0.1,0.2\n0.2,0.3\n",
         ["line 1", "'Hz'", "does not measure what m/s", "v [m/s]"],
     ),
+    "two units": (
+        "v [m/s],mu\nmm/s,\n0.1,0.2\n0.2,0.3\n",
+        ["line 1", "'v [m/s]' has a unit, and the line below gives 'mm/s'"],
+    ),
     "any file": ("secret:x:0\n", ["line 1", "the sliding speed is not among the names"]),
     "one speed": ("v [m/s],mu\n0.1,0.2\n0.1,0.21\n", ["at least two", "different"]),
     "negative": ("v [m/s],mu\n0.1,0.2\n0.2,-0.3\n", ["line 3", "negative"]),

@@ -11,6 +11,7 @@ from spragsym.generated import stability
 from spragsym.kang_nam.quartic.solver import equilibria
 from spragsym.motion import Event, Trajectory, integrators, simulate, with_compiled, with_heyoka
 from spragsym.motion.lobatto import unit_points
+from spragsym.motion.measures import Spectrum
 from spragsym.motion.problem import prepare
 from tests.support import few
 
@@ -274,3 +275,17 @@ def test_times_outside_a_trajectory_are_refused(times: list[float]) -> None:
     assert tr([0.0, 10.0]).shape == (2, 2)
     with pytest.raises(ss.errors.ParameterError, match=r"\[0, 10\]|not in"):
         tr(times)
+
+
+def test_the_peak_of_a_spectrum_lies_between_its_bins() -> None:
+    """Where log amplitudes are a parabola at its top, else on the bin: at either end, beside a 0."""
+    frequency = np.arange(5.0)
+    parabola = np.exp(-((frequency - 2.2) ** 2))
+    assert Spectrum(frequency, parabola).peak() == pytest.approx(2.2, abs=1e-12)
+    for amplitude, peak in (
+        ([5.0, 4.0, 1.0, 1.0, 1.0], 0.0),
+        ([1.0, 1.0, 1.0, 4.0, 5.0], 4.0),
+        ([1.0, 1.0, 0.0, 5.0, 4.0], 3.0),
+        ([1.0, 5.0, 5.0, 5.0, 1.0], 1.0 + 0.5),
+    ):
+        assert Spectrum(frequency, np.array(amplitude)).peak() == pytest.approx(peak, abs=1e-12)

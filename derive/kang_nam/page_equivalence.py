@@ -18,6 +18,14 @@ from ..statements.objects import CONTACT, LIFT_OFF
 from . import unit_circles, equilibrium, mechanics, stability
 from . import nomenclature as nm
 
+#: Page → what it adds to the article's model, and what is left where these are 0.
+ADDED = {
+    "damped": ("zeta_x", "zeta_y", "zeta_s"),
+    "cubic_contact": ("gamma",),
+    "two_springs": ("sigma_2",),
+    "inclined_belt": ("gamma_g",),
+}
+
 
 def identities() -> dict[str, bool]:
     """Each claim, and whether it holds."""
@@ -27,14 +35,7 @@ def identities() -> dict[str, bool]:
         ),
         "the general way gives D and b, (16)–(19) and (22)–(25)": _in_direction(),
     }
-    # Page → what it adds to the article's model, and what is left where these are 0.
-    adding = {
-        "damped": ("zeta_x", "zeta_y", "zeta_s"),
-        "cubic_contact": ("gamma",),
-        "two_springs": ("sigma_2",),
-        "inclined_belt": ("gamma_g",),
-    }
-    for name, added in adding.items():
+    for name, added in ADDED.items():
         zero = " = ".join([*added, "0"])
         found[
             f"with {zero} the page {name} is the page kang_nam: balance, linearization and motion"

@@ -133,7 +133,7 @@ class Quantities:
             if values is not None:
                 scale = self.scale(unit, values)
                 low, high = scale * low, scale * high
-            elif any(self.powers(unit).values()):
+            elif not {abs(low), abs(high)} <= {0.0, math.inf} and any(self.powers(unit).values()):
                 open_low |= low > 0
                 low, high = 0.0 if low >= 0 else -math.inf, 0.0 if high <= 0 else math.inf
             found[quantity] = replace(allowed, low=low, high=high, open_low=open_low, unit=unit)

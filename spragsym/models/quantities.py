@@ -210,6 +210,9 @@ class Quantities:
 
 @cache
 def _powers(unit: str, bases: tuple[str, ...]) -> tuple[float, ...]:
+    if unit in ("1", "rad"):  # which pint need not say
+        return (0.0,) * len(bases)
+
     def powers(text: str) -> list[float]:
         exponents = {} if text == "1" else dimension(text)
         return [float(exponents.get(axis, 0)) for axis in ("[mass]", "[length]", "[time]")]

@@ -17,7 +17,7 @@ from .objects import BOTH, LAMBDA
 from .reading import Item
 from .repair import Values, evaluated, same
 from .samples import numeric
-from .tree import Equation, Node, printed, to_sympy
+from .tree import Equation, Node, printed, residual, to_sympy
 
 
 @dataclass(frozen=True)
@@ -254,7 +254,7 @@ def judged_side(item: Item, equation: Equation) -> tuple[Node, str] | None:
     left, right = equation.left, equation.right
     is_residual = printed(right) == "0"
     if not item.held.is_value and not is_residual:
-        return Node("add", (left, Node("neg", (right,), at=right.at))), ""
+        return residual(equation), ""
     if item.held.is_value and (printed(left) in item.held.names or _is_new(item, left)):
         return right, printed(left)
     return (left, "") if is_residual else None  # 2 T = … is no value of T; an expression alone is

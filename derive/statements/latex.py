@@ -97,14 +97,8 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
         plus = f"{plus[:begin]}{own}  {plus[end:]}"
         minus = f"{minus[:begin]}{opposite}  {minus[end:]}"
     one, other = _equations(plus, vocabulary), _equations(minus, vocabulary)
-    gaps = ((_gap(a), _gap(b)) for a, b in zip(one, other, strict=True))
-    return [Equation(Node("mul", pair, at=(0, len(text))), ZERO) for pair in gaps]
-
-
-def _gap(equation: Equation) -> Node:
-    """What is 0 where an equation holds."""
-    minus = Node("neg", (equation.right,), at=equation.right.at)
-    return Node("add", (equation.left, minus), at=equation.left.at)
+    pairs = zip(map(tree.residual, one), map(tree.residual, other), strict=True)
+    return [Equation(Node("mul", pair, at=(0, len(text))), ZERO) for pair in pairs]
 
 
 def _equations(text: str, vocabulary: Vocabulary) -> list[Equation]:
@@ -150,7 +144,7 @@ class _LatexReader:
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.names = Names(vocabulary)
-        self.matrices, self.is_argument = vocabulary.matrices, vocabulary.is_argument
+        self.matrices, self.arguments = vocabulary.matrices, vocabulary.arguments
         self.size = len(vocabulary.coordinates)
         for text, page in vocabulary.renamed.items():
             name = self.only_name(nested(text))
@@ -203,8 +197,7 @@ class _LatexReader:
             at = (items[0].at[0], items[-1].at[1])
             argument = here.text == "(" and here.place + 1 == len(items)
             known = self.names.known(name, at)
-            is_law = known is None or known.value in self.names.laws
-            law = argument and is_law
+            law = argument and (known is None or known.value in self.names.laws)
             if here.item is None or law:
                 return self.matrix(known or Node("symbol", value=name.spelled, at=at))
         value = self.expression(items)
@@ -350,8 +343,9 @@ class _LatexReader:
         if not isinstance(matrix := self.matrix(node), Node):
             return Factor(self.matrix_power(matrix, power or (), at[0]))
         bracket = _bracket(here.item)
+        is_argument = self.arguments.get(node.value)
         if bracket is not None and (
-            self.is_time(bracket) or self.is_argument(node.value, self.number(bracket))
+            self.is_time(bracket) or (is_argument is not None and is_argument(self.number(bracket)))
         ):
             here.take()
         elif bracket is not None and power is None:

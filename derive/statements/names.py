@@ -55,6 +55,7 @@ class Names:
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.symbols, self.laws = vocabulary.symbols, vocabulary.laws
+        self.fixed = vocabulary.fixed
         self.next: dict[str, str] = {}
         for coordinate in vocabulary.coordinates:
             self.next[coordinate] = f"v{coordinate}"
@@ -66,14 +67,15 @@ class Names:
         self.renamed: dict[tuple[Name, ...], Node] = {}
         #: functions by their printed names, as SymPy calls them
         self.functions: dict[Name, str] = {}
-        #: columns of coordinates, rates and accelerations, by the words for them
+        #: columns of coordinates, rates and accelerations, by the words for them; none where the
+        #: page has one of these words, of which the rates would be those of another quantity
         self.columns: dict[str, tuple[str, ...]] = {}
-        row = vocabulary.coordinates
-        for word in COLUMNS:
-            if word not in self.symbols:
+        if not {*COLUMNS} & self.symbols:
+            row = vocabulary.coordinates
+            for word in COLUMNS:
                 self.columns[word] = row
-            row = tuple(self.next.get(it, "") for it in row)
-        self.next |= dict(itertools.pairwise(self.columns))
+                row = tuple(self.next.get(it, "") for it in row)
+            self.next |= dict(itertools.pairwise(COLUMNS))
 
     def times(self) -> set[str]:
         """Names of time, which the page gives to nothing else."""
@@ -124,8 +126,11 @@ class Names:
         raise Unread(f"the rate of {printed(node)} is not read; print it in rates", node.at[0])
 
     def _moves(self, node: Node) -> bool:
-        moving = {*self.next, *self.next.values(), *self.laws}
-        return node.value in moving if node.kind == "symbol" else any(map(self._moves, node.args))
+        if node.kind != "symbol":
+            return any(map(self._moves, node.args))
+        if self.fixed is not None:
+            return node.value not in self.fixed
+        return node.value in {*self.next, *self.next.values(), *self.laws}
 
     def word(self, items: Tokens, place: int) -> int:
         """Number of items that spell a name of the page that has several letters: a k c that

@@ -631,7 +631,7 @@ def derived(it: Derivation, about: str) -> Object:
     side = where.removesuffix(AHEAD).rstrip(", ") or CONTACT
     if word not in OBJECTS:
         raise NoObject(f"{about!r} is no object; there are {', '.join(OBJECTS)}")
-    resting = ("balance", "equilibrium", "characteristic", "threshold", "direction")
+    resting = ("balance", "equilibrium", "state", "characteristic", "threshold", "direction")
     if it.model.clock is not None and word in resting:
         raise NoObject(f"nothing rests on a page with a clock, and there is no {word}")
     if side not in (*it.sides, BOTH):

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import sympy as sp
 
@@ -181,7 +182,8 @@ def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool
     """Names that may stand in a statement."""
     objects = book.objects(it) if matrices else ()
     shapes = {name: held.shape for name, held in objects if held.shape is not None}
-    given = book.defined.keys() | book.shapes.keys() | book.bound.keys() | book.values(it).keys()
+    values = book.values(it)
+    given = book.defined.keys() | book.shapes.keys() | book.bound.keys() | values.keys()
     has_roots = statement.word == "characteristic"
     names = {*it.names, *given, *([FREQUENCY] if has_roots else [])}
     names -= {str(TIME)} if statement.word != "scale" else set()
@@ -191,27 +193,54 @@ def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool
         book.renamed,
         shapes | book.shapes,
         frozenset(map(str, (*it.normals, *it.coefficients))),
+        _fixed(it, book.defined, values),
         has_roots,
         _arguments(statement, it, book),
     )
 
 
-def _arguments(statement: Statement, it: Derivation, book: Book) -> Callable[[str, Node], bool]:
-    """Whether an expression in brackets behind a name is what its definition is printed with, or
-    the sliding speed of a friction, at rest where the statement is about that.
+def _fixed(
+    it: Derivation, defined: Mapping[str, Node], bound: Mapping[str, sp.Expr]
+) -> frozenset[str]:
+    """Names that are constant in time: parameters, and what is defined or bound to be one of
+    these; lengths of lines, phases and names that the page has not are none.
+    """
+    given = {*it.parameters}
+    for name, value in bound.items():
+        if {str(symbol) for symbol in value.free_symbols} <= it.parameters.keys():
+            given.add(name)
+    return frozenset(given | dict(_in_order(defined, given)).keys())
+
+
+def _in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tuple[str, Node]]:
+    """Those of definitions that stand on known names and on each other, each after these."""
+    pending, found = dict(trees), {*known}
+    while ready := [name for name, tree in pending.items() if symbols(tree) <= found]:
+        found |= {*ready}
+        yield from ((name, pending.pop(name)) for name in ready)
+
+
+def _arguments(
+    statement: Statement, it: Derivation, book: Book
+) -> dict[str, Callable[[Node], bool]]:
+    """Of names that are printed as functions, whether an expression is their argument: what their
+    definition is printed with, or of a friction coefficient the sliding speed, at rest where the
+    statement is about that.
     """
     still = {} if statement.word in (*MOVING, "friction") else dict.fromkeys(it.model.rates, 0)
+
+    def is_printed(argument: Node, inside: Node) -> bool:
+        return printed(inside) == printed(argument)
+
+    def is_speed(speed: sp.Expr, inside: Node) -> bool:
+        is_known = symbols(inside) <= it.names.keys()
+        return is_known and sp.expand(to_sympy(inside, it.names) - speed) == 0
+
     rubbed = zip(map(str, it.coefficients), it.speeds, strict=False)
-    speeds = {name: speed.subs(still) for name, speed in rubbed}
-
-    def is_argument(name: str, inside: Node) -> bool:
-        if name in book.arguments:
-            return printed(inside) == printed(book.arguments[name])
-        if name not in speeds or not symbols(inside) <= it.names.keys():
-            return False
-        return sp.expand(to_sympy(inside, it.names) - speeds[name]) == 0
-
-    return is_argument
+    found: dict[str, Callable[[Node], bool]] = {
+        name: partial(is_speed, speed.subs(still)) for name, speed in rubbed
+    }
+    return found | {name: partial(is_printed, one) for name, one in book.arguments.items()}
 
 
 def _in_lambda(tree: Node) -> Node:
@@ -321,11 +350,7 @@ def _item(
     for name, value in bound.items():
         values[name] = numeric(value, values)
     defined: dict[str, Node] = {}  # not those in names that this form lacks
-    pending = dict(book.defined)
-    while ready := [
-        name for name, tree in pending.items() if symbols(tree) <= values.keys() | defined.keys()
-    ]:
-        defined |= {name: pending.pop(name) for name in ready}
+    defined |= _in_order(book.defined, values)
     sides = [one.right if held.is_value and one.left.kind == "symbol" else one for one in equations]
     for side in sides:
         parts = (side,) if isinstance(side, Node) else (side.left, side.right)

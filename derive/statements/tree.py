@@ -41,10 +41,12 @@ class Vocabulary:
     matrices: Mapping[str, tuple[int, int]] = field(default_factory=dict)
     #: names of laws: what stands in brackets behind them may be their argument
     laws: frozenset[str] = frozenset()
+    #: names that are constant in time; where it is left out, all but coordinates, rates and laws
+    fixed: frozenset[str] | None = None
     #: whether an equation is about all roots of a polynomial, so that ± stands for two of them
     has_roots: bool = False
-    #: whether an expression in brackets behind a name is what the name is a function of
-    is_argument: Callable[[str, Node], bool] = lambda name, inside: False
+    #: names that are printed as functions: whether an expression in brackets is their argument
+    arguments: Mapping[str, Callable[[Node], bool]] = field(default_factory=dict)
 
 
 class Unread(ValueError):
@@ -104,6 +106,12 @@ ZERO, ONE = Node("number", value="0"), Node("number", value="1")
 def number_of(tree: Node) -> float:
     """The value of a number, and of pi."""
     return math.pi if tree.value == "pi" else float(tree.value)
+
+
+def residual(equation: Equation) -> Node:
+    """What is 0 where an equation holds: its left side less its right one."""
+    minus = Node("neg", (equation.right,), at=equation.right.at)
+    return Node("add", (equation.left, minus))
 
 
 def nodes(tree: Node) -> Iterator[Node]:

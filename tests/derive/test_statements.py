@@ -422,3 +422,33 @@ def test_a_frequency_of_the_page_is_its_own() -> None:
     (item,) = reading.opened(papers.Paper("", "", {}, (one,)), COUPLING)[1]
     assert isinstance(item, reading.Item)
     assert printed(item.equations[0].left) == "-lam**2 - 1"
+
+
+def test_nothing_rests_on_a_page_with_a_clock() -> None:
+    """There is no state of it either."""
+    forced = pages.read(pages.SHIPPED / "forced_oscillator.py")
+    statement = papers.Statement("a", "state x", "x = 0", is_latex=False)
+    (row,) = verdicts.check(papers.Paper("", "", {}, (statement,)), forced).rows
+    assert row.status == "unread"
+    assert "nothing rests on a page with a clock" in row.evidence
+
+
+def test_a_rate_is_0_of_constants_alone() -> None:
+    """Of a length that moves, and of a name that the page has not, it is not read as 0."""
+    texts = {
+        "definition": r"w_0 = \sigma/\alpha",
+        "motion x": r"\frac{d}{dt}(w_0 x) = 0",
+        "motion y": r"\dot{L} + y = 0",
+        "energy V": r"V = \dot\phi",
+    }
+    statements = tuple(
+        papers.Statement(about, about, text, is_latex=True, form="scaled")
+        for about, text in texts.items()
+    )
+    paper = papers.Paper("", "", {r"\phi": "phi"}, statements)
+    _, constant, length, unknown = reading.opened(paper, ARTICLE)[1]
+    assert isinstance(constant, reading.Item)
+    assert printed(constant.equations[0].left) == "w_0*vx"
+    for item in (length, unknown):
+        assert isinstance(item, reading.Verdict)
+        assert "the rate of" in item.evidence

@@ -135,6 +135,20 @@ def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(text: str) -> Non
     assert 0 <= refusal.value.place <= len(text)
 
 
+def test_a_page_with_a_word_for_a_column_has_no_columns() -> None:
+    """Of coordinates whose rates are a quantity of the page nothing is known."""
+    renamed = {r"\mathbf{q}": "coordinates"}
+    words = Vocabulary(frozenset({"x", "rates"}), ("x",), renamed, fixed=frozenset({"rates"}))
+    with pytest.raises(Unread, match="the rate of coordinates is not read"):
+        read_latex(r"\dot{\mathbf{q}} = x", words)
+
+
+def test_what_is_no_argument_is_told_so() -> None:
+    """Of two things in brackets a name that is no function is no function."""
+    with pytest.raises(Unread, match="k is no function that is known"):
+        read_latex("k(x, y) = 0", WORDS)
+
+
 def test_two_signs_are_both_roots() -> None:
     """Where an equation is about all roots of a polynomial ± and ∓ are one of them each time."""
     words = Vocabulary(frozenset({"a", "x"}), (), {}, has_roots=True)

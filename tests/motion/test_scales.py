@@ -15,27 +15,9 @@ from spragsym.motion.scales import scales_of
 from spragsym.orbits.attractors import Attractor, followed
 from spragsym.orbits.system import System
 from tests.oracles import dry_friction
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import WELLS, model_of
 
 STICK_SLIP = ss.load("coulomb_stick_slip")
-
-#: A damped mass in two wells, whose hump is as high as the length l makes it.
-WELLS = """'''Two wells.'''
-from spragsym.derive.model import Page
-
-page = Page("A damped mass in two wells.")
-m = page.unit("m", "kg", "mass")
-k = page.unit("k", "N/m", "stiffness")
-F = page.unit("F", "N", "force")
-l = page.parameter("l", "m", "half the distance of the wells", "> 0", 1.0)
-P = page.parameter("P", "N", "push", "real", 0.05)
-c = page.parameter("c", "N s/m", "damper", ">= 0", 0.1)
-x = page.coordinate("x", "m", "place")
-page.kinetic(m * page.rate(x) ** 2 / 2)
-page.potential(-k * x**2 / 2 + k * x**4 / (4 * l**2))
-page.damper(c, along=x)
-page.force(P, along=x)
-"""
 
 #: Sizes of N_0/k, the only scale of the page's numbers.
 SIZES = [1e-6, 3e4, 1e6]

@@ -9,23 +9,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import WELLS, model_of
 
 pytestmark = pytest.mark.thorough
-
-WELLS = '''"""A mass in a double well."""
-from spragsym.derive.model import Page
-
-page = Page("A mass in a double well.")
-m = page.unit("m", "kg", "mass")
-k = page.unit("k", "N/m", "stiffness")
-l = page.unit("l", "m", "half the distance of the wells")
-c = page.parameter("c", "N s/m", "damper", ">= 0", 0.2)
-x = page.coordinate("x", "m", "place")
-page.kinetic(m * page.rate(x) ** 2 / 2)
-page.potential(k * (x**2 - l**2) ** 2 / (4 * l**2))
-page.damper(c, along=x)
-'''
 
 
 def well(c: float) -> float:
@@ -40,7 +26,7 @@ def well(c: float) -> float:
 
 def test_of_several_changes_of_fate_one_is_found_and_the_others_are_told() -> None:
     """Each lies in an interval at whose ends the motion comes to different wells."""
-    p = model_of(WELLS, "wells").Parameters()
+    p = model_of(WELLS, "wells").Parameters(P=0.0)
     found = ss.fate_boundary(p, "c", between={"c": (0.05, 0.175)}, start=(1.8, 0.0))
     assert [well(found.value + aside) for aside in (-1e-7, 1e-7)] == [
         np.sign(found.below.rest_x),

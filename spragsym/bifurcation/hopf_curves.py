@@ -278,11 +278,13 @@ class _Plane(Family):
         slope = slope_over(self.balance, self.over)
         low, high = float(slope.low[0]), float(slope.high[0])
         # An end of the range at which friction vanishes is none.
+        if not low < 0 < high:
+            return ()
         return (
             "where the slope of the friction law is 0 nothing damps and every pair crosses: "
             "flutter_onsets lists these onsets; the slope is between "
             f"{low:.3g} and {high:.3g} here",
-        ) * (low < 0 < high)
+        )
 
     def points(self, systems: OnsetSystems) -> tuple[Points, list[FloatArray]]:
         """All points of all kinds at which curves end or change, and those at which the curves of

@@ -7,7 +7,7 @@ from __future__ import annotations
 import builtins
 import functools
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -80,7 +80,7 @@ def _require_kinds(
 
 def _may_be(word: str, value: object, general: Callable[..., Any]) -> bool:
     """Whether a value is of the class that a word of an annotation names, or that is not known, as
-    of numbers, which arrays may be too.
+    of numbers and sequences, which arrays may be too.
     """
     found = general.__globals__.get(word) or getattr(builtins, word, None)
     if word == "None" or word.endswith("Options"):  # named only where types are checked
@@ -88,6 +88,6 @@ def _may_be(word: str, value: object, general: Callable[..., Any]) -> bool:
             "None" if value is None else "",
             *(it.__name__ for it in type(value).__mro__),
         )
-    if not isinstance(found, type) or found in (float, int, bool):
+    if not isinstance(found, type) or found in (float, int, bool, Sequence):
         return True
     return isinstance(value, found)

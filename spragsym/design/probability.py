@@ -25,6 +25,7 @@ from ..models.parameters import ParameterSet, Range, Span, as_count, as_number
 from ..models.quantities import Quantities, QuantityValues, quantities
 from ..motion.sweeps import workers as processes
 from ..motion.sweeps.workers import Workers
+from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import FloatArray
 from ..results import Result
 from .jumps import limit_point_passed
@@ -579,9 +580,7 @@ class _JumpEvent:
         ended = self.proved.ended(p)
         left = np.isnan(ended)
         if left.any():
-            ended[left] = self._passed(
-                model.Parameters(**{name: value[left] for name, value in values.items()})
-            )
+            ended[left] = self._passed(model.Parameters(**selected_rows(values, left)))
         return ended
 
     def _passed(self, p: ParameterSet) -> FloatArray:
@@ -590,9 +589,10 @@ class _JumpEvent:
         """
 
         def asked(rows: slice) -> FloatArray:
-            columns = zip(p.ranges, p.broadcast(*p.ranges), strict=True)
-            some = p.model.Parameters(**{name: column[rows] for name, column in columns})
+            some = p.model.Parameters(**selected_rows(columns, rows))
             return limit_point_passed(some, self.vary, self.begin, method=self.method)
+
+        columns = dict(zip(p.ranges, p.broadcast(*p.ranges), strict=True))
 
         few = 64
         first = asked(slice(few))

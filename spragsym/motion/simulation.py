@@ -300,7 +300,7 @@ class Trajectory(Named):
         return float(np.sum(self.weights * np.asarray(values)))
 
     def __call__(self, t: ArrayLike) -> FloatArray:
-        """x, y, x', y' at any times within the trajectory, shape (4, …)."""
+        """Coordinates, then their rates, at any times within the trajectory, shape (2 n, …)."""
         times = as_numbers("t", t)
         if times.size and not (self.t[0] <= times.min() and times.max() <= self.t[-1]):
             raise ParameterError(

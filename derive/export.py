@@ -12,9 +12,9 @@ from typing import TypeAlias
 
 import sympy as sp
 
-from . import folder, mechanics, motion, pages, units
+from . import drawing, folder, mechanics, motion, pages, scene, units
 from .emit import definitions, targets
-from .emit.function import Function, renamed
+from .emit.function import Function, Module, renamed
 from .emit.python import algebra
 from .emit.quantities import Quantity, interval
 from .emit.targets.c.layout import WIDTH, broken
@@ -45,12 +45,15 @@ def export(
     model = pages.read(page, name)
     whole = targets.packer(written_in) is not None
     moves = _motion(model, data, inputs) if whole else None
-    made = material(model, in_python=targets.in_python(written_in), moving=whole)
+    beside = (motion.outputs(model.mechanics),) if whole else ()
+    made = material(model, in_python=targets.in_python(written_in), beside=beside)
     return targets.render(written_in, replace(made, motion=moves))
 
 
 def for_the_browser(model: pages.PageModel, header: str) -> str:
-    """The functions of a page that the explorer calls, as an ES module."""
+    """The functions of a page that the explorer calls, as an ES module: places of its drawing too,
+    where that is not of one mass.
+    """
     # What the explorer's page of a model asks its algebra for: all that ``explorer/src``
     # calls.
     explored = set(
@@ -67,6 +70,7 @@ def for_the_browser(model: pages.PageModel, header: str) -> str:
             "grip",
             "gyroscopic",
             "mass_matrix",
+            "places",
             "regime_rhs",
             "spring_forces",
             "turning_borders",
@@ -78,7 +82,8 @@ def for_the_browser(model: pages.PageModel, header: str) -> str:
         mechanics.named(f"contact_{part}", one) for one in it.contacts for part in ("force", "gap")
     }
     explored |= {mechanics.named("friction_at_rest", one) for one in it.frictions}
-    files = targets.render("javascript", material(model, header, explored))
+    drawn = () if drawing.is_drawn(model.page) else (scene.Scene(it).module(),)
+    files = targets.render("javascript", material(model, header, explored, beside=drawn))
     return files[f"{library(model.name)}.mjs"]
 
 
@@ -87,14 +92,14 @@ def material(
     header: str | None = None,
     only: Collection[str] | None = None,
     in_python: bool = False,
-    moving: bool = False,
+    beside: tuple[Module, ...] = (),
 ) -> targets.Material:
     """Material of a page that a target prints: all functions that have a result, or those of them
     that ``only`` names.
 
-    With ``moving``, forces, energy and power of a motion as one function too. In Python names are
-    as on the page, and directions of springs follow from the place, so that derivatives by it are
-    whole.
+    Functions of the modules ``beside`` come with them, as the outputs of a motion. In Python names
+    are as on the page, and directions of springs follow from the place, so that derivatives by it
+    are whole.
     """
     it = model.mechanics
     named: Callable[[object], str] = str if in_python else spelled
@@ -109,7 +114,7 @@ def material(
             if only is None or function.name in only
             if (read := definitions.definition(algebra.definition(given(function)))).leaves
         )
-        for module in (*folder.modules(it), *([motion.outputs(it)] if moving else []))
+        for module in (*folder.modules(it), *beside)
     )
     meanings = dict(folder.meanings(it)) | {
         datum.becomes: f"{datum.meaning}, radians" for datum in it.parameters if datum.unit == "rad"

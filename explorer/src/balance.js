@@ -66,6 +66,7 @@ export function balanceAt(algebra, about, point) {
     vectors, directions, motion, acting,
     forces: (q, regime, along = directions(q)) => call("forces", q, along, pushing(regime)),
     stiffness: (q, regime, along = directions(q)) => call("forces_jacobian", q, along, pushing(regime)),
+    places: (q) => algebra.places(...q, ...motion),
     mass: (q) => algebra.mass_matrix(...q, ...motion),
     damping: (q, regime) => algebra.damping?.(...q, ...lines(q), ...motion, ...pushing(regime)) ?? q.map(() => q.map(() => 0)),
     gyroscopic: (q) => algebra.gyroscopic?.(...q, ...motion),

@@ -3,6 +3,7 @@
 
 import { createAlong } from "./along.js";
 import { balanceAt } from "./balance.js";
+import { createBodies } from "./bodies.js";
 import { whenColoursChange } from "./colours.js";
 import { createCounts } from "./counts.js";
 import { fieldOf } from "./field.js";
@@ -25,6 +26,8 @@ const quick = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 const FLIGHT = 450;
 /** An angle of a spring is an anchor's if their directions agree to this. */
 const SAME = 1e-9;
+/** How far a body is dragged. */
+const REACH = 4;
 /** What an anchor keeps from the ends of a half turn. */
 const EDGE = 1e-4;
 
@@ -48,17 +51,12 @@ export function start({ algebra, closed = null }) {
   // -------------------------------------------------------------------------------------------- the mechanism
 
   const angles = fields.filter(({ angle }) => angle);
-  const mechanism = !about.drawn ? shownAsWritten() : createMechanism($("mechanism"), {
+  const mechanism = about.scene ? createBodies($("mechanism"), about.scene, carried) : createMechanism($("mechanism"), {
     anchor: (angle, i) => store.get() && pinned(store.get().point, rest)[i].name && store.move({ [pinned(store.get().point, rest)[i].name]: Math.min(Math.PI - EDGE, Math.max(EDGE, angle)) }),
     mass: thrown,
   }, count);
-
-  /** Of a mechanism that is no mass on a belt: the drawing of its page, which stands still. */
-  function shownAsWritten() {
-    $("mechanism").className = "drawing";
-    $("mechanism").append(document.querySelector("#built_part .drawing svg"));
-    $("mechanism_note").textContent = "As its page draws it, not to scale. Its states and its motion are below, in numbers.";
-    return { draw() {}, roll() {} };
+  if (about.scene) {
+    $("mechanism_note").textContent = "To scale, drawn from what the page says of bodies, contacts and springs. Drag a body and let go to see it move. Arrows: forces n and μn of the contacts.";
   }
 
   /** Anchors of the springs as they are drawn, with the parameter that turns each, if there is one. */
@@ -80,13 +78,15 @@ export function start({ algebra, closed = null }) {
   const ties = (point) => about.ties.map((ones) => ones.some((name) => name === "1" || point[name] > 0));
 
   function draw(q, more) {
-    if (!about.drawn) {
+    const now = store.get();
+    const others = now.found.states.filter((one) => one !== current(now) && one.regime === 0);
+    if (about.scene) {
+      mechanism.draw({ q, balance: at(now.point), others: others.map((one) => ({ q: one.q, kind: one.undamped })), ...more });
       return;
     }
-    const now = store.get();
     const [x, y] = position(q);
-    const others = now.found.states.filter((one) => one !== current(now) && one.regime === 0).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], kind: one.undamped }));
-    mechanism.draw({ to: pinned(now.point, q), x, y, ties: ties(now.point), others, ...more });
+    const pale = others.map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], kind: one.undamped }));
+    mechanism.draw({ to: pinned(now.point, q), x, y, ties: ties(now.point), others: pale, ...more });
   }
 
   /** The state that the mass is on, or on its way to it. */
@@ -94,7 +94,7 @@ export function start({ algebra, closed = null }) {
     const state = current(now);
     draw(q ?? state?.q ?? rest, {
       kind: state?.undamped ?? "", note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
-      forces: state && !q ? at(now.point).acting(state.q, state.regime).vectors : null,
+      forces: state && !q ? at(now.point).acting(state.q, state.regime) : null,
     });
   }
 
@@ -127,12 +127,12 @@ export function start({ algebra, closed = null }) {
     field: () => fieldOf(algebra, about, at(store.get().point)),
     state: () => current(store.get())?.q,
     frame: moved,
-    rest: () => { mechanism.roll(0); if (store.get()) { still(store.get()); } },
+    rest: () => { mechanism.roll([]); if (store.get()) { still(store.get()); } },
     begun: () => { flight = null; },
   });
 
   function moved(t, state, { touching }) {
-    mechanism.roll(t * (store.get().point[about.frictions[0]?.belt] ?? 0));
+    mechanism.roll(about.frictions.map(({ belt }) => t * (store.get().point[belt] ?? 0)));
     draw(state.slice(0, names.length), { kind: touching.every(Boolean) ? "" : "off", note: `in motion, ${units.time[1] ? `at ${typed(units.time[0] * t, 3)} ${units.time[1]}` : `τ = ${t.toFixed(0)}`}; pale: the states` });
   }
 
@@ -140,6 +140,18 @@ export function start({ algebra, closed = null }) {
   function thrown(x, y, let_go) {
     const place = [Math.max(-1.7, Math.min(2, x)), Math.max(-0.1, Math.min(1.4, y))];
     const q = [...place, ...(current(store.get())?.q.slice(2) ?? rest.slice(2))].slice(0, names.length);
+    draw(q, { note: "let go, and it moves from here at rest" });
+    panel.hold(q, let_go);
+  }
+
+  /** A body as it is dragged, and let go; the others stay. */
+  function carried(b, place, let_go) {
+    const q = [...(current(store.get())?.q ?? rest)];
+    Object.entries(place).forEach(([kind, value]) => {
+      if (about.scene.bodies[b][kind] !== undefined) {
+        q[about.scene.bodies[b][kind]] = Math.max(-REACH, Math.min(REACH, value));
+      }
+    });
     draw(q, { note: "let go, and it moves from here at rest" });
     panel.hold(q, let_go);
   }

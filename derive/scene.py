@@ -1,0 +1,268 @@
+"""The moving drawing of a mechanism of any number of bodies, contacts and springs, from what its
+page says of them: which coordinates move and turn a body, which springs tie it, where its contacts
+are.
+
+The contact of a body at (x, y), turned by φ, is a point of the body. Friction opposes its
+displacement A along the belt, and its height over the belt is the gap G, so that ∂(A, G)/∂φ at the
+origin is ±(−r_y, r_x), where (r_x, r_y) leads from the centre of the body to the contact: it is
+read off the statements, and so is the sense in which φ turns.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TypeAlias
+
+import sympy as sp
+
+from . import mechanics
+from .algebra import expanded
+from .emit.function import Function, Module, of_page
+from .mechanics import FrictionForce, Mechanics, NormalForce
+from .model import Element, Page
+
+#: What the explorer reads of a scene.
+Plain: TypeAlias = dict[str, object]
+
+
+@dataclass
+class Body:
+    """A body by its coordinates: along the belt, across it, and the angle that turns it."""
+
+    parts: dict[str, sp.Symbol] = field(default_factory=dict)
+    #: 1 where the angle turns it counter-clockwise, −1 where it does clockwise.
+    sense: int = 1
+
+    def merge(self, other: "Body") -> bool:
+        """Take the coordinates of another, unless each has one of a kind."""
+        fits = not self.parts.keys() & other.parts.keys()
+        if fits:
+            self.parts |= other.parts
+        return fits
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The scene of a page."""
+
+    model: Mechanics
+
+    # ---------------------------------------------------------------------------------------------
+    # bodies
+
+    @property
+    def page(self) -> Page:
+        """The page."""
+        return self.model.page
+
+    @property
+    def sliding(self) -> list[FrictionForce]:
+        """Every friction that is one."""
+        return [one for one in self.model.frictions if one.along is not None]
+
+    def _at_rest(self, expression: sp.Expr | None, *by: sp.Symbol) -> sp.Expr:
+        """The value or a derivative at the origin."""
+        value = sp.S.Zero if expression is None else sp.sympify(expression)
+        value = value.diff(*by) if by else value
+        return expanded(value.subs(dict.fromkeys(self.model.coordinates, 0)))
+
+    def _takes(self, expression: sp.Expr | None) -> list[sp.Symbol]:
+        """Coordinates of an expression, in their order."""
+        symbols = set() if expression is None else sp.sympify(expression).free_symbols
+        return [it for it in self.model.coordinates if it in symbols and it != self.model.clock]
+
+    @cached_property
+    def kinds(self) -> dict[sp.Symbol, str]:
+        """Of each coordinate whether it is ``"along"`` the belt, ``"across"`` it or an
+        ``"angle"``.
+        """
+        units = {it.symbol: it.unit for it in self.page.coordinates}
+        found = {symbol: "angle" for symbol, unit in units.items() if unit == "rad"}
+        found.pop(self.model.clock, "")
+        for friction in self.sliding:
+            for symbol in self._takes(friction.along):
+                if self._at_rest(friction.along, symbol) != 0:
+                    found.setdefault(symbol, "along")
+        for contact in self.model.contacts:
+            for symbol in self._takes(contact.gap):
+                found.setdefault(symbol, "across")
+        for element in (it for it in self.page.elements if it.ends is not None):
+            for kind, parts in zip(
+                ("along", "across"), zip(*element.ends, strict=True), strict=True
+            ):
+                for symbol in self._takes(sp.Tuple(*parts)):
+                    found.setdefault(symbol, kind)
+        for element in (it for it in self.page.elements if it.along is not None):
+            tied = self._takes(element.along)
+            kind = next((found[it] for it in tied if found.get(it, "angle") != "angle"), "along")
+            for symbol in tied:
+                found.setdefault(symbol, kind)
+        return {
+            it: found.get(it, "along") for it in self.model.coordinates if it != self.model.clock
+        }
+
+    @cached_property
+    def bodies(self) -> list[Body]:
+        """Coordinates that move one body: of one end of a spring, of one contact and its
+        friction.
+        """
+        body = {symbol: Body({kind: symbol}) for symbol, kind in self.kinds.items()}
+        for group in self._groups():
+            for one in group:
+                for other in group:
+                    first, second = body[one], body[other]
+                    if first is not second and first.merge(second):
+                        body |= dict.fromkeys(second.parts.values(), first)
+        found = list({id(it): it for it in body.values()}.values())
+        for one in found:
+            one.sense = self._sense(one)
+        return found
+
+    def _groups(self) -> Iterator[list[sp.Symbol]]:
+        for element in self.page.elements:
+            for end in element.ends or ():
+                yield self._takes(sp.Tuple(*end))
+        for contact in self.model.contacts:
+            yield [*self._takes(self._along(contact)), *self._takes(contact.gap)]
+
+    def _body_of(self, symbols: list[sp.Symbol]) -> list[int]:
+        """Numbers of the bodies that coordinates move, each once."""
+        owners = (
+            index
+            for symbol in symbols
+            for index, body in enumerate(self.bodies)
+            if symbol in body.parts.values()
+        )
+        return list(dict.fromkeys(owners))
+
+    # ---------------------------------------------------------------------------------------------
+    # contacts
+
+    def _along(self, contact: NormalForce) -> sp.Expr:
+        """The displacement that friction opposes at a contact, 0 without."""
+        return next((it.along for it in self.sliding if it.normal == contact), sp.S.Zero)
+
+    def _outward(self, contact: NormalForce) -> tuple[int, int]:
+        """The direction from the first body to what it touches: down, where nothing else is
+        said.
+        """
+        for symbol in self._takes(contact.gap):
+            slope = self._number(self._at_rest(contact.gap, symbol))
+            if self.kinds[symbol] != "angle" and slope:
+                way = -1 if slope > 0 else 1
+                return (way, 0) if self.kinds[symbol] == "along" else (0, way)
+        return 0, -1
+
+    def _number(self, expression: sp.Expr) -> float:
+        """At the base values, any parameter without one at 1."""
+        base = {
+            mechanics.number(it): it.base for it in self.model.parameters if it.base is not None
+        }
+        parts = {it: 1.0 for it in expression.free_symbols if it not in base}
+        return float(expression.subs(base | parts))
+
+    def _turned(self, contact: NormalForce, angle: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+        """Velocity of the contact by the angle at the origin."""
+        gap, along = (self._at_rest(it, angle) for it in (contact.gap, self._along(contact)))
+        x, y = self._outward(contact)
+        return (along, -y * gap) if y else (-x * gap, along)
+
+    def _sense(self, body: Body) -> int:
+        """The sense of an angle in which every contact lies on the side where it touches."""
+        angle = body.parts.get("angle")
+        for contact in self.model.contacts if angle else ():
+            x, y = self._outward(contact)
+            across, up = map(self._number, self._turned(contact, angle))
+            if side := x * up - y * across:
+                return 1 if side > 0 else -1
+        return 1
+
+    def _arm(self, contact: NormalForce, owners: list[int]) -> tuple[sp.Expr, sp.Expr]:
+        """From the centre of its body to a contact, at the origin."""
+        body = self.bodies[owners[0]] if owners else Body()
+        if "angle" not in body.parts:
+            return sp.S.Zero, sp.S.Zero
+        across, up = self._turned(contact, body.parts["angle"])
+        return body.sense * up, -body.sense * across
+
+    def _owners(self, contact: NormalForce) -> list[int]:
+        """Bodies of a contact, first the one that rubs."""
+        return self._body_of([*self._takes(self._along(contact)), *self._takes(contact.gap)])
+
+    # ---------------------------------------------------------------------------------------------
+    # springs
+
+    def _ties(self) -> Iterator[Plain]:
+        """Springs along coordinates, and potentials that are even in one coordinate."""
+        tied = [self._takes(it.along) for it in self.page.springs if it.along is not None]
+        stored = (self.model.scaled(energy) for energy, _ in self.page.energies)
+        for term in sp.Add.make_args(expanded(sp.Add(*stored))):
+            taken = self._takes(term)
+            if len(taken) == 1 and self._at_rest(term, *taken, *taken) != 0:
+                tied.append(taken)
+        tied += [self._takes(sp.Tuple(*it.ends)) for it in self.page.torsions if it.ends]
+        seen: list[Plain] = []
+        for symbols in tied:
+            kinds = [self.kinds[it] for it in symbols if self.kinds[it] != "angle"]
+            tie: Plain = {
+                "bodies": self._body_of(symbols),
+                "kind": kinds[0] if kinds else "angle",
+            }
+            if symbols and tie not in seen:
+                seen.append(tie)
+                yield tie
+
+    def _straight(self) -> list[Element]:
+        return [it for it in self.page.springs if it.ends is not None]
+
+    # ---------------------------------------------------------------------------------------------
+    # what is read
+
+    def said(self) -> Plain:
+        """Bodies, contacts and springs by numbers of coordinates, bodies and contacts."""
+        places = {symbol: index for index, symbol in enumerate(self.model.coordinates)}
+        return {
+            "bodies": [
+                {
+                    "sense": body.sense,
+                    **{kind: places[symbol] for kind, symbol in body.parts.items()},
+                }
+                for body in self.bodies
+            ],
+            "contacts": [
+                {
+                    "bodies": self._owners(it),
+                    "outward": self._outward(it),
+                    "elastic": it.gap is not None,
+                    "friction": next(
+                        (k for k, one in enumerate(self.sliding) if one.normal == it), None
+                    ),
+                }
+                for it in self.model.contacts
+            ],
+            "ties": list(self._ties()),
+            "springs": [
+                [self._body_of(self._takes(sp.Tuple(*end)))[:1] for end in it.ends or ()]
+                for it in self._straight()
+            ],
+        }
+
+    def module(self) -> Module:
+        """The function of its places: from the centre of its body to every contact at the origin,
+        and then both ends of every straight spring.
+        """
+        arms = [self._arm(it, self._owners(it)) for it in self.model.contacts]
+        scaled: Callable[[sp.Expr], sp.Expr] = self.model.scaled
+        ends = [
+            tuple(scaled(sp.sympify(part)) for part in end)
+            for it in self._straight()
+            for end in it.ends or ()
+        ]
+        function: Function = of_page(
+            "places",
+            "Arms of the contacts, and ends of the straight springs.",
+            (*self.model.coordinates, *self.model.arguments),
+            (*arms, *ends),
+            "pairs",
+        )
+        return Module("scene", "Places of the drawing", (function,))

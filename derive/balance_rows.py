@@ -7,7 +7,7 @@ import itertools
 import sympy as sp
 
 from . import symmetry
-from .algebra import equal, expanded
+from .algebra import Row, equal, expanded
 from .mechanics import Mechanics, NormalForce
 
 
@@ -43,6 +43,39 @@ def sums(model: Mechanics) -> sp.Matrix:
                 rows[j] = total
                 T[j, :] += sign * T[i, :]
     return T
+
+
+def without_coordinates(
+    model: Mechanics, rows: Row, stiffness: sp.Matrix
+) -> dict[int, list[tuple[sp.Expr, sp.Expr]]]:
+    """Sums of rows in which no coordinate stands: where such a sum is not 0 nothing balances it,
+    and these contacts touch in no state.
+
+    ``stiffness`` has the derivatives of the rows. Each sum stands under the number of one of its
+    rows, behind a factor that is 1 for its combination of contacts that touch and 0 for others. K
+    is singular there whatever the coordinates, and the sum is F times a vector that Kᵀ turns to 0.
+    """
+    found: dict[int, list[tuple[sp.Expr, sp.Expr]]] = {}
+    F = sp.Matrix(rows)
+    moving = {*model.coordinates, *model.directions, *model.turned}
+    opening = [one for one in model.pushings if F.has(one)]
+    for touching in itertools.product((1, 0), repeat=len(opening)):
+        there = dict(zip(opening, touching, strict=True))
+        K = stiffness.subs(there).applyfunc(sp.expand)
+        if not all(entry.is_polynomial(*moving) for entry in K) or sp.expand(K.det()) != 0:
+            continue
+        factor = sp.prod(one if closed else 1 - one for one, closed in there.items())
+        for vector in K.T.nullspace():
+            weights = (vector * sp.lcm_list([sp.denom(sp.cancel(it)) for it in vector])).applyfunc(
+                sp.cancel
+            )
+            total = expanded((weights.T * F.subs(there))[0])
+            some = [i for i, weight in enumerate(weights) if weight != 0]
+            row = next((i for i in reversed(some) if weights[i].is_nonzero), None)
+            alone = total != 0 and not total.free_symbols & moving
+            if alone and len(some) > 1 and row is not None:
+                found.setdefault(row, []).append((factor, total / weights[row]))
+    return found
 
 
 def _along_force(model: Mechanics, contact: NormalForce) -> list[sp.Expr]:

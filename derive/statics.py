@@ -80,27 +80,37 @@ def module(model: Mechanics) -> Module:
     K, T, F = sp.Matrix(jacobian(model)), balance_rows.sums(model), sp.Matrix(model.residuals)
     summed = tuple(map(expanded, T * F))
     constant = not T.has(*model.coordinates)
-    cancelled = "springs between coordinates" if constant else "contacts that turn"
     changes = sp.Matrix.hstack(*(T.diff(symbol) * F for symbol in model.coordinates))
+    slopes = (T * K + changes).applyfunc(model.tidy)
+    alone = balance_rows.without_coordinates(model, summed, slopes)
+    cancelled = []
+    if not T.is_Identity:
+        cancelled.append("springs between coordinates" if constant else "contacts that turn")
+    if alone:
+        cancelled.append("coordinates, where none balances the rest,")
+    others = [1 - sum(factor for factor, _ in alone.get(i, ())) for i in range(len(summed))]
     apart: tuple[Function, ...] = (
-        ()
-        if T.is_Identity
-        else (
+        (
             function(
                 "balance",
-                f"Sums of the forces, in which those of {cancelled} cancel.",
+                f"Sums of the forces, in which those of {' and of '.join(cancelled)} cancel.",
                 state,
-                summed,
+                tuple(
+                    sum((factor * total for factor, total in alone.get(i, ())), others[i] * row)
+                    for i, row in enumerate(summed)
+                ),
                 "(F_1, …)",
             ),
             function(
                 "balance_jacobian",
                 "Their derivatives by the coordinates: the same sums of the rows of K.",
                 state,
-                rows((T * K + changes).applyfunc(model.tidy)),
+                rows(sp.diag(*others) * slopes),
                 "((∂F_1/∂q_1, …), …)",
             ),
         )
+        if cancelled
+        else ()
     )
     if not constant:
         # What follows states along a parameter follows these rows, in which nothing stiff cancels.

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.oracles.contact_pages import FOUR, LADDER, PAD, RANGES, SHOES, THREE, balanced, pad
+from tests.oracles.contact_pages import FOUR, HEAD, LADDER, PAD, RANGES, SHOES, THREE, balanced, pad
 from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
@@ -151,3 +151,41 @@ def test_a_table_without_a_spring_stands_on_no_single_leg() -> None:
     assert eq["touching"].tolist() == ["front, rear, middle"]
     expected = [mu0 * F / k_x, -(F + 2 * s) / 4, mu0 * h * F / 2]
     np.testing.assert_allclose([eq[name][0] for name in ("x", "y", "phi")], expected, rtol=1e-13)
+
+
+#: A drawer that is pulled beside its middle: on one guide, or none, its spring along x − e ψ holds
+#: nothing in one direction, and nothing balances the couple M.
+DRAWER = (
+    HEAD
+    + """
+M = page.parameter("M", "N m", "couple", ">= 0", 0.02)
+e = page.parameter("e", "m", "distance of the pull from the middle", "> 0", 1.5)
+k = page.parameter("k", "N/m", "stiffness of the pull", "> 0", 0.5)
+x = page.coordinate("x", "m", "along")
+y = page.coordinate("y", "m", "across")
+phi = page.coordinate("phi", "rad", "turning")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2 + a**2 * page.rate(phi)**2) / 2)
+page.spring(k, along=x - e * phi)
+page.force(M, along=phi)
+front = page.contact(-y - a * phi, lambda depth: k_c * depth, name="front")
+rear = page.contact(y - a * phi, lambda depth: k_c * depth, name="rear")
+page.friction(x, V, law, at_rest=mu0, on=front)
+page.friction(x, V, law, at_rest=mu0, on=rear)
+"""
+)
+
+
+def test_where_no_force_balances_a_couple_no_state_is_left_open() -> None:
+    hardening = DRAWER.replace("k_c * depth,", "k_c * depth + k_c * depth**3 / a**2,", 1)
+    hard = model_of(hardening, "hard_drawer").Parameters()
+    assert ss.equilibria(hard, contact=("front",)).complete
+    p = model_of(DRAWER, "drawer").Parameters()
+    for touching in ("front",), ("rear",), ():
+        alone = ss.equilibria(p, contact=touching)
+        assert alone.complete
+        assert alone.count == 0
+    # Without the couple every turning is a state, and no region has them all.
+    assert not ss.equilibria(p.replace(M=0.0), contact=False).complete
+    ranges = {"mu0": (0.1, 0.3), "M": (0.01, 0.02)}
+    proof = ss.certify(p, "one equilibrium", between=ranges)
+    assert (proof.outcome, proof.boxes < 100) == ("proved", True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -15,7 +16,7 @@ from .. import algebra
 from ..algebra import Pair
 from .objects import BOTH, LAMBDA
 from .reading import Item
-from .repair import Values, evaluated, same
+from .repair import Values, evaluated, same, same_but_for_constant
 from .samples import numeric
 from .tree import Equation, Node, printed, residual, to_sympy
 
@@ -78,6 +79,8 @@ class Comparison:
         """Values of the print's names where the page's are the samples'."""
         known = self.item.values
         changed = {name: numeric(it, known) for name, it in self.converted.items()}
+        for name in self.item.bound:
+            changed[name] = self._turned(name) * known[name]
         values = {**known, **changed}
         for name, tree in self.item.defined.items():
             values[name] = evaluated(tree, values)
@@ -89,10 +92,16 @@ class Comparison:
         it = self.item.it
         names = it.names | {name: sp.Symbol(name) for name in it.geometry}
         names |= self.converted
-        names |= self.item.bound
+        names |= {name: self._turned(name) * value for name, value in self.item.bound.items()}
         for name, tree in self.item.defined.items():
             names[name] = to_sympy(tree, names)
         return names
+
+    def _turned(self, name: str) -> int:
+        """The sign by which a derivative of a value changes with the coordinates."""
+        slope = self.item.book.slopes.get((self.item.it.form, name))
+        along = () if slope is None else slope.along
+        return math.prod(self.conventions.get(one, Convention()).sign for one in along)
 
     def exactly(self, tree: Node) -> sp.Expr:
         """A tree of the print in the page's symbols."""
@@ -132,7 +141,9 @@ class Comparison:
             case "covector" | "vector":
                 return signs[place]
             case "form":
-                return signs[place // len(signs)] * signs[place % len(signs)]
+                rows = math.isqrt(len(self.item.held.entries))
+                signs *= rows // len(signs)
+                return signs[place // rows] * signs[place % rows]
             case _:
                 return 1
 
@@ -180,10 +191,8 @@ class Comparison:
     def holds(self, tree: Node, target: Values) -> bool:
         """Whether a tree has the values that it ought to have, but for a constant in an energy."""
         own = evaluated(tree, self.values)
-        if self.item.held.factor == "constant":  # the same difference in both states of a pair
-            gap, size = own - target, np.abs(own) + np.abs(target)
-            return bool((np.abs(gap[::2] - gap[1::2]) <= 1e-9 * size[::2]).all())
-        return same(own, target)
+        is_constant = self.item.held.factor == "constant"
+        return (same_but_for_constant if is_constant else same)(own, target)
 
     def proved(self, tree: Node, entry: sp.Expr) -> bool:
         """Whether a tree is the derived expression, by exact algebra."""

@@ -17,8 +17,9 @@ from . import tree
 from .lexer import Cursor, Token, Tokens, nested, split
 from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
 from .matrices import paired, product, quotient, shape_of, total
-from .names import Name, Names, moved
-from .tree import ONE, ZERO, Equation, Node, Unread, Vocabulary, printed, read_sympy
+from .names import AT_REST, Name, Names, moved
+from .roots import without_signs
+from .tree import ONE, ZERO, Argument, Equation, Node, Unread, Vocabulary, printed, read_sympy
 
 #: Functions by their print, and what SymPy calls them.
 FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs", "Heaviside"}}
@@ -83,33 +84,25 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     >>> printed(equation.left)
     'm*ax + 1/2*k*x'
     """
-    signs = re.compile(r"\\(pm|mp)(?![A-Za-z])")
-    found = [*signs.finditer(text)]
-    if not (found and vocabulary.has_roots):
-        return _equations(text, vocabulary)
-    if [it[1] for it in found].count("pm") > 1:
-        raise Unread("several signs at once; print the square", found[1].start())
-    # A root with either sign: the product of both is 0.
-    plus, minus = text, text
-    for it in found:
-        own, opposite = ("+", "-") if it[1] == "pm" else ("-", "+")
-        begin, end = it.span()
-        plus = f"{plus[:begin]}{own}  {plus[end:]}"
-        minus = f"{minus[:begin]}{opposite}  {minus[end:]}"
-    one, other = _equations(plus, vocabulary), _equations(minus, vocabulary)
-    pairs = zip(map(tree.residual, one), map(tree.residual, other), strict=True)
-    return [Equation(Node("mul", pair, at=(0, len(text))), ZERO) for pair in pairs]
-
-
-def _equations(text: str, vocabulary: Vocabulary) -> list[Equation]:
     reader = _LatexReader(vocabulary)
     items = nested(text)
     while len(items) == 1 and items[0].items is not None and items[0].text == "{":
         items = items[0].items
-    equations = [it for piece in _pieces(items) for it in reader.equations(piece)]
+    pieces = _pieces(items)
+    limits = [piece for piece in pieces if _is_condition(piece)]
+    pieces = [piece for piece in pieces if piece not in limits] or limits
+    equations = [it for piece in pieces for it in reader.equations(piece)]
     if not equations:
         raise Unread("nothing stands here", 0)
-    return equations
+    times = reader.names.times()
+    of_state = (one for one in limits if one[0].text.removeprefix("\\") not in times)
+    conditions = tuple(reader.condition(one, one[0].at[0]) for one in of_state)
+    return [replace(without_signs(it), conditions=conditions) for it in equations]
+
+
+def _is_condition(items: Tokens) -> bool:
+    """Whether a relation stands here that is no equation."""
+    return any(it.text in _RELATIONS and it.text not in _EQUAL for it in items)
 
 
 def _pieces(items: Tokens) -> list[list[Token]]:
@@ -134,7 +127,7 @@ def _pieces(items: Tokens) -> list[list[Token]]:
             broken = False
     pieces = [piece for piece in pieces if piece]
     for piece in pieces if len(pieces) > 1 else ():
-        if all(it.text not in _EQUAL for it in piece):
+        if all(it.text not in (*_EQUAL, *_RELATIONS) for it in piece):
             raise Unread("this part is no equation", piece[0].at[0])
     return pieces
 
@@ -145,7 +138,7 @@ class _LatexReader:
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.names = Names(vocabulary)
         self.matrices, self.arguments = vocabulary.matrices, vocabulary.arguments
-        self.size = len(vocabulary.coordinates)
+        self.size, self.has_roots = len(vocabulary.coordinates), vocabulary.has_roots
         for text, page in vocabulary.renamed.items():
             name = self.only_name(nested(text))
             if name is None:
@@ -191,17 +184,32 @@ class _LatexReader:
         """A side of an equation; a name alone on it need not be one of the page."""
         if not items:
             raise Unread("a side of the equation is empty", place)
+        multiple = self.only_name(items[1:]) if named and items[0].text.isdigit() else None
+        if multiple is not None:
+            at = (items[1].at[0], items[-1].at[1])
+            node = self.names.known(multiple, at) or Node("symbol", value=multiple.spelled, at=at)
+            factor = Node("number", value=items[0].text, at=items[0].at)
+            return _over(product([factor, node]), items)
         here = Cursor(items)
         name, power = self.name(here)
         if name not in (None, Name("diag"), Name(r"\mathbf 0")) and named and power is None:
             at = (items[0].at[0], items[-1].at[1])
-            argument = here.text == "(" and here.place + 1 == len(items)
             known = self.names.known(name, at)
-            law = argument and (known is None or known.value in self.names.laws)
-            if here.item is None or law:
+            is_function = here.text == "(" and here.place + 1 == len(items)
+            if is_function and known is not None:
+                is_function = self.is_named_law(known, here.item)
+            if here.item is None or is_function:
                 return self.matrix(known or Node("symbol", value=name.spelled, at=at))
         value = self.expression(items)
         return node_of(value) if {*shape_of(value)} == {1} else value
+
+    def is_named_law(self, node: Node, bracket: Token | None) -> bool:
+        """Whether a law is named with an argument of the print's own, as μ(v) of any speed v."""
+        try:
+            argument = self.argument(node, _bracket(bracket) or ())
+        except Unread:
+            argument = None
+        return node.value in self.names.laws and argument is None
 
     def matrix(self, node: Node) -> Value:
         """Matrix that a name stands for: entries, where it is one of a matrix or a column."""
@@ -233,11 +241,13 @@ class _LatexReader:
         terms: list[Value] = []
         for one, stop in itertools.pairwise([*signs, len(items)]):
             sign, place = (items[one].text, items[one].at[0]) if one >= 0 else ("", 0)
-            if sign in (r"\pm", r"\mp"):
+            if sign in (r"\pm", r"\mp") and not self.has_roots:
                 raise Unread("two signs at once", place, ("+", "-"))
             if one + 1 == stop:
                 raise Unread("a term is missing", place)
             value = self.term(items[one + 1 : stop])
+            if sign in (r"\pm", r"\mp"):
+                value = Node("call", (node_of(value),), sign.removeprefix("\\"), (place, place))
             terms.append(_over(negative(value), items[one:stop]) if sign == "-" else value)
         return terms[0] if len(terms) == 1 else _over(total(terms, items[0].at[0]), items)
 
@@ -343,16 +353,25 @@ class _LatexReader:
         if not isinstance(matrix := self.matrix(node), Node):
             return Factor(self.matrix_power(matrix, power or (), at[0]))
         bracket = _bracket(here.item)
-        is_argument = self.arguments.get(node.value)
-        if bracket is not None and (
-            self.is_time(bracket) or (is_argument is not None and is_argument(self.number(bracket)))
-        ):
+        if bracket is not None and self.is_time(bracket):
             here.take()
+        elif bracket is not None and (argument := self.argument(node, bracket)):
+            here.take()
+            is_odd = node.value.count("diff(") % 2 == 0
+            if argument.at_rest:
+                node = self.names.derived(node, AT_REST)
+            if is_odd and argument.sign < 0:
+                node = Node("neg", (node,), at=at)
         elif bracket is not None and power is None:
             self.product_only(node, bracket, here.at)
         if power is None:
             return self.powered(node, here, at[0]) if bracket is not None else Factor(node)
         return Factor(_power(node, self.number(power), (at[0], here.end)))
+
+    def argument(self, node: Node, items: Tokens) -> Argument | None:
+        """What a bracket is to a function or its derivative; None where it is a factor."""
+        function = self.names.function_of(node)
+        return None if function is None else self.arguments[function](self.number(items))
 
     def is_time(self, items: Tokens) -> bool:
         """Whether a bracket holds the time alone."""
@@ -588,10 +607,10 @@ class _LatexReader:
         if len(down) < 2 or down[0] not in ("d", r"\partial") or up[:1] != down[:1]:
             here.place = begin
             return None
-        if down[0] == r"\partial":
-            raise Unread("a partial derivative is not read", start)
         if down[1].removeprefix("\\") not in self.names.times():
-            raise Unread(f"a derivative by {down[1]}, or a fraction", start)
+            return self.slope(above, below, here, start)
+        if down[0] == r"\partial":
+            raise Unread("a partial derivative by time is not read", start)
         squared = down[2:] == ["^", "2"]
         if (down[2:] and not squared) or (squared and up[1:3] != ["^", "2"]):
             raise Unread("a derivative of this order is not read", start)
@@ -611,6 +630,33 @@ class _LatexReader:
         for _ in range(1 + squared):
             value = self.names.rate(value)
         return self.powered(moved(value, (start, here.end)), here, start)
+
+    def slope(self, above: Tokens, below: Tokens, here: Cursor, start: int) -> Factor:
+        """A derivative of a name by another: of a function by its argument, else a partial one."""
+        sign, *what = _inside(above)
+        order = ONE
+        if [it.text for it in what[:1]] == ["^"]:
+            order = self.number(what[1:2])
+            what = what[2:]
+        if not what and here.text == "(":
+            what = [*(here.take().items or ())]
+        name = self.only_name(what) if what else None
+        node = None if name is None else self.names.known(name, (start, here.end))
+        if node is None or node.kind != "symbol":
+            raise Unread("a derivative of what is no name; define it", start)
+        steps: list[Tokens] = []
+        for part in split(_inside(below), sign.text)[1:]:
+            times = part[-1].text if [it.text for it in part[-2:-1]] == ["^"] else ""
+            steps += [part[:-2]] * int(times) if times.isdigit() else [part]
+        if str(len(steps)) != order.value:
+            raise Unread("a derivative of this order is not read", start)
+        for step in steps:
+            by = self.number(step)
+            argument = self.argument(node, step)
+            if argument is None and by.kind != "symbol":
+                raise Unread(f"a derivative by {printed(by)}, which is no name", start)
+            node = self.names.derived(node, by.value if argument is None else "")
+        return self.powered(node, here, start)
 
     def only_name(self, items: Tokens) -> Name | None:
         """The name that stands alone, without an exponent."""
@@ -637,7 +683,7 @@ class _LatexReader:
             name = self.only_name(_argument(here))
             if name is None:
                 raise Unread("dots on what is no name", it.at[0])
-            name = replace(name, order=name.order + it.text.count("d"))
+            name = replace(name, order=name.order + it.text.count("d"), has_dots=True)
         elif it.text in (*_ROMAN, *_BOLD, *_ACCENTS):
             argument = _argument(here)
             style = "" if it.text in _ROMAN else _ACCENTS.get(it.text, it.text) + " "

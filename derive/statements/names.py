@@ -5,15 +5,20 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+
+import sympy as sp
 
 from ..model import acceleration_of
 from .lexer import Tokens
-from .tree import Node, Unread, Vocabulary, printed
+from .tree import FUNCTIONS, Node, Unread, Vocabulary, printed, read_sympy, renamed, to_sympy
+from .tree import with_part
 
 
 #: Words for the columns of all coordinates, of their rates and of their accelerations.
 COLUMNS = ("coordinates", "rates", "accelerations")
+#: In place of what a derivative is by: none is taken, and a friction law is meant at rest.
+AT_REST = "at rest"
 #: The word for the frequency ω of λ = iω.
 FREQUENCY = "frequency"
 #: Words for the objects that are matrices.
@@ -28,6 +33,7 @@ class Name:
     sub: str = ""
     sup: str = ""
     order: int = 0
+    has_dots: bool = field(default=False, compare=False)  #: not primes, which may be by an argument
 
     @property
     def spelled(self) -> str:
@@ -55,7 +61,8 @@ class Names:
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.symbols, self.laws = vocabulary.symbols, vocabulary.laws
-        self.fixed = vocabulary.fixed
+        self.fixed, self.derivative = vocabulary.fixed, vocabulary.derivative
+        self.functions_of_one = vocabulary.arguments.keys()
         self.next: dict[str, str] = {}
         for coordinate in vocabulary.coordinates:
             self.next[coordinate] = f"v{coordinate}"
@@ -95,7 +102,9 @@ class Names:
             return moved(self.renamed[name,], at)
         if name.order:
             before = self.known(replace(name, order=name.order - 1), at)
-            return before and self.rate(before)
+            if before is None or name.has_dots or self.function_of(before) is None:
+                return before and self.rate(before)
+            return self.derived(before, "")
         found = [it for it in _spellings(name) if it in self.symbols]
         if not found and "o" in (name.sub, name.sup):
             is_sub = name.sub == "o"
@@ -107,23 +116,57 @@ class Names:
             return Node("symbol", value=found[0], at=at)
         return Node("number", value="pi", at=at) if name == Name("pi") else None
 
+    def function_of(self, node: Node) -> str | None:
+        """The name of which it is the function, or a derivative by its argument; None of others."""
+        value = node.value
+        while value.startswith("diff(") and "," not in value:
+            value = value.removeprefix("diff(").removesuffix(")")
+        return value if value in self.functions_of_one else None
+
+    def derived(self, node: Node, by: str) -> Node:
+        """The derivative of a name by another, or by its argument where none is given."""
+        if self.derivative is None:
+            raise Unread("a derivative is not read here", node.at[0])
+        try:
+            return replace(node, value=self.derivative(node.value, by))
+        except Unread as error:
+            raise Unread(error.reason, node.at[0]) from error
+
     def rate(self, node: Node) -> Node:
-        """The derivative by time of what is linear in coordinates or rates."""
+        """The derivative by time, by the rules for sums, products, powers and functions."""
+        if not self._moves(node):
+            return Node("number", value="0", at=node.at)
         match node.kind:
             case "symbol" if node.value in self.next:
                 return replace(node, value=self.next[node.value])
-            case "number":
-                return replace(node, value="0")
+            case "symbol" if self.derivative is not None and node.value not in self.columns:
+                return self.derived(node, "t")
             case "add" | "neg":
                 return replace(node, args=tuple(map(self.rate, node.args)))
-            case "mul" if sum(map(self._moves, node.args)) == 1:
-                parts = (self.rate(it) if self._moves(it) else it for it in node.args)
-                return replace(node, args=tuple(parts))
+            case "mul":
+                moving = [place for place, it in enumerate(node.args) if self._moves(it)]
+                terms = [with_part(node, (place,), self.rate(node.args[place])) for place in moving]
+                return terms[0] if len(terms) == 1 else Node("add", tuple(terms), at=node.at)
             case "div" if not self._moves(node.args[1]):
                 return replace(node, args=(self.rate(node.args[0]), node.args[1]))
-        if not self._moves(node):
-            return Node("number", value="0", at=node.at)
+            case "div" | "pow" | "call" if node.value in ("", *FUNCTIONS):
+                return moved(self._by_chain(node), node.at)
         raise Unread(f"the rate of {printed(node)} is not read; print it in rates", node.at[0])
+
+    def _by_chain(self, node: Node) -> Node:
+        """The derivative by time of an operation on what moves: its slopes times the rates."""
+        places = [sp.Symbol(f"u{number}", real=True) for number in range(len(node.args))]
+        names = {str(symbol): symbol for symbol in places}
+        operands = dict(zip(names, node.args, strict=True))
+        plain = tuple(Node("symbol", value=name) for name in names)
+        value = to_sympy(replace(node, args=plain), names)
+        terms = []
+        for symbol, operand in zip(places, node.args, strict=True):
+            if self._moves(operand):
+                text = str(sp.diff(value, symbol))
+                slope = read_sympy(text, Vocabulary(frozenset(names), (), {}))[0].left
+                terms.append(Node("mul", (renamed(slope, operands), self.rate(operand))))
+        return terms[0] if len(terms) == 1 else Node("add", tuple(terms))
 
     def _moves(self, node: Node) -> bool:
         if node.kind != "symbol":

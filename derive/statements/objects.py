@@ -429,7 +429,8 @@ def _entries(
     of: Callable[[Derivation], sp.Matrix], letter: str, by: str
 ) -> Callable[[Derivation, str, str], Object]:
     def derived(it: Derivation, name: str, side: str) -> Object:
-        n = len(it.model.coordinates)
+        matrix = of(it)
+        n = matrix.rows
         places = [int(part) - 1 for part in name.split() if part.isdigit()]
         if places and (len(places) != 2 or not all(0 <= place < n for place in places)):
             raise NoObject(f"{letter} has rows and columns 1 to {n}; give two of them, or none")
@@ -437,10 +438,19 @@ def _entries(
         mark = "".join(str(place + 1) for place in places)
         names = frozenset({f"{letter}_{mark}", f"{letter}{mark}"} if places else {letter})
         shape = None if places else (n, n)
-        entries = tuple(it.steady(entry, side) for entry in of(it))
+        entries = tuple(it.steady(entry, side) for entry in matrix)
         return Object(entries, by, "form", index, names=names, steady=True, side=side, shape=shape)
 
     return derived
+
+
+def _system(it: Derivation) -> sp.Matrix:
+    """A of z′ = A z for small deviations z, the coordinates and then their rates."""
+    mass = it.model.mass.inv()
+    K, C = statics.jacobian(it.model), linearization.damping(it.model) + it.model.gyroscopic
+    n = mass.rows
+    above = sp.zeros(n).row_join(sp.eye(n))
+    return above.col_join((-mass * sp.Matrix(K)).row_join(-mass * C))
 
 
 def _characteristic(it: Derivation, name: str, side: str) -> Object:
@@ -600,6 +610,7 @@ OBJECTS: Mapping[str, Deriver] = {
     "stiffness": _entries(
         lambda it: sp.Matrix(statics.jacobian(it.model)), "K", "statics.jacobian"
     ),
+    "system": _entries(_system, "A", "linearization.damping, statics.jacobian"),
     "characteristic": _characteristic,
     "threshold": _threshold,
     "scale": _scale,

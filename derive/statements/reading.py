@@ -13,13 +13,24 @@ import sympy as sp
 
 from ..pages import PageModel
 from . import samples
+from .derivatives import Derivative, letter_of, name_of, of_law, of_value, tree_of
 from .matrices import entry_name, matrix_of
-from .names import FREQUENCY, MATRICES
+from .names import AT_REST, FREQUENCY, MATRICES
 from .objects import LAMBDA, MOVING, TIME, Derivation, NoObject, Object, derivation, derived
 from .papers import Paper, Statement
-from .repair import Values, stem
+from .repair import Values, evaluated, same, same_but_for_constant, stem
 from .samples import numeric
-from .tree import Equation, Node, Unread, Vocabulary, printed, read_sympy, symbols, to_sympy
+from .tree import (
+    Argument,
+    Equation,
+    Node,
+    Unread,
+    Vocabulary,
+    printed,
+    read_sympy,
+    symbols,
+    to_sympy,
+)
 
 
 @dataclass(frozen=True)
@@ -40,6 +51,10 @@ class Book:
     shapes: dict[str, tuple[int, int]] = field(default_factory=dict)
     #: what defined names are printed as functions of
     arguments: dict[str, Node] = field(default_factory=dict)
+    #: derivatives that are printed of the page's own values, by form and name
+    slopes: dict[tuple[str, str], Derivative] = field(default_factory=dict)
+    #: what is counted in bound energies, by form and name
+    meant: dict[tuple[str, str], sp.Expr] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
 
     def objects(self, it: Derivation) -> Iterator[tuple[str, Object]]:
@@ -50,11 +65,11 @@ class Book:
                     yield name, derived(it, statement.about)
 
     def values(self, it: Derivation) -> dict[str, sp.Expr]:
-        """Bound names, and those of the entries of matrices, as derived."""
-        found: dict[str, sp.Expr] = {}
+        """Bound names, those of the entries of matrices, and their derivatives, as derived."""
+        found = {name: one.value for (form, name), one in self.slopes.items() if form == it.form}
         for name, held in self.objects(it):
             if held.shape is None:
-                found[name] = held.entries[held.index[0]]
+                found[name] = _meant(name, held, it, self)
                 continue
             for place in held.index:
                 i, j = divmod(place, held.shape[1])
@@ -127,7 +142,7 @@ def _begun(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
     renamed, letters, bound = dict(paper.renamed), dict[str, str](), dict[str, Statement]()
     for text, meaning in paper.renamed.items():
         is_own = any(meaning in it.names for it in forms.values())
-        if meaning.split(" ")[0] in MATRICES and not is_own:
+        if meaning.split(" ")[0] in (*MATRICES, "energy") and not is_own:
             renamed[text] = re.sub(r"\W+", "_", meaning)
             bound[renamed[text]] = Statement(meaning, meaning, "", is_latex=False)
         if renamed[text].isidentifier():
@@ -150,12 +165,15 @@ def _bind(statement: Statement, book: Book) -> None:
         held = derived(it, statement.about)
     except (Unread, NoObject, ArithmeticError, ValueError):
         return
-    name = equation.left.value
-    if equation.left.kind == "symbol" and held.is_value and name not in known | held.names:
+    named = _by_name(equation).left
+    name = named.value
+    if named.kind == "symbol" and held.is_value and name not in known:
         book.bound[name] = statement
         letter = left.strip()
+        if named is not equation.left:
+            letter = left[named.at[0] : named.at[1]]
         if statement.is_latex:
-            book.letters[name] = letter
+            _print_name(name, letter, statement, it, book)
         for i, j in itertools.product(*map(range, held.shape or (0, 0))):
             entry = entry_name(name, held.shape or (0, 0), i, j)
             book.letters[entry] = f"{letter}_{{{entry.rpartition('_')[2]}}}"
@@ -175,7 +193,7 @@ def equations_of(
         found = read_sympy(text, vocabulary)
     if FREQUENCY in it.names or not vocabulary.has_roots:
         return found
-    return [Equation(_in_lambda(one.left), _in_lambda(one.right)) for one in found]
+    return [replace(it, left=_in_lambda(it.left), right=_in_lambda(it.right)) for it in found]
 
 
 def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool) -> Vocabulary:
@@ -196,7 +214,65 @@ def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool
         _fixed(it, book.defined, values),
         has_roots,
         _arguments(statement, it, book),
+        partial(_slope, it, book),
     )
+
+
+def _meant(name: str, held: Object, it: Derivation, book: Book) -> sp.Expr:
+    """The value that a name is bound to; of those that it may mean the one that is printed."""
+    if (it.form, name) in book.meant:
+        return book.meant[it.form, name]
+    book.meant[it.form, name] = held.entries[held.index[0]]
+    item = prepared(book.bound[name], book) if held.readings else None
+    if isinstance(item, Item) and item.it is it:
+        values = dict(item.values)
+        for one, tree in item.defined.items():
+            values[one] = evaluated(tree, values)
+        for reading, target in zip(held.readings, item.readings, strict=True):
+            own = evaluated(item.equations[0].right, values)
+            if same_but_for_constant(own, target):
+                book.meant[it.form, name] = reading.entry
+                break
+    return book.meant[it.form, name]
+
+
+def _is_ambiguous(statement: Statement, it: Derivation) -> bool:
+    """Whether a name is bound by words alone to an object that may mean several values."""
+    return not statement.text and bool(derived(it, statement.about).readings)
+
+
+def _slope(it: Derivation, book: Book, of: str, by: str) -> str:
+    """The name of a derivative, which is kept with its value."""
+    name = name_of(of, by)
+    order = of.count("diff(")
+    base = of.removeprefix("diff(" * order).rstrip(")")
+    frictions = dict(zip(map(str, it.coefficients), it.model.frictions, strict=False))
+    letter, by_letter = (book.letters.get(one) or it.letters.get(one, one) for one in (of, by))
+    if by in ("", AT_REST) and base in frictions:
+        slope = of_law(frictions[base], order + (not by), it)
+        if by == AT_REST:
+            slope = Derivative(slope.still or slope.value)
+        book.slopes[it.form, name] = slope
+    else:
+        if not by and (argument := book.arguments.get(base)) is not None:
+            by = printed(argument)
+        values = _expressions(it, book)
+        if of in book.bound and _is_ambiguous(book.bound[of], it):
+            raise Unread(
+                f"{of} may count the potential of a constant force or leave it out; print it in a "
+                f"statement about {book.bound[of].about}"
+            )
+        if of not in values:
+            raise Unread(f"the derivative of {of}, which is no name that is known")
+        slope = of_value(values[of], by, it)
+        if of in book.defined:
+            book.defined[name] = tree_of(slope.value, it)
+        else:
+            before = book.slopes.get((it.form, of), slope)
+            along = slope.along if before is slope else (*before.along, *slope.along)
+            book.slopes[it.form, name] = replace(slope, along=along)
+    book.letters[name] = letter_of(letter, by_letter, is_total=by == str(TIME))
+    return name
 
 
 def _fixed(
@@ -222,25 +298,41 @@ def _in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tup
 
 def _arguments(
     statement: Statement, it: Derivation, book: Book
-) -> dict[str, Callable[[Node], bool]]:
-    """Of names that are printed as functions, whether an expression is their argument: what their
-    definition is printed with, or of a friction coefficient the sliding speed, at rest where the
-    statement is about that.
+) -> dict[str, Callable[[Node], Argument | None]]:
+    """Of names that are printed as functions, what an expression is to them: the argument with
+    which a definition is printed, or of a friction coefficient the sliding speed.
     """
-    still = {} if statement.word in (*MOVING, "friction") else dict.fromkeys(it.model.rates, 0)
+    is_moving = statement.word in (*MOVING, "friction", "definition")
+    still = dict.fromkeys(it.model.rates, 0)
 
-    def is_printed(argument: Node, inside: Node) -> bool:
-        return printed(inside) == printed(argument)
+    def as_printed(argument: Node, inside: Node) -> Argument | None:
+        return Argument() if printed(inside) == printed(argument) else None
 
-    def is_speed(speed: sp.Expr, inside: Node) -> bool:
-        is_known = symbols(inside) <= it.names.keys()
-        return is_known and sp.expand(to_sympy(inside, it.names) - speed) == 0
+    def as_speed(speed: sp.Expr, is_odd: bool, inside: Node) -> Argument | None:
+        names = _expressions(it, book)
+        value = to_sympy(inside, names) if symbols(inside) <= names.keys() else sp.nan
+        for sign in (1, -1) if is_odd else (1,):
+            for at_rest in (False, True):
+                meant = speed.subs(still) if at_rest else speed
+                if sp.expand(value - sign * meant) == 0:
+                    return Argument(sign, at_rest and is_moving)
+        return None
 
-    rubbed = zip(map(str, it.coefficients), it.speeds, strict=False)
-    found: dict[str, Callable[[Node], bool]] = {
-        name: partial(is_speed, speed.subs(still)) for name, speed in rubbed
-    }
-    return found | {name: partial(is_printed, one) for name, one in book.arguments.items()}
+    found: dict[str, Callable[[Node], Argument | None]] = {}
+    for symbol, speed, friction in zip(
+        it.coefficients, it.speeds, it.model.frictions, strict=False
+    ):
+        is_odd = sp.expand(friction.ahead + friction.behind) == 0
+        found[str(symbol)] = partial(as_speed, speed, is_odd)
+    return found | {name: partial(as_printed, one) for name, one in book.arguments.items()}
+
+
+def _expressions(it: Derivation, book: Book) -> dict[str, sp.Expr]:
+    """What names of the page, of objects and of definitions are, in names of the page."""
+    found = {**it.names, **book.values(it)}
+    for name, tree in _in_order(book.defined, found):
+        found[name] = to_sympy(tree, found)
+    return found
 
 
 def _in_lambda(tree: Node) -> Node:
@@ -275,18 +367,33 @@ def prepared(statement: Statement, book: Book) -> Item | Verdict:
     return Verdict(statement, "unread", problem)
 
 
-def _new_names(equations: list[Equation], it: Derivation, book: Book) -> dict[str, Node]:
-    """What the names on the left stand for, where all are new: one or several, as a = b = c + d."""
+def _by_name(equation: Equation) -> Equation:
+    """The value of a name of which a multiple is printed, as in 2 T = m v²."""
+    left, right = equation.left, equation.right
+    if left.kind == "neg" and left.args[0].kind == "symbol":
+        return replace(equation, left=left.args[0], right=Node("neg", (right,), at=right.at))
+    if left.kind == "mul" and [it.kind for it in left.args] == ["number", "symbol"]:
+        value = Node("div", (right, left.args[0]), at=right.at)
+        return replace(equation, left=left.args[1], right=value)
+    return equation
+
+
+def _new_names(
+    equations: list[Equation], it: Derivation, book: Book
+) -> tuple[dict[str, Node], list[Equation]]:
+    """What new names on the left stand for, as in a = b = c + d, and the equations of others."""
     values: dict[str, Node] = {}
     others: list[tuple[str, str]] = []
+    known: list[Equation] = []
 
     def is_new(node: Node) -> bool:
         return node.kind == "symbol" and node.value not in it.names | book.bound
 
-    for left, right in ((one.left, one.right) for one in equations):
+    for equation in equations:
+        left, right = equation.left, equation.right
         if not is_new(left) or left.value in symbols(right):
-            return {}
-        if is_new(right) and right.value not in book.defined:
+            known.append(equation)
+        elif is_new(right) and right.value not in book.defined:
             others.append((right.value, left.value))
         else:
             values[left.value] = right
@@ -295,7 +402,15 @@ def _new_names(equations: list[Equation], it: Derivation, book: Book) -> dict[st
             values[other] = values[name]
         else:
             values[name] = Node("symbol", value=other)
-    return values
+    return values, known
+
+
+def _print_name(name: str, left: str, statement: Statement, it: Derivation, book: Book) -> None:
+    """Keep how a name is printed, and the argument with which it is, as in f(x) = …."""
+    book.letters[name] = left
+    if with_argument := re.fullmatch(r"([^()]*)\((.*)\)", left):
+        argument = equations_of(with_argument[2], statement, it, book)[0].left
+        book.letters[name], book.arguments[name] = with_argument[1], argument
 
 
 def _defined(statement: Statement, new: Mapping[str, Node], it: Derivation, book: Book) -> Verdict:
@@ -305,13 +420,78 @@ def _defined(statement: Statement, new: Mapping[str, Node], it: Derivation, book
     if (matrix := matrix_of([*new])) is not None:
         book.shapes[matrix[0]] = matrix[1]
     elif statement.is_latex:
-        left = statement.text.partition("=")[0].strip()
-        book.letters[first] = left
-        if with_argument := re.fullmatch(r"([^()]*)\((.*)\)", left):
-            book.letters[first] = with_argument[1]
-            book.arguments[first] = equations_of(with_argument[2], statement, it, book)[0].left
+        _print_name(first, statement.text.partition("=")[0].strip(), statement, it, book)
     read = "; ".join(f"{name} = {printed(value)}" for name, value in new.items())
     return Verdict(statement, "definition", read=read)
+
+
+def _known_names(
+    equations: list[Equation], statement: Statement, it: Derivation, book: Book
+) -> Object:
+    """The values of what a definition gives that is known: lengths, inclinations, normal forces,
+    friction coefficients and what is bound to an object.
+    """
+    normals = dict(zip(map(str, it.normals), it.model.contacts, strict=True))
+    known = {name: (value, "objects.Derivation.geometry") for name, value in it.geometry.items()}
+    for symbol, value in it.friction.items():
+        known[str(symbol)] = value, "laws.smooth_friction"
+    for name, value in book.values(it).items():
+        known[name] = value, book.bound[name].about if name in book.bound else "derivatives"
+    found: list[tuple[sp.Expr, str]] = []
+    for left in (one.left for one in equations):
+        name = left.value if left.kind == "symbol" else ""
+        if name in normals:
+            about = statement.about.replace("definition", f"normal {normals[name].name}")
+            normal = derived(it, about)
+            found.append((normal.entries[0], normal.by))
+        elif name in known:
+            found.append(known[name])
+        elif symbols(left) <= it.names.keys():
+            found.append((to_sympy(left, it.names), "objects.Derivation.geometry"))
+        else:
+            raise Unread(f"{printed(left)} is not in names of the page; say them under [symbols]")
+    entries, by = zip(*found, strict=True)
+    names = frozenset(printed(one.left) for one in equations)
+    index = tuple(range(len(entries)))
+    return Object(entries, ", ".join(dict.fromkeys(by)), index=index, names=names)
+
+
+def _says_nothing(equation: Equation, held: Object, values: Mapping[str, Values]) -> bool:
+    """Whether an equation before those that are judged gives a name to what follows, as F in
+    F = a x = 0, or holds of any state, as 1 = cos² + sin².
+    """
+    sides = equation.left, equation.right
+    if not all(symbols(side) <= values.keys() for side in sides):
+        return sides[0].kind == "symbol" and not held.is_value
+    left, right = (evaluated(side, values) for side in sides)
+    return same(left, right)
+
+
+def _used(equations: list[Equation], book: Book) -> set[str]:
+    """Names in equations, and in the definitions of these."""
+    found: set[str] = set()
+    pending = {name for one in equations for name in symbols(one.right) | symbols(one.left)}
+    while pending:
+        found |= pending
+        inside = (symbols(book.defined[name]) for name in pending & book.defined.keys())
+        pending = set().union(*inside) - found
+    return found
+
+
+def _check_conditions(
+    conditions: tuple[Node, ...], values: Mapping[str, Values], defined: Mapping[str, Node]
+) -> None:
+    """Refuse conditions beside an equation that do not hold of every sample."""
+    known = dict(values)
+    for name, tree in defined.items():
+        known[name] = evaluated(tree, known)
+    for condition in conditions:
+        if not (symbols(condition) <= known.keys() and evaluated(condition, known).all()):
+            raise Unread(
+                "this condition does not hold wherever the equation is judged; say in about where "
+                "it is meant, as 'motion x, belt ahead'",
+                condition.at[0],
+            )
 
 
 def _item(
@@ -322,35 +502,35 @@ def _item(
     book: Book,
 ) -> Item | Verdict:
     if held is None:
-        if new := _new_names(equations, it, book):
-            return _defined(statement, new, it, book)
-        left = equations[0].left
-        normals = dict(zip(map(str, it.normals), it.model.contacts, strict=True))
-        known = it.geometry | {str(symbol): value for symbol, value in it.friction.items()}
-        name = left.value if left.kind == "symbol" else ""
-        if not symbols(left) <= it.names.keys():
-            raise Unread(f"{printed(left)} is not in names of the page; say them under [symbols]")
-        value = known[name] if name in known else to_sympy(left, it.names)
-        by, own = "objects.Derivation.geometry", frozenset({printed(left)})
-        held = Object((value,), by, names=own)
-        if name in normals:
-            held = derived(
-                it, statement.about.replace("definition", f"normal {normals[name].name}")
-            )
+        new, equations = _new_names(equations, it, book)
+        verdict = _defined(statement, new, it, book) if new else None
+        if not equations and verdict is not None:
+            return verdict
+        held = _known_names(equations, statement, it, book)
     count = len(held.index)
     if len(equations) < count:
         reason = f"{statement.about} has {count} entries, and the print {len(equations)}"
         return Verdict(statement, "unread", f"{reason}; name one of them in about")
-    equations = equations[-count:]
+    if held.is_value:
+        equations = [*map(_by_name, equations)]
     values = samples.drawn(it, held)
+    before, equations = equations[:-count], equations[-count:]
+    if more := [one for one in before if not _says_nothing(one, held, values)]:
+        if count > 1:
+            raise Unread(f"{statement.about} has {count} entries, and the print more equations")
+        equations = [*more, *equations]
+        held = replace(held, index=held.index * len(equations))
     bound = book.values(it)
-    used = {name for one in equations for name in symbols(one.right) | symbols(one.left)}
-    stems = {stem(name) for name in used & bound.keys()}
+    stems = {stem(name) for name in _used(equations, book) & bound.keys()}
     bound = {name: value for name, value in bound.items() if stem(name) in stems}
-    for name, value in bound.items():
-        values[name] = numeric(value, values)
+    for name in bound:
+        slope = book.slopes.get((it.form, name))
+        if held.steady and slope is not None and slope.still is not None:
+            bound[name] = slope.still
+        values[name] = numeric(bound[name], values)
     defined: dict[str, Node] = {}  # not those in names that this form lacks
     defined |= _in_order(book.defined, values)
+    _check_conditions(equations[0].conditions, values, defined)
     sides = [one.right if held.is_value and one.left.kind == "symbol" else one for one in equations]
     for side in sides:
         parts = (side,) if isinstance(side, Node) else (side.left, side.right)

@@ -115,6 +115,12 @@ def same(one: Values, other: Values) -> bool:
     return bool(np.isfinite(size).all() and (np.abs(one - other) <= CLOSE * size).all())
 
 
+def same_but_for_constant(one: Values, other: Values) -> bool:
+    """Whether the difference is that in the other state of every pair with the same parameters."""
+    gap, size = one - other, np.abs(one) + np.abs(other)
+    return bool((np.abs(gap[::2] - gap[1::2]) <= CLOSE * size[::2]).all())
+
+
 # ---------------------------------------------------------------------------------------- values
 
 

@@ -24,10 +24,23 @@ class Node:
 
 @dataclass(frozen=True)
 class Equation:
-    """Two sides; the right one is the number 0 where the print is an expression that is 0."""
+    """Two sides; the right one is the number 0 where the print is an expression that is 0. Where
+    it is printed with conditions, these are relations or several of them.
+    """
 
     left: Node
     right: Node
+    conditions: tuple[Node, ...] = ()
+
+
+@dataclass(frozen=True)
+class Argument:
+    """The argument of a function, or minus that of an odd one; of a friction law in an equation
+    that is about a motion it may be the sliding speed at rest.
+    """
+
+    sign: int = 1
+    at_rest: bool = False
 
 
 @dataclass(frozen=True)
@@ -45,8 +58,11 @@ class Vocabulary:
     fixed: frozenset[str] | None = None
     #: whether an equation is about all roots of a polynomial, so that ± stands for two of them
     has_roots: bool = False
-    #: names that are printed as functions: whether an expression in brackets is their argument
-    arguments: Mapping[str, Callable[[Node], bool]] = field(default_factory=dict)
+    #: names that are printed as functions: what an expression in brackets is to them
+    arguments: Mapping[str, Callable[[Node], Argument | None]] = field(default_factory=dict)
+    #: the name of a derivative, by the names of what is derived and by what; by the argument of a
+    #: function where the second is empty
+    derivative: Callable[[str, str], str] | None = None
 
 
 class Unread(ValueError):
@@ -239,6 +255,15 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             if isinstance(op, ast.Sub):
                 other = Node("neg", (other,), at=other.at)
             return _joined(kind, one, other, at)
+        case ast.Call(func=ast.Name(id="diff"), args=[_] | [_, _] as arguments, keywords=[]):
+            if (name := ast.unparse(part)) in vocabulary.symbols:
+                return Node("symbol", value=name, at=at)
+            names = [printed(_tree(it, begin, vocabulary)) for it in arguments]
+            if vocabulary.derivative is None:
+                raise Unread(f"{name} is no name that is known", at[0])
+            return Node(
+                "symbol", value=vocabulary.derivative(*names, *[""][: 2 - len(names)]), at=at
+            )
         case ast.Call(func=ast.Name(id=name), args=[_, *more] as arguments, keywords=[]) if (
             name in FUNCTIONS and bool(more) is (name in OF_SEVERAL)
         ):

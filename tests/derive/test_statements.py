@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from pathlib import Path
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -449,6 +450,17 @@ def test_a_rate_is_0_of_constants_alone() -> None:
     _, constant, length, unknown = reading.opened(paper, ARTICLE)[1]
     assert isinstance(constant, reading.Item)
     assert printed(constant.equations[0].left) == "w_0*vx"
-    for item in (length, unknown):
-        assert isinstance(item, reading.Verdict)
-        assert "the rate of" in item.evidence
+    assert isinstance(unknown, reading.Verdict)
+    assert "phi" in unknown.evidence
+    # A length, against its change in a short time.
+    assert isinstance(length, reading.Item)
+    at = length.values
+    step = 1e-6
+
+    def after(time: float) -> np.ndarray:
+        across = np.cos(at["theta0"]) - at["x"] - time * at["vx"]
+        along = np.sin(at["theta0"]) - at["y"] - time * at["vy"]
+        return np.hypot(across, along)
+
+    slope = (after(step) - after(-step)) / (2 * step)
+    assert at["diff(L, t)"] == pytest.approx(slope, rel=1e-7)

@@ -149,15 +149,44 @@ def test_what_is_no_argument_is_told_so() -> None:
         read_latex("k(x, y) = 0", WORDS)
 
 
-def test_two_signs_are_both_roots() -> None:
-    """Where an equation is about all roots of a polynomial ± and ∓ are one of them each time."""
+@pytest.mark.parametrize(
+    ("text", "roots"),
+    [
+        (r"x = a \pm 2", "a + 2, a - 2"),
+        (r"x = a \mp 2", "a + 2, a - 2"),
+        (r"x = \mp a \pm 2", "2 - a, a - 2"),
+        (
+            r"x = -\frac{a \pm \sqrt{a^2 - 1}}{2}",
+            "-(a + I*sqrt(1 - a**2))/2, -(a - I*sqrt(1 - a**2))/2",
+        ),
+        (
+            r"x^2 = a \left(1 \pm \frac{1}{2}\sqrt{a}\right)",
+            "sqrt(a + a*sqrt(a)/2), -sqrt(a + a*sqrt(a)/2)",
+        ),
+        (
+            r"x = \pm\sqrt{a \pm \sqrt{a}}",
+            "sqrt(a + sqrt(a)), -sqrt(a + sqrt(a)), sqrt(a - sqrt(a))",
+        ),
+    ],
+)
+def test_two_signs_are_both_roots(text: str, roots: str) -> None:
+    """Where an equation is about all roots of a polynomial, it holds of each of these."""
     words = Vocabulary(frozenset({"a", "x"}), (), {}, has_roots=True)
-    (both,) = read_latex(r"x = a \pm 2", words)
-    assert printed(both.left) == "(x - (a + 2))*(x - (a - 2))"
-    (both,) = read_latex(r"x = \mp a \pm 2", words)
-    assert printed(both.left) == "(x - (-a + 2))*(x - (a - 2))"
-    with pytest.raises(Unread, match="print the square"):
-        read_latex(r"x = \pm a \pm 2", words)
+    (both,) = read_latex(text, words)
+    names = {name: sp.Symbol(name, positive=True) for name in ("a", "x")}
+    whole = to_sympy(tree.residual(both), names)
+    for root in sp.sympify(f"[{roots}]", locals=names):
+        assert sp.simplify(whole.subs(names["x"], root)) == 0
+    other = whole.subs({names["x"]: sp.Rational(7, 3), names["a"]: sp.Rational(1, 5)})
+    assert abs(sp.N(other)) > 0.01
+
+
+@pytest.mark.parametrize("text", [r"x = \pm a \pm 2", r"\pm x = a", r"x = \exp(\pm a)"])
+def test_signs_that_are_no_two_roots_are_refused(text: str) -> None:
+    """Two signs that may belong together or not, one on the left, one within a function."""
+    words = Vocabulary(frozenset({"a", "x"}), (), {}, has_roots=True)
+    with pytest.raises(Unread, match="sign"):
+        read_latex(text, words)
 
 
 def test_what_a_print_calls_a_function_can_be_evaluated() -> None:

@@ -1,0 +1,172 @@
+"""Derivatives that a paper prints, conditions beside an equation, and equations with several signs
+of equality: what is judged, and what is refused.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from spragsym.derive import pages
+from spragsym.derive.statements import papers, reading, verdicts
+
+PAGE = pages.read(Path(__file__).parents[2] / "validation/papers/falling_friction/page.py")
+CART = pages.read(Path(__file__).parents[2] / "validation/papers/lagrange_equations/page.py")
+SPEED = {"v": "v_0 - x'", "w": "x' - v_0"}
+
+
+def _rows(
+    model: pages.PageModel, renamed: dict[str, str], *texts: tuple[str, str]
+) -> list[verdicts.Row]:
+    statements = tuple(
+        papers.Statement(str(number), about, text, is_latex=True)
+        for number, (about, text) in enumerate(texts)
+    )
+    return verdicts.check(papers.Paper("", "", renamed, statements), model).rows
+
+
+def _only(text: str, about: str = "motion x") -> verdicts.Row:
+    return _rows(PAGE, SPEED, (about, text))[0]
+
+
+@pytest.mark.parametrize(("print_", "order"), [(r"\mu'(v)", 1), (r"\mu''(w)", 2)])
+@pytest.mark.parametrize("about", ["motion x", "damping 1 1"])
+def test_the_slope_of_a_friction_law_is_that_of_the_law(
+    print_: str, order: int, about: str
+) -> None:
+    """In a motion on either side of the belt's speed, and at steady sliding: by differences."""
+    statement = papers.Statement("s", about, f"{print_} = 0", is_latex=True)
+    _, (item,) = reading.opened(papers.Paper("", "", SPEED, (statement,)), PAGE)
+    assert isinstance(item, reading.Item)
+    at = item.values
+    speed = at["v_0"] - at["vx"] if about == "motion x" else at["v_0"]
+
+    def law(v: np.ndarray) -> np.ndarray:
+        size = at["mu_m"] + (at["mu_s"] - at["mu_m"]) * np.exp(-np.abs(v) / at["v_s"])
+        return np.sign(v) * size
+
+    step = 1e-4
+    ahead, here, behind = (law(speed + way * step) for way in (1, 0, -1))
+    slope = (ahead - behind) / (2 * step) if order == 1 else (ahead - 2 * here + behind) / step**2
+    far = np.abs(speed) > 2 * step
+    name = "diff(mu)" if order == 1 else "diff(diff(mu))"
+    sign = -1 if "w" in print_ else 1
+    assert sign * at[name][far] == pytest.approx(sign * slope[far], rel=1e-4, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(v)", "confirmed"),
+        (r"m\ddot x + c\dot x + kx + k_3x^3 = -N_0\mu(w)", "confirmed"),
+        (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(w)", "misprint"),
+        (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(v_0)", "misprint"),
+        (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(x)", "unread"),
+    ],
+)
+def test_the_argument_of_a_friction_law_is_read(text: str, status: str) -> None:
+    """The sliding speed, minus it of an odd law, and the speed at rest, which is no other."""
+    assert _only(text).status == status
+
+
+@pytest.mark.parametrize(
+    ("text", "about", "status"),
+    [
+        (r"T = \frac12 m\dot x^2 = m\frac{\dot x^2}{2}", "energy T", "confirmed"),
+        (r"T = m\dot x^2 = m\frac{\dot x^2}{2}", "energy T", "misprint"),
+        (r"2T = m\dot x^2", "energy T", "confirmed"),
+        (r"2T = \frac12 m\dot x^2", "energy T", "misprint"),
+        (r"R = m\ddot x + c\dot x + kx + k_3x^3 - N_0\mu = 0", "motion x", "confirmed"),
+        (r"\dot x = \dot x, m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu", "motion x", "confirmed"),
+        (r"\dot x = 2x, m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu", "motion x", "failed"),
+    ],
+)
+def test_every_equation_of_a_print_is_judged(text: str, about: str, status: str) -> None:
+    """But for a name that is given to what follows, and for what holds of any state."""
+    assert _only(text, about).status == status
+
+
+@pytest.mark.parametrize(
+    ("condition", "about", "status"),
+    [
+        (r"\dot x < v_0", "motion x, belt ahead", "confirmed"),
+        (r"\text{for } v > 0", "motion x, belt ahead", "confirmed"),
+        (r"t > 0", "motion x, belt ahead", "confirmed"),
+        (r"\dot x < v_0", "motion x", "unread"),
+        (r"\dot x > v_0", "motion x, belt ahead", "unread"),
+        (r"u > 0", "motion x, belt ahead", "unread"),
+    ],
+)
+def test_a_condition_beside_an_equation_has_to_hold_where_it_is_judged(
+    condition: str, about: str, status: str
+) -> None:
+    """Or the refusal says how a side is named."""
+    law = r"N_0[\mu_m + (\mu_s - \mu_m)e^{-v/v_s}]"
+    row = _only(rf"m\ddot x + c\dot x + kx + k_3x^3 = {law}, \quad {condition}", about)
+    assert row.status == status
+    assert status == "confirmed" or "say" in row.evidence
+
+
+def test_a_derivative_changes_sign_with_a_coordinate_that_is_reversed() -> None:
+    """∂V/∂x is a force along x of the print, and f(x) is printed in it."""
+    rows = _rows(
+        PAGE,
+        {},
+        ("energy V", "U = kx^2/2 + k_3x^4/4"),
+        ("motion x", r"m\ddot x + c\dot x + \frac{\partial U}{\partial x} + N_0\mu = 0"),
+        ("definition", "f(x) = kx + k_3x^3"),
+        ("motion x", r"m\ddot x + c\dot x + f(x) = -N_0\mu"),
+        ("acceleration x", r"\ddot x = -\frac1m\frac{d}{dt}(c x) - f(x)/m - N_0\mu/m"),
+        ("stiffness 1 1", "k_t = f'(x)"),
+    )
+    assert [it.status for it in rows] == ["confirmed"] * 2 + ["definition"] + ["confirmed"] * 3
+
+
+def test_an_energy_counts_what_its_own_print_counts() -> None:
+    """A constant force is in the potential that is printed with it, and in no other."""
+    motion = r"\frac{d}{dt}\frac{\partial T}{\partial\dot x} + \frac{\partial V}{\partial x} = "
+    kinetic = r"T = \frac12(m_c + m_p)\dot x^2 + m_pl\dot x\dot\theta\cos\theta + \frac12m_pl^2\dot\theta^2"
+    for potential, force in ((r"-m_pgl\cos\theta", "f"), (r"-m_pgl\cos\theta - fx", "0")):
+        texts = (
+            ("energy V", f"V = {potential}"),
+            ("energy T", kinetic),
+            ("motion x", motion + force),
+        )
+        rows = _rows(CART, {}, *texts)
+        assert [it.status for it in rows] == ["confirmed"] * 3
+    words = {"V": "energy V", "T": "energy T"}
+    (row,) = _rows(CART, words, ("motion x", motion + "f"))
+    assert "may count the potential of a constant force" in row.evidence
+    (row,) = _rows(CART, words, ("mass 1 1", r"M_{11} = \frac{\partial^2T}{\partial\dot x^2}"))
+    assert row.status == "confirmed"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (r"\frac{\partial N}{\partial x} = 0", "holds N"),
+        (r"\frac{\partial m}{\partial (x + m)} = 0", "which is no name"),
+        (r"\frac{\partial (m x)}{\partial x} = 0", "no name; define it"),
+        (r"\frac{\partial^2 m}{\partial x} = 0", "of this order"),
+        (r"\frac{\partial m}{\partial N} = 0", "no coordinate, rate or parameter"),
+        (r"\frac{\partial x}{\partial t} = 0", "by time"),
+        (r"\frac{d}{dt}\ddot x = 0", "the rate of"),
+        (r"\dot\mu = 0", "holds mu"),
+    ],
+)
+def test_a_derivative_that_can_not_be_told_is_refused(text: str, said: str) -> None:
+    """In words that name what stands in its way."""
+    row = _only(text)
+    assert row.status == "unread"
+    assert said in row.evidence
+
+
+def test_a_first_order_system_is_judged_entry_by_entry() -> None:
+    """A of z′ = A z, of which a sign in one entry is found."""
+    right = r"A = \begin{bmatrix}0 & 1\\ -\frac{k + 3k_3x^2}{m} & -\frac{c + N_0\mu'(v_0)}{m}\end{bmatrix}"
+    assert _only(right, "system").status == "confirmed"
+    row = _only(right.replace("{c + N_0", "{c - N_0"), "system")
+    assert row.status == "misprint"
+    assert [edit["kind"] for edit in row.edits] == ["sign"]

@@ -38,7 +38,8 @@ from ..statics.search import columns
 from .defining_systems import Augmented, Condition, Family, slope
 from .paths import QuasiStaticContinuation
 from .points import arranged, isolated, nothing
-from .sticking_regions import line, region
+from .sticking_regions import NotLinear, line, region
+from .sticking_sets import sets
 
 
 @question
@@ -60,6 +61,9 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
         coordinate in it. Where several frictions hold, of forces that are linear, the set is a
         parallelepiped: ``measure`` is its length, area or volume in the displacements that friction
         opposes. Beside contacts that open it is put together of polytopes, without ``measure``.
+        Of other forces the ends are enclosed, see :mod:`spragsym.bifurcation.sticking_sets`; where
+        states meet in folds over the shares of friction that are used, ``complete`` is False, and
+        ``remarks`` say that what is told as one set may be several.
 
     Raises
     ------
@@ -101,7 +105,10 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     names = [entry["name"] for entry in holding]
     beside = any(entry["border"] and entry["name"] not in names for entry in model.contacts)
     if len(holding) > 1 or beside:
-        return region(p)
+        try:
+            return region(p)
+        except NotLinear:
+            return sets(p, held(p, names))
     if (found := line(p)) is not None:
         return found
     own = held(p, names)

@@ -40,9 +40,13 @@ from ..statics.search import columns
 ONE_POINT = (1,)
 
 
+class NotLinear(ModelError):
+    """Forces or gaps that are not linear in coordinates and friction coefficients."""
+
+
 def region(p: ParameterSet) -> StickingStates:
     """All states in which every friction that can hold does, of scalar parameters; a
-    :class:`ModelError` where forces and gaps are not linear in coordinates and friction
+    :class:`NotLinear` error where forces and gaps are not linear in coordinates and friction
     coefficients.
     """
     parts = [_balanced(p, Balance(p.model, key)) for key in p.model.regimes]
@@ -299,11 +303,9 @@ def _forces(balance: Balance, values: Mapping[str, Any]) -> tuple[list[Any], lis
         gaps = [at.gap(k) for k in balance.opens]
     terms = [it for row in [*rows, *gaps] if isinstance(row, Jet) for it in row.terms.items()]
     if not rows or not all(len(term) < 2 or is_zero(part) for term, part in terms):
-        raise ModelError(
-            f"states of sticking of {balance.model.name}, where several frictions hold, or one "
-            "beside a contact that opens, are not answered yet: its forces are not linear in "
-            "coordinates and friction coefficients; they are with given normal forces and springs "
-            "along coordinates"
+        raise NotLinear(
+            f"forces of {balance.model.name} are not linear in coordinates and friction "
+            "coefficients; they are with given normal forces and springs along coordinates"
         )
     return rows, gaps
 

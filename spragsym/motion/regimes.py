@@ -201,6 +201,8 @@ class RestSets:
             found = sticking_states(self.p)
         except (ParameterError, ConvergenceError, ModelError):
             return None
+        if not found.complete:
+            return None
         ends = [
             [found.ends[f"{name}_{end}"] for name in self.p.model.coordinates]
             for end in ("low", "high")

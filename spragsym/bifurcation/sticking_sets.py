@@ -1,0 +1,601 @@
+"""Sets of states in which several frictions hold, or one beside contacts that open, of any forces.
+
+With the coefficients μ_i = h_i μ_s,i a state of sticking is an equilibrium at shares h in [−1, 1]ᵐ.
+Cells of this box are halved until interval Newton proves in each box of coordinates that is left
+one state for every h of the cell, a patch q(h) with the slopes
+
+    ∂q/∂h_i = μ_s,i N_i K⁻¹ ∇a_i,
+
+of the displacement a_i that friction opposes. N_i is positive inside of a contact, so that K⁻¹ ∇a_i
+tells signs up to its border, and what is on the border, where N_i is 0, stays there whatever h_i
+is. Patches of neighbouring cells are one set where both hold one state.
+
+A coordinate is least where its slope by no share has a sign, where it has and the share is at its
+end, or at a border: a patch is dropped, or cut down to an end of a share, by the signs of slopes,
+and halved by a bound on the least value. Where states meet in folds over the shares there are no
+patches: boxes there are left undecided, and bound what they may hold.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+
+from ..core.errors import ConvergenceError, ModelError
+from ..models.forces import named, presses_either
+from ..models.model import Model, Touching
+from ..models.parameters import ParameterSet
+from ..numerics import certified_roots, contractors, jets
+from ..numerics.columns import ByColumn
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    quiet,
+    scale_of,
+    stacked,
+    width_of,
+)
+from ..results.points import StickingStates
+from ..statics.balance import Balance
+from ..statics.forces import as_intervals
+from ..statics.regions import region
+from ..statics.search import columns, of_region
+
+
+@dataclass(frozen=True)
+class _Patches(ByColumn):
+    """States over cells of shares, ``low`` to ``high``, (m, N): in ``ends``, (2, n, N), and where
+    ``proved`` one for each point of the cell, the only one in ``alone``.
+    """
+
+    low: FloatArray
+    high: FloatArray
+    ends: FloatArray
+    alone: FloatArray
+    proved: BoolArray
+
+    def __len__(self) -> int:
+        return int(self.proved.size)
+
+    def over(self, low: FloatArray, high: FloatArray) -> _Patches:
+        """The same states over parts of the cells."""
+        return replace(self, low=low, high=high)
+
+    def halved(self, weight: FloatArray) -> _Patches:
+        """Both parts of each cell across its side of most weight."""
+        column = np.arange(len(self))
+        side = np.where(np.nextafter(self.low, np.inf) < self.high, weight, -1.0).argmax(axis=0)
+        low, high = self.low.copy(), self.high.copy()
+        # Not in the middle: on simple shares of friction contacts just touch too often.
+        cut = low + 0.4873 * (high - low)
+        low[side, column], high[side, column] = (cut[side, column],) * 2
+        return self.over(self.low, high).concatenated(self.over(low, self.high))
+
+
+def _hulls(boxes: FloatArray, cell: IntArray) -> tuple[FloatArray, IntArray]:
+    """Hulls of boxes of each cell that hang together, and the cell of each."""
+    hulls, owners = [boxes[:, :, :0]], list[int]()
+    for one in np.unique(cell):
+        mine = boxes[:, :, cell == one]
+        meet = ~contractors.apart(mine[:, :, :, None], mine[:, :, None])
+        of = _sets_of(mine.shape[2], np.argwhere(np.triu(meet, 1)).T)
+        for number in np.unique(of):
+            hulls.append(mine[:, :, of == number].max(axis=2, keepdims=True))
+            owners.append(int(one))
+    return np.concatenate(hulls, axis=2), np.array(owners, dtype=int)
+
+
+class _Combination:
+    """States of one combination of contacts that touch."""
+
+    def __init__(self, model: Model, own: ParameterSet, key: Touching) -> None:
+        shares = [name for name in own.ranges if name not in model.parameters]
+        self.balance = balance = Balance(own.model, key, law="friction_at_speed")
+        self.given = columns(own, balance.parameters)
+        self.rows = [balance.parameters.index(name) for name in shares]
+        self.closed = frozenset(k for k in balance.opens if balance.pushing[k])
+        holding = [k for k, entry in enumerate(own.model.frictions) if entry["holds"]]
+        #: Numbers of the frictions that hold and of their contacts, and which borders are theirs.
+        self.holding = holding
+        self.rubbed = [balance.contacts.index(own.model.frictions[k]["name"]) for k in holding]
+        self.theirs = np.array(
+            [[k == one for one in self.rubbed] for k in balance.opens], dtype=bool
+        )
+        self.theirs = self.theirs.reshape(len(balance.opens), len(shares))
+        self.out = [k not in self.closed for k in balance.opens]
+        #: Frictions that rub on either of two faces, by |N|.
+        self.either = [presses_either(model.contacts[k]) for k in self.rubbed]
+
+    @property
+    def touches(self) -> bool:
+        """Whether every contact touches on which friction holds."""
+        return all(self.balance.pushing[k] for k in self.rubbed)
+
+    def bounds(self, low: FloatArray, high: FloatArray) -> Intervals:
+        """Parameters over cells."""
+        every = Intervals.point(np.repeat(self.given, low.shape[1], axis=1))
+        every.ends[:, self.rows] = -low, high
+        return every
+
+    def prepared(self, some: _Patches) -> Intervals:
+        """Arguments over the cells."""
+        return self.balance.prepared(self.bounds(some.low, some.high))
+
+    def searched(self, cells: _Patches) -> tuple[_Patches, IntArray]:
+        """All states over cells within their boxes, and the cell of each: proved where one moves
+        less over the cell than in a box with room around, else in boxes of a search.
+        """
+        whole, none = self.alone(cells)
+        rest = np.flatnonzero(~whole.proved & ~none)
+        found, cell = whole[whole.proved], np.flatnonzero(whole.proved)
+        if not rest.size:
+            return found, cell
+        over = self.bounds(cells.low[:, rest], cells.high[:, rest])
+        outcome = certified_roots.search(
+            self.balance, cells.ends[:, :, rest], over.low, over.high, budget=100, narrow=2.0**-20
+        )
+        boxes, point = outcome.every
+        hulls, owner = _hulls(boxes, rest[point])
+        others, none = self.alone(replace(cells[owner], ends=hulls, alone=hulls))
+        return found.concatenated(others[~none]), np.concatenate([cell, owner[~none]])
+
+    def alone(self, some: _Patches) -> tuple[_Patches, BoolArray]:
+        """Patches where interval Newton proves one state in boxes with room around; and where there
+        is none.
+        """
+        room = 0.3 * width_of(some.ends) + 2.0**-30 * scale_of(some.ends).max(axis=0)
+        wide = some.ends + room
+        step = certified_roots.stepped(self.balance, wide, self.prepared(some))
+        proved = contractors.inside(step.ends, wide)
+        ends = np.where(proved, step.ends, some.ends)
+        made = replace(some, ends=ends, alone=wide, proved=proved)
+        return self.narrowed(made), step.none
+
+    def narrowed(self, some: _Patches) -> _Patches:
+        """The same with smaller boxes."""
+        at, ends = self.prepared(some), some.ends
+        for _ in range(3):
+            step = certified_roots.stepped(self.balance, ends, at).ends
+            ends = np.where(some.proved, np.fmin(step, ends), ends)
+        return replace(some, ends=ends)
+
+    def gaps(self, some: _Patches) -> Intervals:
+        """Of every contact that opens a gap, with the other sign where it is open: not positive
+        where the states are of this combination.
+        """
+        at = self.balance.state(list(Intervals(some.ends)), self.prepared(some))
+        gaps = stacked(at.gaps() or [0], some.proved.shape)
+        ends = gaps.ends.copy()
+        ends[:, self.out] = ends[::-1, self.out]
+        return Intervals(ends)[: len(self.out)]
+
+    def sides(self, some: _Patches) -> tuple[BoolArray, BoolArray]:
+        """Whether all states are of this combination, and whether none is."""
+        gaps = self.gaps(some)
+        return np.logical_and.reduce(gaps.high <= 0), np.logical_or.reduce(gaps.low > 0)
+
+    def pressed(self, some: _Patches) -> BoolArray:
+        """Whether given normal forces press at all states; an error where that is not known."""
+        at = self.balance.state(list(Intervals(some.ends)), self.prepared(some))
+        none = np.zeros(len(some), dtype=bool)
+        for k, either in zip(self.rubbed, self.either, strict=True):
+            if either or self.balance.model.contacts[k]["gap"] is not None:
+                continue
+            force = as_intervals(at.contact_force(k, 1), none.shape)
+            if ((force.low <= 0) & (force.high > 0)).any():
+                raise ConvergenceError(
+                    "the sign of a normal force is not known; change a parameter"
+                )
+            none |= force.high <= 0
+        return ~none
+
+    def pulls(self, some: _Patches) -> Intervals:
+        """μ_s N of every friction that holds, (m, N)."""
+        at = self.balance.state(list(Intervals(some.ends)), self.prepared(some))
+        names = [self.balance.contacts[k] for k in self.rubbed]
+        most = [at.call(named("friction_held", name), (), 1) for name in names]
+        forces = [at.contact_force(k, 1) for k in self.rubbed]
+        return stacked([a * b for a, b in zip(most, forces, strict=True)], some.proved.shape)
+
+    def slopes(self, some: _Patches) -> tuple[Intervals, Intervals]:
+        """K⁻¹ ∇a, (n, m, N), and the slopes of gaps along it, (gaps, m, N); infinite where nothing
+        is known.
+        """
+        balance, shape, q = self.balance, some.proved.shape, list(Intervals(some.ends))
+        parameters = self.prepared(some)
+        n, m, first = balance.n, len(self.rows), len(balance.contacts)
+        at = balance.state(q, parameters)
+        rates = [[int(i == j) for i in range(n)] for j in range(-1, n)]
+        still, *moving = (at.call("borders", [*q, *rate])[first:] for rate in rates)
+        along = [[still[f] - moved[f] for moved in moving] for f in self.holding]
+        K = balance.jacobian(Intervals(some.ends), parameters)
+        solved = [_solved(K, stacked(one, shape)) for one in along]
+        by = Intervals(np.stack([one.ends for one in solved], axis=2))
+        for k in np.flatnonzero(self.either).tolist():
+            by.ends[:, :, k] = (by[:, k] * _sign(self.pulls(some)[k])).ends
+        moved = balance.state(jets.variables(q, 1), parameters)
+        ends = np.zeros((2, len(self.out), m, *shape))
+        for g, gap in enumerate(moved.gaps()):
+            slope = stacked(jets.gradient(gap, n), shape)
+            for k in range(m):
+                one = sum((slope[j] * by[j, k] for j in range(n)), Intervals(np.zeros((2, *shape))))
+                ends[:, g, k] = one.ends[::-1] if self.out[g] else one.ends
+        return by, Intervals(ends)
+
+    def ways(self, some: _Patches, gap_slopes: Intervals) -> IntArray:
+        """Directions of the shares in which gaps that have both signs over a patch all fall, 0
+        where these have no sign, (m, N): its states of this combination hang together with those
+        where these shares are at that end.
+        """
+        crosses = (self.gaps(some).high > 0)[:, None] & ~self.theirs[:, :, None]
+        falls = ~crosses | (gap_slopes.high < 0)
+        rises = ~crosses | (gap_slopes.low > 0)
+        some_cross = crosses.any(axis=0)
+        return np.where(some_cross, rises.all(axis=0) * -1 + falls.all(axis=0) * 1, 0)
+
+    def most_inside(self, some: _Patches) -> _Patches:
+        """Patches over the ends of shares to which :meth:`ways` lead, or where none is known."""
+        ways = self.ways(some, self.slopes(some)[1])
+        low, high = _led(some, ways)
+        return self.narrowed(some.over(low, high))
+
+
+def _led(some: _Patches, ways: IntArray) -> tuple[FloatArray, FloatArray]:
+    """Cells cut down to the ends of shares to which ways lead."""
+    return np.where(ways > 0, some.high, some.low), np.where(ways < 0, some.low, some.high)
+
+
+def _sign(values: Intervals) -> Intervals:
+    """Signs of intervals: that of one which holds 0 is any."""
+    return Intervals.between(np.sign(values.low), np.sign(values.high))
+
+
+def _solved(K: Intervals, right: Intervals) -> Intervals:
+    """All solutions of K x = right, (n, N), infinite where some matrix may be singular."""
+    near = (contractors.inverse(K.middle) * right.middle).sum(axis=1)
+    values = sum((K[:, j] * Intervals.point(near[j]) for j in range(near.shape[0])), -right)
+    reach = 0.1 * np.abs(near).max(axis=0) + 2.0**-40 + 0 * near
+    out = np.full((2, *near.shape), np.inf)
+    for _ in range(4):
+        step = contractors.newton(values, K, near, reach).ends
+        off = np.maximum(*(step + np.stack([near, -near])))
+        good = (off < reach).all(axis=0)
+        out = np.where(good, np.fmin(out, step), out)
+        reach = np.where(good, reach, 2 * np.maximum(reach, off))
+    return Intervals(out)
+
+
+# ------------------------------------------------------------------------------------------------
+# cover
+
+
+def _cover(it: _Combination) -> tuple[_Patches, FloatArray, BoolArray]:
+    """Patches of one combination that hold all of its states, those that are not proved beside
+    them; the region that holds all, and whether that is proved.
+    """
+    ends, none = np.ones((len(it.rows), 1)), np.zeros(1, dtype=bool)
+    bounds = it.bounds(-ends, ends)
+    box, _ = region(it.balance, bounds)
+    # States beyond a border are looked for too, so that patches of cells that meet it are whole.
+    it.balance = it.balance.extended(room=0.1 * float(box.max()))
+    box, whole = region(it.balance, bounds)
+    cells = _Patches(-ends, ends, box, box, none)
+    found, looked = [cells[none]], 0
+    while len(cells):
+        looked += len(cells)
+        some, cell = it.searched(cells)
+        _, gone = it.sides(some)
+        some, cell = some[~gone], cell[~gone]
+        if not len(some):
+            break
+        inside, outside = it.sides(it.most_inside(some))
+        kept, decided = ~(some.proved & outside), some.proved & inside
+        some, cell, decided = some[kept], cell[kept], decided[kept]
+        small = (cells.high - cells.low).max(axis=0) < 2.0**-11
+        again = np.unique(cell[~decided])
+        # Enough for sets without folds over the shares, and soon given up where these have some.
+        again = again[~small[again]] if looked < 2000 else again[:0]
+        left = ~np.isin(cell, again)
+        # Whether what just touches at an end of its cell is of this combination is not known.
+        found.append(replace(some, proved=decided)[left])
+        if not again.size:
+            break
+        hull = np.full((2, it.balance.n, len(cells)), -np.inf)
+        np.maximum.at(np.moveaxis(hull, 2, 0), cell, np.moveaxis(some.ends, 2, 0))
+        hull = np.fmin(hull + 1e-6 + 0.1 * np.maximum(width_of(hull), 0.0), cells.ends)
+        cells = replace(cells, ends=hull, alone=hull)[again]
+        cells = cells.halved(cells.high - cells.low)
+    return found[0].concatenated(*found[1:]), box, whole
+
+
+# ------------------------------------------------------------------------------------------------
+# connected sets
+
+
+def _sets_of(count: int, *pairs: IntArray) -> IntArray:
+    """Of each of so many patches the number of its set, which pairs of them join."""
+    of = np.arange(count)
+    for one, other in np.concatenate(pairs, axis=1).T:
+        of[of == of[other]] = of[one]
+    return of
+
+
+def _links(
+    parts: Sequence[_Combination], patches: Sequence[_Patches], first: IntArray
+) -> tuple[IntArray, IntArray]:
+    """Pairs of patches of all combinations, by their numbers, that are proved to hang together, and
+    pairs of which that is not known.
+    """
+    sure, open_ = [np.empty((2, 0), dtype=int)], [np.empty((2, 0), dtype=int)]
+
+    def enter(found: tuple[IntArray, IntArray], one: int, other: int) -> None:
+        shift = np.array([[first[one]], [first[other]]])
+        for kept, pairs in zip((sure, open_), found, strict=True):
+            kept.append(pairs + shift)
+
+    for k, it in enumerate(parts):
+        enter(_joined(it, patches[k]), k, k)
+    for k, other in combinations(range(len(parts)), 2):
+        differ = parts[k].closed ^ parts[other].closed
+        if len(differ) == 1:
+            pair = ((parts[k], patches[k]), (parts[other], patches[other]))
+            enter(_across(*pair, *differ), k, other)
+    return np.concatenate(sure, axis=1), np.concatenate(open_, axis=1)
+
+
+def _meeting(some: _Patches, others: _Patches) -> tuple[IntArray, IntArray]:
+    """Pairs of patches whose closed cells have a common point."""
+    low = np.maximum(some.low[:, :, None], others.low[:, None])
+    high = np.minimum(some.high[:, :, None], others.high[:, None])
+    first, second = np.nonzero((low <= high).all(axis=0))
+    return first, second
+
+
+def _joined(it: _Combination, some: _Patches) -> tuple[IntArray, IntArray]:
+    """Pairs of patches that are proved to hang together, and pairs of which that is not known, each
+    (2, pairs).
+    """
+    first, second = _meeting(some, some)
+    first, second = first[first < second], second[first < second]
+    one, other = some[first], some[second]
+    low, high = np.maximum(one.low, other.low), np.minimum(one.high, other.high)
+    ways = it.ways(one, it.slopes(one)[1])
+    face = one.over(*_led(one.over(low, high), ways))
+    inside, outside = it.sides(it.narrowed(face))
+    point = 0.5 * (face.low + face.high)
+    here, there = (it.narrowed(part.over(point, point)).ends for part in (one, other))
+    both = one.proved & other.proved
+    same = both & contractors.within(here, other.alone)
+    differ = contractors.apart(one.ends, other.ends) | (both & contractors.apart(here, there))
+    sure = same & inside
+    open_ = ~sure & ~differ & ~(both & outside)
+    pairs = np.stack([first, second])
+    return pairs[:, sure], pairs[:, open_]
+
+
+def _across(
+    one: tuple[_Combination, _Patches], other: tuple[_Combination, _Patches], contact: int
+) -> tuple[IntArray, IntArray]:
+    """The same of patches of two combinations that differ in one contact: of the one and the
+    other.
+    """
+    it, some = one
+    border = it.balance.opens.index(contact)
+    crosses = np.flatnonzero(some.proved & it.gaps(some)[border].holds_zero())
+    first, second = _meeting(some[crosses], other[1])
+    near = ~contractors.apart(some.ends[:, :, crosses][:, :, first], other[1].ends[:, :, second])
+    first, second = crosses[first[near]], second[near]
+    patches = some[first]
+    ways = it.ways(patches, it.slopes(patches)[1])
+    at = _on_border(it, patches, ways, border)
+    goal = other[1][second]
+    holds = (goal.low <= at.low).all(axis=0) & (at.high <= goal.high).all(axis=0)
+    sure = at.proved & goal.proved & holds & contractors.within(at.ends, goal.alone)
+    pairs = np.stack([first, second])
+    return pairs[:, sure], pairs[:, ~sure]
+
+
+def _on_border(it: _Combination, some: _Patches, ways: IntArray, border: int) -> _Patches:
+    """Tiny parts of patches that hold a state on a border, ``proved`` where they do."""
+    low, high = _led(some, ways)
+    inner = 0.5 * (low + high)
+    outer = np.where(ways > 0, some.low, np.where(ways < 0, some.high, inner))
+    begins, ends = np.zeros(len(some)), np.ones(len(some))
+
+    def at(share: FloatArray) -> _Patches:
+        point = inner + share * (outer - inner)
+        return it.narrowed(some.over(point, point))
+
+    def level(share: FloatArray) -> Intervals:
+        return it.gaps(at(share))[border]
+
+    good = (level(begins).high <= 0) & (level(ends).low > 0)
+    for _ in range(48):
+        middle = 0.5 * (begins + ends)
+        gap = level(middle)
+        begins = np.where(gap.high <= 0, middle, begins)
+        ends = np.where(gap.low > 0, middle, ends)
+    corners = [inner + share * (outer - inner) for share in (begins, ends)]
+    tiny = it.narrowed(some.over(np.minimum(*corners), np.maximum(*corners)))
+    others = it.gaps(tiny).high <= 0
+    others[border] = True
+    return replace(tiny, proved=good & others.all(axis=0))
+
+
+# ------------------------------------------------------------------------------------------------
+# least values
+
+
+@dataclass(frozen=True)
+class _Aims(ByColumn):
+    """Patches, and what is least in each: the coordinate ``row`` times ``sign``, among all of one
+    ``number``.
+    """
+
+    patches: _Patches
+    row: IntArray
+    sign: FloatArray
+    number: IntArray
+
+    def of(self, values: Intervals) -> Intervals:
+        """What is least, of values of the coordinates, (n, …, N)."""
+        rows = self.row.reshape((1,) * (values.ends.ndim - 1) + (-1,))
+        ends = np.take_along_axis(values.ends, rows, axis=1)[:, 0]
+        return Intervals(np.where(self.sign > 0, ends, ends[::-1]))
+
+    def halved(self, weight: FloatArray) -> _Aims:
+        """Both halves of each."""
+        low = replace(self, patches=self.patches.halved(weight)[: self.row.size])
+        high = replace(self, patches=self.patches.halved(weight)[self.row.size :])
+        return low.concatenated(high)
+
+
+def _cut(it: _Combination, aims: _Aims, by: Intervals, gap_slopes: Intervals) -> _Aims:
+    """Aims without those that have a smaller value beside them, cut down to the ends of shares at
+    which theirs are least.
+    """
+    some, slopes = aims.patches, aims.of(by)
+    crosses = (it.gaps(some).high > 0)[:, None] & ~it.theirs[:, :, None]
+    down = (slopes.low > 0) & (~crosses | (gap_slopes.low >= 0)).all(axis=0) & some.proved
+    up = (slopes.high < 0) & (~crosses | (gap_slopes.high <= 0)).all(axis=0) & some.proved
+    gone = (down & (some.low > -1)) | (up & (some.high < 1))
+    low, high = np.where(up, some.high, some.low), np.where(down, some.low, some.high)
+    return replace(aims, patches=some.over(low, high))[~gone.any(axis=0)]
+
+
+def _least(it: _Combination, aims: _Aims, best: FloatArray) -> FloatArray:
+    """Lower bounds by their numbers, where one is below the upper bounds ``best``, which are made
+    smaller.
+    """
+    least, looked = np.full(best.shape, np.inf), 0
+    while aims.row.size:
+        looked += aims.row.size
+        aims = replace(aims, patches=it.narrowed(aims.patches))
+        aims = aims[~it.sides(aims.patches)[1]]
+        by, gap_slopes = it.slopes(aims.patches)
+        inner = 0.5 * np.add(*_led(aims.patches, it.ways(aims.patches, gap_slopes)))
+        _value(it, aims, inner, best)
+        aims = _cut(it, aims, by, gap_slopes)
+        some = replace(aims, patches=it.narrowed(aims.patches))
+        slopes = some.of(it.slopes(some.patches)[0]) * abs(it.pulls(some.patches))
+        low, high = some.patches.low, some.patches.high
+        _value(it, some, np.where(slopes.middle > 0, low, high), best)
+        middle = _value(it, some, 0.5 * (low + high), best)
+        reach = (slopes.magnitude * (0.5 * (high - low))).sum(axis=0) * (1 + 2.0**-40)
+        by_mean = np.where(some.patches.proved, middle.low - reach, -np.inf)
+        below = np.fmax(some.of(Intervals(some.patches.ends)).low, by_mean)
+        open_ = below < best[some.number]
+        # Bounds that agree to so many digits, points, and what is left of the budget are kept.
+        near = best[some.number] - below <= 2.0**-46 * scale_of(best[some.number])
+        small = (high - low).max(axis=0) <= 2.0**-40
+        done = near | small if looked < 40_000 else open_
+        np.minimum.at(least, some.number[open_ & done], below[open_ & done])
+        weight = np.nan_to_num(slopes.magnitude, posinf=1e300) * (high - low)
+        aims = _researched(it, some[open_ & ~done].halved(weight[:, open_ & ~done]))
+    return least
+
+
+def _value(it: _Combination, aims: _Aims, point: FloatArray, best: FloatArray) -> Intervals:
+    """What is least at points of patches; those of this combination are upper bounds."""
+    there = it.narrowed(aims.patches.over(point, point))
+    value = aims.of(Intervals(there.ends))
+    feasible = there.proved & it.sides(there)[0]
+    np.minimum.at(best, aims.number[feasible], value.high[feasible])
+    return value
+
+
+def _researched(it: _Combination, aims: _Aims) -> _Aims:
+    """Aims of which the boxes that are not proved are searched anew."""
+    some = aims[~aims.patches.proved]
+    if not some.row.size:
+        return aims
+    found, cell = it.searched(some.patches)
+    again = replace(some[cell], patches=found)
+    return aims[aims.patches.proved].concatenated(again)
+
+
+def sets(p: ParameterSet, own: ParameterSet) -> StickingStates:
+    """All states in which every friction that can hold does, of scalar parameters; ``own`` are
+    those with the shares as parameters.
+    """
+    if own.model.whole_turns:
+        raise ModelError(
+            f"states of sticking of {p.model.name}, where several frictions hold, or one beside a "
+            "contact that opens, are not answered: its forces are not linear, and an angle comes "
+            "around; hold the angle by a spring"
+        )
+    every = [_Combination(p.model, own, key) for key in own.model.regimes]
+    parts = [one for one in every if one.touches]
+    with quiet():
+        covers = [_cover(one) for one in parts]
+        patches = [found[it.pressed(found)] for it, (found, *_) in zip(parts, covers, strict=True)]
+        first = np.cumsum([0, *map(len, patches)])
+        sure, open_ = _links(parts, patches, first)
+        return _told(p, list(zip(parts, patches, first, strict=False)), covers, (sure, open_))
+
+
+def _told(
+    p: ParameterSet,
+    parts: Sequence[tuple[_Combination, _Patches, int]],
+    covers: Sequence[tuple[_Patches, FloatArray, BoolArray]],
+    links: tuple[IntArray, IntArray],
+) -> StickingStates:
+    """The result: sets by the patches that links join, and the ends of all coordinates."""
+    sure, open_ = links
+    proved = np.concatenate([patches.proved for _, patches, _ in parts])
+    apart = _sets_of(proved.size, sure)
+    of = _sets_of(proved.size, sure, open_)
+    known = np.unique(of[proved])
+    n, signs = len(p.model.coordinates), (1.0, -1.0)
+    best = np.full(known.size * n * 2, np.inf)
+    least = best.copy()
+    every = []
+    for it, patches, first in parts:
+        number = np.searchsorted(known, of[first : first + len(patches)])
+        mine = np.flatnonzero(np.isin(of[first : first + len(patches)], known))
+        each = [
+            _Aims(
+                patches[mine],
+                np.full(mine.size, row),
+                np.full(mine.size, sign),
+                (number[mine] * n + row) * 2 + k,
+            )
+            for row in range(n)
+            for k, sign in enumerate(signs)
+        ]
+        every.append((it, each[0].concatenated(*each[1:])))
+    for it, aims in every:
+        least = np.minimum(least, _least(it, aims, best))
+    least = np.minimum(least, best)
+    error = ((best - least) / scale_of(best)).reshape(known.size, -1).max(axis=1, initial=0.0)
+    values = (0.5 * (best + least) * np.tile(signs, known.size * n)).reshape(known.size, n, 2)
+    order = np.argsort(values[:, 0, 0])
+    ends = {
+        f"{name}_{end}": values[order, row, k]
+        for row, name in enumerate(p.model.coordinates)
+        for k, end in enumerate(("low", "high"))
+    }
+    whole = np.array([one.all() for *_, one in covers])
+    remarks = list(
+        dict.fromkeys(
+            remark
+            for (it, *_), (_, box, one) in zip(parts, covers, strict=True)
+            for remark in of_region(it.balance, box, one)
+        )
+    )
+    left = int((~proved).sum())
+    merged = any(len({*apart[proved & (of == one)]}) > 1 for one in known)
+    if left:
+        remarks.append(
+            f"{left} boxes are undecided, where states may meet in folds over the shares of "
+            "friction that are used: sets may be larger or smaller there, or there may be others"
+        )
+    if merged:
+        remarks.append("whether what is told as one set is connected is not known for all of them")
+    complete = bool(whole.all()) and not left and not merged
+    return StickingStates(p, error[order], complete, tuple(remarks), ends)

@@ -124,10 +124,12 @@ class Problem:
         )
 
 
-def too_many_steps(problem: Problem, most: int, t: float) -> ConvergenceError:
+def too_many_steps(problem: Problem, most: int, t: float, state: FloatArray) -> ConvergenceError:
     """The error of a motion that has used its steps, as many as were asked for or as there are for
     any.
     """
+    if _is_far(problem, state):
+        return out_of_range(problem, t, state)
     made, more = ("max_steps = ", "a larger max_steps, ") if problem.max_steps else ("", "")
     return ConvergenceError(
         f"{made}{most} steps were made by t = {problem.time(t):.6g} of "
@@ -149,10 +151,12 @@ def check_stiffness(
     most: float = MOST_STIFF_STEPS,
 ) -> None:
     """Raise where steps of a mean length are bounded by stability, and too many of them would be
-    left.
+    left; or more than there are of a motion that is far from all that it began with.
     """
     if not left > most * step:
         return
+    if left > (problem.max_steps or MAX_STEPS) * step and _is_far(problem, state):
+        raise out_of_range(problem, problem.t_end - left, state)
     values, constants, field = [float(value) for value in state], problem.constants, problem.field
     matrix = field.matrix(values, constants, field.initial_mode(values, constants))
     # Stability bounds a step where it is longer than this, times the fastest decay.
@@ -163,10 +167,27 @@ def check_stiffness(
         )
 
 
-def out_of_range() -> ConvergenceError:
-    """The error of a motion whose numbers overflow."""
+def _is_far(problem: Problem, state: Sequence[float] | FloatArray) -> bool:
+    """Whether a coordinate that does not come around is beyond a million units of the motion:
+    nothing of its own size holds it.
+    """
+    places = state[: len(problem.field.coordinates)]
+    return any(
+        abs(float(place)) > 1e6 for k, place in enumerate(places) if k not in problem.field.periodic
+    )
+
+
+def out_of_range(
+    problem: Problem | None = None, t: float = 0.0, state: Sequence[float] | FloatArray = ()
+) -> ConvergenceError:
+    """The error of a motion whose numbers overflow, or grow until its steps do not do."""
+    why = "it left the range of numbers"
+    if problem is not None:
+        units = problem.scales.states if problem.scales else 1.0
+        place = problem.field.place(np.array(state) * units, ".3g")
+        why = f"by t = {problem.time(t):.6g} it is at {place}, in ever shorter steps"
     return ConvergenceError(
-        "the motion grows beyond all bounds: it left the range of numbers; give a smaller "
+        f"the motion grows beyond all bounds: {why}; give a smaller "
         "t_end, or values of a more common size"
     )
 

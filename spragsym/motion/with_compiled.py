@@ -114,7 +114,7 @@ def integrate(problem: Problem) -> Solution:
             continue
         elapsed += now
         if outcome == Stop.TOO_MANY:
-            raise too_many_steps(problem, most, elapsed)
+            raise too_many_steps(problem, most, elapsed, state)
         if not np.isfinite(state).all():
             raise out_of_range()
         if outcome == Stop.TOO_SMALL:

@@ -480,7 +480,7 @@ class BatchIntegrator:
         if outcome == outcomes.err_nf_state:
             raise out_of_range()
         if one.steps > one.most:
-            raise too_many_steps(problem, one.most, t)
+            raise too_many_steps(problem, one.most, t, state)
         if made == BURST:
             check_stiffness(problem, state, (t - begun) / made, problem.t_end - t)
         elif len(self.some) == 1 and outcome not in (

@@ -174,7 +174,8 @@ class Flight:
                     )
                 dense, begin, end, steps = solver.dense_output(), solver.t_old, solver.t, steps + 1
                 if steps > most:
-                    raise too_many_steps(replace(self.problem, rtol=solver.rtol), most, clock + end)
+                    problem = replace(self.problem, rtol=solver.rtol)
+                    raise too_many_steps(problem, most, clock + end, solver.y[:m])
                 last = solver.y.copy()
                 piece = _ModeStep(clock, begin, end, last, last, dense, mode)
                 found = self._first_crossing(piece)

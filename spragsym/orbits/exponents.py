@@ -142,6 +142,8 @@ def lyapunov(
     if t_end is None:
         t_end = system.options.span * system.scales(state).time
     t_end = as_number("t_end", t_end, POSITIVE)
+    # It raises at once where the motion can't be followed.
+    verdict = judged(system, state, times=(t_end,))
     whole = rates_along(system, state, t_end)
     late = whole.after(len(whole.logs) // 2)
     times = late.interval * np.arange(1, len(late.logs) + 1)
@@ -151,7 +153,6 @@ def lyapunov(
     why = late.undecided(t_end - late.span)
     kind, limit = "undecided" if why else "chaotic", np.full(system.field.deviations, np.nan)
     why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
-    verdict = judged(system, state, times=(t_end,))
     if verdict.decided:
         with suppress(
             ConvergenceError

@@ -44,3 +44,20 @@ def test_a_motion_that_grows_beyond_all_bounds_is_told_so(backend: str) -> None:
     p = model_of(page, "runaway").Parameters(mu_s=0.0, zeta=0.0)
     with pytest.raises(ss.errors.ConvergenceError, match="grows beyond all bounds"):
         ss.simulate(p, start=(2.0, 0.0), t_end=50.0, backend=backend)
+
+
+#: x'' = 16 x, so that x = exp(4 t), and y'' = -x y, whose swings are faster and faster.
+FASTER = (
+    ("rate(x) ** 2 / 2", "rate(x) ** 2 / 2 + m * page.rate(y) ** 2 / 2"),
+    ('belt")', 'belt")\ny = page.coordinate("y", "m", "across")'),
+    ("page.spring(k, along=x)", "page.force(16 * k * x, along=x)"),
+    ("page.normal", "page.force(-x * y * k**2 / N_0, along=y)\npage.normal"),
+)
+
+
+@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+def test_a_motion_that_runs_away_in_ever_shorter_steps_is_told_so(backend: str) -> None:
+    pytest.importorskip(backend)
+    p = model_of(shipped_page("stick_slip", *FASTER), "faster").Parameters(mu_s=0.0, zeta=0.0)
+    with pytest.raises(ss.errors.ConvergenceError, match="grows beyond all bounds: by t = "):
+        ss.simulate(p, start=(1, 1, 4, 0), t_end=50.0, backend=backend, rtol=1e-6, max_steps=4000)

@@ -128,14 +128,15 @@ def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
 class Equilibrium:
     """An equilibrium and its linearization with the damping of the friction law.
 
-    Where friction holds there is a whole curve of equilibria: one of the ``values`` is 0 along it,
-    and deviations of what sticks end at once, and have none.
+    Where frictions hold there is a whole set of equilibria, of as many dimensions as ``held`` of
+    them: so many of the ``values`` are 0 along it, and deviations of what sticks end at once, and
+    have none.
     """
 
     state: FloatArray
     values: ComplexArray
     vectors: ComplexArray
-    held: bool
+    held: int
 
     @property
     def rate(self) -> float:
@@ -155,9 +156,10 @@ class Equilibrium:
 
     @property
     def _along(self) -> BoolArray:
-        """The value along a curve of equilibria, which says nothing of an approach."""
-        numbers = np.arange(self.values.size)
-        return (numbers == np.abs(self.values).argmin()) & self.held
+        """The values along a set of equilibria, which say nothing of an approach."""
+        out = np.zeros(self.values.size, dtype=bool)
+        out[np.argsort(np.abs(self.values))[: self.held]] = True
+        return out
 
 
 def spectrum_at_rest(
@@ -200,7 +202,7 @@ def rest_near(problem: Problem, position: FloatArray) -> Equilibrium | None:
     ):
         return None
     return Equilibrium(
-        state, *spectrum_at_rest(field, constants, state, mode), bool(field.stays(mode))
+        state, *spectrum_at_rest(field, constants, state, mode), len(field.stays(mode))
     )
 
 

@@ -87,6 +87,12 @@ def test_the_shipped_blocks_rest_within_the_closed_form() -> None:
     assert found["x_1_high"] == pytest.approx([most], abs=1e-12)
 
 
+def test_nothing_is_approached_along_the_set_in_which_both_blocks_are_held() -> None:
+    found = ss.fate(ss.load("two_blocks").Parameters(V=0.0), start=(0.1, 0.05, 0.0, 0.0))
+    assert found.exponents.tolist() == [0.0, 0.0, -math.inf, -math.inf]
+    assert found.outcome.rate == math.inf
+
+
 @pytest.mark.validate
 def test_the_shipped_blocks_are_periodic_or_chaotic_by_the_speed_of_the_belt() -> None:
     """As their page says."""

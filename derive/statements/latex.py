@@ -641,7 +641,7 @@ class _LatexReader:
         if not what and here.text == "(":
             what = [*(here.take().items or ())]
         name = self.only_name(what) if what else None
-        node = None if name is None else self.names.known(name, (start, here.end))
+        node = None if name is None else self.names.of(name, (start, here.end))
         if node is None or node.kind != "symbol":
             raise Unread("a derivative of what is no name; define it", start)
         steps: list[Tokens] = []

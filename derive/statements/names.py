@@ -51,9 +51,10 @@ class Name:
 
     @property
     def remedy(self) -> str:
-        """What may stand under [symbols], of a bold name too."""
-        words = ", ".join((*COLUMNS, *MATRICES))
-        return f" by a name of the page, or as {words}" if " " in self.base else ""
+        """What may stand under [symbols]: a name of the page, and words for objects."""
+        if " " in self.base:
+            return f" by a name of the page, or as {', '.join((*COLUMNS, *MATRICES))}"
+        return f", or as energy {self.base}" if self.base in ("T", "V", "L") else ""
 
 
 class Names:

@@ -74,7 +74,7 @@ class ContinuationOptions(Options):
     inflation: float = option(0.1, 1e-3, 1.0)
     newton_steps: int = limit(6, 2)
     secant_steps: int = limit(40)
-    segments: int = limit(400)
+    segments: int = limit(4000)
     fold_distance: float = option(1e-3, 1e-9, 0.1)
     halvings: int = limit(40, 0)
     open_steps: int = limit(500)

@@ -358,6 +358,16 @@ class ClaimOfStates(Claim):
     def fails(self, points: FloatArray) -> BoolArray:
         return self.false(equilibria(self.point(points)))
 
+    def certificate(self, claim: str, most: int, refute: bool) -> Certificate:
+        """Whether it holds for all of the box; of few parts where no region is proved to hold all
+        states of its middle, so that it may be refuted at most.
+        """
+        middle = Intervals.point(self.at_corners()[:, :1])
+        unproved = (not region(balance, middle)[1].all() for balance in self.balances)
+        if not self.whole.holds.all() and any(unproved):
+            most = min(most, self.batch)
+        return super().certificate(claim, most, refute)
+
     def settled(self, parts: Any) -> tuple[LocatedParts, FloatArray]:
         if parts.holds.all():
             return parts, parts.low

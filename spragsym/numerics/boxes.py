@@ -45,8 +45,9 @@ class BoxOptions(Options):
     ----------
     budget : int, optional
         Boxes that are looked at for one point of the parameters, after which what is left is
-        undecided. Left out, each question has its own: 20,000 for equilibria, 200,000 for points
-        in up to three unknowns, 1,000,000 in four, 500,000 in more.
+        undecided. Left out, each question has its own: 20,000 for equilibria of up to two
+        coordinates, 200,000 for those of more and for points in up to three unknowns, 1,000,000 in
+        four, 500,000 in more.
     node_budget : int
         Boxes of several points together after which these are parted in any case.
     narrow : float, optional

@@ -235,6 +235,15 @@ def _check_pushes(model: Mechanics, contact: NormalForce, what: str, limit: Limi
 
 
 def _check_friction(model: Mechanics, sliding: FrictionForce) -> None:
+    written = next((it.belt for it in model.page.frictions if it.line == sliding.line), sp.S.Zero)
+    if sliding.belt == sliding.still and not signs.is_nonnegative(model, sliding.belt):
+        raise PageError(
+            sliding.line,
+            f"the belt's speed {written} may be negative, and equilibria take friction along the "
+            "belt's direction; let the coordinate point along the belt, and give what stands in "
+            "its speed domains with which it is >= 0"
+            f"{f'; {Limit.PLANE}' if written.has(sp.cos, sp.sin) else ''}",
+        )
     if sliding.holds is not None and _negative(model, sliding.holds, SLIP):
         raise PageError(
             sliding.line,

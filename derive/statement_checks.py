@@ -368,15 +368,6 @@ def _check_places(page: Page) -> None:
                 f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that "
                 f"stays, as V{f': {Limit.PLANE}' if sliding.belt.free_symbols & rates else ''}",
             )
-        if not sliding.belt.is_nonnegative and not own & sliding.belt.free_symbols:
-            raise PageError(
-                sliding.line,
-                f"the belt's speed {sliding.belt} may be negative, and equilibria take "
-                "friction along the belt's direction; let the "
-                "coordinate point along the belt, and give what stands in its speed domains "
-                "with which it is >= 0"
-                f"{f'; {Limit.PLANE}' if sliding.belt.has(sp.cos, sp.sin) else ''}",
-            )
         if sliding.belt == 0 and clock is None:
             raise PageError(
                 sliding.line,

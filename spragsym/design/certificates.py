@@ -364,7 +364,7 @@ class ClaimOfStates(Claim):
         """
         middle = Intervals.point(self.at_corners()[:, :1])
         unproved = (not region(balance, middle)[1].all() for balance in self.balances)
-        if not self.whole.holds.all() and any(unproved):
+        if self.whole.outcome[0] == Decision.OPEN and any(unproved):
             most = min(most, self.batch)
         return super().certificate(claim, most, refute)
 

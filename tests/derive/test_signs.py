@@ -20,7 +20,7 @@ q = page.parameter("q", "1", "another share", "(-2, 3)", 0.3)
 x = page.coordinate("x", "m", "displacement along the belt")"""
 
 
-def read(tmp_path: Path, force: str) -> pages.PageModel:
+def read(tmp_path: Path, force: str, speed: str = "V") -> pages.PageModel:
     text = shipped_page(
         "coulomb_stick_slip",
         ("import Page", "import Page, cos, exp, sin"),
@@ -28,6 +28,7 @@ def read(tmp_path: Path, force: str) -> pages.PageModel:
             "page.normal_force(N_0)",
             f"page.force(N_0 * eps * q * sin(theta), along=x)\npage.normal_force(N_0 * ({force}))",
         ),
+        ("page.friction(x, V", f"page.friction(x, {speed}"),
         ('x = page.coordinate("x", "m", "displacement along the belt")', PARAMETERS),
     )
     path = tmp_path / "mine.py"
@@ -47,6 +48,12 @@ def read(tmp_path: Path, force: str) -> pages.PageModel:
 )
 def test_a_force_that_presses_is_taken(force: str, tmp_path: Path) -> None:
     read(tmp_path, force)
+
+
+def test_a_belt_s_speed_that_the_domain_of_an_angle_keeps_positive_is_taken(tmp_path: Path) -> None:
+    read(tmp_path, "1", "V * sin(theta)")
+    with pytest.raises(PageError, match=r"the belt's speed V\*cos\(2\*theta\) may be negative"):
+        read(tmp_path, "1", "V * cos(2 * theta)")
 
 
 @pytest.mark.parametrize(

@@ -34,11 +34,11 @@ def name_of(of: str, by: str) -> str:
     return f"diff({of}, {by})" if by else f"diff({of})"
 
 
-def letter_of(of: str, by: str, is_total: bool) -> str:
+def letter_of(of: str, by: str) -> str:
     r"""LaTeX of a derivative: \frac{\partial V}{\partial x}."""
     if by in ("", AT_REST):
         return f"{of}'" if not by else rf"{of}|_{{0}}"
-    if is_total:
+    if by == str(TIME):
         return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}}{of}"
     return rf"\frac{{\partial {of}}}{{\partial {by}}}"
 

@@ -102,7 +102,9 @@ class Pool:
 
 
 def stem(name: str) -> str:
-    """A name without its index."""
+    """A name without its index, or a derivative without what it is by."""
+    if name.startswith("diff("):
+        return name.rpartition(",")[0]
     return name.rstrip("0123456789").split("_")[0]
 
 

@@ -12,13 +12,14 @@ import sympy as sp
 from .. import units
 from ..pages import PageModel
 from . import samples
+from .book import equations_of
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side, normal_form
 from .comparison import is_zero
 from .conventions import settled
 from .markup import repaired_print
 from .objects import LAMBDA, TIME
 from .papers import Paper, Statement
-from .reading import Item, Verdict, equations_of, opened
+from .reading import Item, Verdict, opened
 from .repair import COST, Edit, Pool, Repair, Search, Values, evaluated, same, stem
 from .samples import numeric
 from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols

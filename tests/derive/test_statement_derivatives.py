@@ -170,3 +170,14 @@ def test_a_first_order_system_is_judged_entry_by_entry() -> None:
     row = _only(right.replace("{c + N_0", "{c - N_0"), "system")
     assert row.status == "misprint"
     assert [edit["kind"] for edit in row.edits] == ["sign"]
+
+
+def test_a_derivative_by_another_coordinate_is_an_index() -> None:
+    """As a term copied from the equation before."""
+    kinetic = r"T = \frac12(m_c + m_p)\dot x^2 + m_pl\dot x\dot\theta\cos\theta + \frac12m_pl^2\dot\theta^2"
+    left = r"\frac{d}{dt}\frac{\partial T}{\partial\dot\theta} - \frac{\partial T}{\partial x}"
+    rows = _rows(
+        CART, {}, ("energy T", kinetic), ("motion theta", left + r" + m_pgl\sin\theta = 0")
+    )
+    assert rows[1].repaired.startswith("diff(diff(T, vtheta), t) - diff(T, theta) +")
+    assert [edit["kind"] for edit in rows[1].edits] == ["index"]

@@ -23,7 +23,7 @@ from spragsym.models.field import Border, Field, exact_field
 from spragsym.motion import multipliers
 from spragsym.motion.integrators import Flow
 from spragsym.numerics.decimals import exactly
-from spragsym.orbits import attractors, exponents, finding, orbit
+from spragsym.orbits import attractors, diagram, exponents, finding, orbit
 from spragsym.orbits.system import System, growth_of_cycle
 from tests.oracles import random_motions
 from tests.oracles.second_driver import differences
@@ -236,6 +236,9 @@ def test_a_branch_ends_at_hopfs_bifurcation() -> None:
     assert "equilibrium" in end.how
     assert abs(end.value) < 1e-6
     assert abs(end.value) <= end.error
+    # The cycle at another value is one of the branch's own, that beyond its end is none of them.
+    assert diagram._is_known_cycle([branch], cycle_near(CIRCLE, (0.16,), (0.4, 0.0)))
+    assert not diagram._is_known_cycle([branch], cycle_near(CIRCLE, (0.81,), (0.9, 0.0)))
 
 
 @pytest.mark.thorough

@@ -1105,6 +1105,7 @@ def test_errors_of_a_fit_are_those_of_least_squares_by_another_library() -> None
     assert (found.mu0_error, found.d_error) == pytest.approx(errors, rel=1e-3)
     assert found.correlation == pytest.approx(covariance[0, 1] / errors.prod(), rel=1e-3)
     assert found.correlation < -0.5
+    assert (found.slowest, found.fastest) == (0.02, 0.6)
 
 
 def test_frequencies_are_those_of_the_damped_motion() -> None:

@@ -1,0 +1,72 @@
+"""What ends a search or a branch, on stand-ins of which the answer is known by hand."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.core.errors import ConvergenceError
+from spragsym.orbits import basin_boundaries, branch, fate_boundaries
+
+
+def test_a_line_along_the_boundary_does_not_cross_it() -> None:
+    """Newton's method has no step where the side changes across the line alone."""
+    walk = SimpleNamespace(
+        off=lambda *_: (0.3, np.array([0.0, 1.0])),
+        saddle=SimpleNamespace(growth=1.0),
+        plane=np.eye(2),
+    )
+    with pytest.raises(ConvergenceError, match="not crossed along that direction"):
+        basin_boundaries._Walk.refined(walk, np.zeros(2), np.array([1.0, 0.0]), 1.0)
+
+
+def test_the_boundary_of_a_plane_is_found_by_newtons_method() -> None:
+    """Of a motion that is off it by x + 2 y − 1, along a direction (1, 1): at x = y = 1/3."""
+    walk = SimpleNamespace(
+        off=lambda state, _: (state @ [1.0, 2.0] - 1.0, np.array([1.0, 2.0])),
+        saddle=SimpleNamespace(growth=1.0),
+        plane=np.eye(2),
+    )
+    begun = np.array([0.33, 0.33])
+    state, change, _ = basin_boundaries._Walk.refined(walk, begun, np.array([1.0, 1.0]), 1.0)
+    assert state == pytest.approx([1 / 3, 1 / 3], rel=1e-12)
+    assert change < 1e-11
+
+
+def test_fates_that_alternate_are_told_by_those_at_both_ends() -> None:
+    """In the order of the parameter."""
+    fates = [
+        SimpleNamespace(value=value, verdict=SimpleNamespace(described=lambda name=name: name))
+        for name, value in (("rest", 0.25), ("a cycle", 0.75))
+    ]
+    samples = SimpleNamespace(vary="mu0", rough=(1e-9, 0.0), fine=(1e-12, 0.0))
+    samples.described = lambda *ends: fate_boundaries._FateSamples.described(samples, *ends)
+    bracket = fate_boundaries._Bracket(samples, *fates, kept=0)
+    said = str(bracket.alternating(0.5, 1e-7))
+    assert said.startswith(
+        "it comes to rest at mu0 = 0.25 and it comes to a cycle at mu0 = 0.75, and between the two "
+        "fates alternate more closely than rounding can tell: within 1e-07 of mu0 = 0.5"
+    )
+
+
+def test_the_error_of_an_end_that_was_lost_is_from_the_last_step(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As a share of that step, and the shortest step of the range."""
+    monkeypatch.setattr(branch, "_at_border", lambda _: None)
+    points = [
+        SimpleNamespace(
+            value=value,
+            orbit=SimpleNamespace(period=1.0),
+            setting=SimpleNamespace(period=1.0, spans=[10.0]),
+            alone=True,
+        )
+        for value in (0.1, 0.3, 0.7)
+    ]
+    options = ss.BranchOptions()
+    for followed, step in ((points, 0.4), (points[:1], 0.0)):
+        event = branch._lost(followed, ConvergenceError("no step"), options)
+        error = options.scatter * step + options.shortest_step * 10.0
+        assert event.error == pytest.approx(error, rel=1e-12)
+        assert event.how == "it could not be followed farther: no step"

@@ -5,6 +5,10 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
+from spragsym.bifurcation.crossings import crossed
+from spragsym.bifurcation.defining_systems import given_column
+from spragsym.bifurcation.tubes import Tubes
+from spragsym.statics.search import balances_of
 from tests.oracles.contact_pages import BLOCKS, JAMMING, PAD, SPRUNG, balanced, pad
 from tests.oracles.user_pages import model_of
 
@@ -25,6 +29,26 @@ def test_the_rear_leg_lifts_where_the_closed_form_says_and_the_state_passes() ->
         assert found["at_border"].tolist() == ["rear"]
         np.testing.assert_allclose(found.mu0, lifts, rtol=1e-12)
         np.testing.assert_allclose(found.y, -p.F / 2, rtol=1e-12)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("begin", [0.5, 0.999])
+def test_a_crossing_is_proved_from_states_far_before_the_border_and_close_to_it(
+    begin: float,
+) -> None:
+    """The rear leg lifts between the state and its goal, at the closed form's value."""
+    p = model_of(PAD, "pad_on_2").Parameters(k_t=0.3, h=0.8)
+    lifts = (2 + 0.3) / (2 * 0.8)
+    before = p.replace(mu0=begin * lifts)
+    state = ss.equilibria(before)
+    (balance,) = [it for it in balances_of(p.model) if all(it.pushing)]
+    tubes = Tubes.of_points(balance, "mu0", given_column(before, balance.parameters, ("mu0",)))
+    q = [state[name].item() for name in p.model.coordinates]
+    here = tubes.place(np.array([*q, before.mu0])[:, None], error=1e-14)
+    (part,) = crossed(tubes, here, np.array([1.5 * lifts]))
+    assert part.kind == "passes"
+    assert part.z[-1, 0] == pytest.approx(lifts, rel=1e-12)
+    assert not list(crossed(tubes, here, np.array([0.9995 * lifts])))
 
 
 def test_without_the_torsion_spring_nothing_goes_on_where_the_rear_leg_lifts() -> None:

@@ -1,5 +1,6 @@
 """What ends a search or a branch, on stand-ins of which the answer is known by hand."""
 
+import importlib
 from types import SimpleNamespace
 
 import numpy as np
@@ -70,3 +71,11 @@ def test_the_error_of_an_end_that_was_lost_is_from_the_last_step(
         error = options.scatter * step + options.shortest_step * 10.0
         assert event.error == pytest.approx(error, rel=1e-12)
         assert event.how == "it could not be followed farther: no step"
+
+
+def test_what_a_taylor_polynomial_leaves_out_is_the_rest_of_a_geometric_series() -> None:
+    """Over the bound on the field: ratio^(order + 1) + ratio^(order + 2) + …."""
+    flint = pytest.importorskip("flint")
+    ball_flow = importlib.import_module("spragsym.orbits.ball_flow")
+    left = ball_flow._left_out(flint.arb(0.25), SimpleNamespace(order=5))
+    assert float(left) == pytest.approx(sum(0.25**k for k in range(6, 60)), rel=1e-14)

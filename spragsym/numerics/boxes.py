@@ -89,6 +89,8 @@ class EquationSystem:
 
     #: How many derivatives the equations themselves are made of.
     order = 0
+    #: Boxes of a point after which it is given up, where nobody says.
+    usual_budget = 20_000
     #: Beyond these, −low and high, (2, n), F is not asked for.
     limits: Any = np.inf
 
@@ -207,7 +209,7 @@ def search(
             system,
             points,
             beyond,
-            budget or options.budget or 20_000,
+            budget or options.budget or system.usual_budget,
             narrow or options.narrow or NARROW,
             bool((low == high).all()),
             regions,

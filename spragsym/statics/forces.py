@@ -79,6 +79,8 @@ class Forces:
             dict.fromkeys(itertools.chain(*reversed(about["arguments"].values())))
         )
         self.n = len(self.coordinates)
+        #: Boxes of a point after which it is given up: of three coordinates these are more.
+        self.usual_budget = 20_000 if self.n < 3 else 200_000
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
         self.torsions: list[int] = [entry["spring"] for entry in about["torsions"]]

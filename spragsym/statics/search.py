@@ -215,16 +215,10 @@ def _by_boxes(balance: Balance, given: FloatArray, box: FloatArray) -> Roots:
     if not given.shape[1]:
         return Roots.none(balance.n)
     # What is left is looked at with many digits.
-    options = balance.options
-    narrow, budget = options.narrow or 2.0**-19, options.budget or _budget(balance.n)
-    found = certified_roots.search(balance, box, given, given, narrow=narrow, budget=budget)
+    narrow = balance.options.narrow or 2.0**-19
+    found = certified_roots.search(balance, box, given, given, narrow=narrow)
     refined = refined_in_digits(balance, given, box, found)
     return around_anchors(balance, given, box, refined)
-
-
-def _budget(n: int) -> int:
-    """Boxes of n coordinates after which a point is given up: three need more than two."""
-    return 20_000 if n < 3 else 200_000
 
 
 def _arranged(

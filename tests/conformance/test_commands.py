@@ -156,16 +156,19 @@ PLANES = [name for name in MODELS if len(load(name).axes) == 2]
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", few(PLANES, "kang_nam"))
 def test_cusps_have_the_same_keys(name: str, run: Run) -> None:
+    model = load(name)
+    inclination, coefficient = model.axes
+    most = min(85.0, math.degrees(0.9 * model.Parameters.ranges[inclination].high))
+    ranges = f"{inclination}=5:{most}", f"{coefficient}=0:1"
     told = json.loads(
-        run("bifurcation", *of(name)[:2], "--vary", "theta0=5:85", "--vary", "mu0=0:1", "--json")
+        run("bifurcation", *of(name)[:2], "--vary", ranges[0], "--vary", ranges[1], "--json")
     )
     assert list(told) == ["model", "parameters", "folds", "onsets", "cusps"]
-    model = load(name)
     for row in told["cusps"]["points"]:
         places = [_title(model, column) for column in ss.equilibria(a_set(name)).state_columns]
-        assert list(row) == ["theta0_deg", "mu0", "kind", *places, "error"]
-    assert told["cusps"]["searched"]["mu0"] == [0.0, 1.0]
-    assert told["folds"]["searched"]["theta0_deg"] == pytest.approx([5.0, 85.0])
+        assert list(row) == [f"{inclination}_deg", coefficient, "kind", *places, "error"]
+    assert told["cusps"]["searched"][coefficient] == [0.0, 1.0]
+    assert told["folds"]["searched"][f"{inclination}_deg"] == pytest.approx([5.0, most])
 
 
 #: Beside the anchor of its torsion spring a search over all θ₀ takes minutes; its report does that

@@ -10,6 +10,8 @@ const [RADII, AROUND] = [[0.05, 0.2, 0.5], 12];
 /** Coordinates that a search begins from without springs: of one or two, and of more. */
 const PLAIN = [-3, -2, -1.3, -0.8, -0.4, -0.15, 0, 0.15, 0.4, 0.8, 1.3, 2, 3];
 const FEW = [-0.5, 0, 0.5];
+/** Beside these, where a coordinate is an angle that does not come around: its spring lets it turn farther. */
+const FARTHER = [-11, -8, -6, -4.5, 4.5, 6, 8, 11];
 const STEPS = 40;
 /** Newton's method has arrived when a step is no longer than this, relative to the coordinates; states closer than SAME are one. */
 const ARRIVED = 1e-12;
@@ -72,7 +74,9 @@ function starts(balance, about, regime) {
   const rest = about.coordinates.map(({ name }) => gaps[name] ?? 0);
   const springs = balance.vectors(rest).length;
   // Directions that a rod has, and no mass on a belt, do not make the balance linear.
-  const plain = springs && about.drawn ? [] : products(rest.map(() => (rest.length > 2 ? FEW : PLAIN)));
+  const usual = rest.length > 2 ? FEW : PLAIN;
+  const lists = about.coordinates.map(({ angle, turns }) => (angle && !Object.keys(turns).length && rest.length < 4 ? [...usual, ...FARTHER] : usual));
+  const plain = springs && about.drawn ? [] : products(lists);
   const places = plain.map((q) => q.map((value, k) => value + rest[k]));
   if (!springs) {
     return places;

@@ -205,3 +205,33 @@ def test_search_finds_what_the_solver_of_closed_forms_proves(browser: Any, tmp_p
     assert float(said[1]) == pytest.approx(fold, abs=0.05)
     assert explorer.errors == []
     explorer.page.close()
+
+
+#: A door whose closer lets it turn beyond one turn: states at 48°, 175° and 318°.
+DOOR = '''r"""A door on an inclined hinge."""
+from spragsym.derive.model import Page, cos, tanh
+page = Page("A door on an inclined hinge with a closer.")
+I = page.unit("I", "kg m^2", "inertia of the door")
+rho = page.unit("rho", "m", "radius of the pin")
+W = page.unit("W", "N", "load of the pin")
+mu = page.parameter("mu", "1", "friction of the pin", ">= 0", 0.5)
+g = page.parameter("g", "N m", "moment of the weight", ">= 0", 0.5)
+k = page.parameter("k", "N m", "closer", ">= 0", 0.15)
+V = page.parameter("V", "rad/s", "speed of the wall", "> 0", 0.4)
+phi = page.coordinate("phi", "rad", "opening")
+page.kinetic(I * page.rate(phi) ** 2 / 2)
+page.potential(-g * cos(phi) + k * phi**2 / 2)
+page.normal_force(W)
+page.friction(rho * phi, rho * V, lambda v: mu * tanh(20 * v / (rho * V)), at_rest=mu)
+'''
+
+
+@pytest.mark.thorough
+def test_states_of_an_angle_beyond_one_turn_are_found(browser: Any, tmp_path: Path) -> None:
+    explorer = opened(browser, model_of(DOOR, "door"), tmp_path)
+    point = {"mu": 0.5, "g": 0.5, "k": 0.15, "V": 0.4}
+    found = explorer.page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": True})
+    angles = np.linspace(-10, 10, 100_001)
+    force = 0.5 * np.sin(angles) + 0.15 * angles - 0.5
+    assert found["count"] == np.count_nonzero(force[1:] * force[:-1] < 0) == 3
+    assert explorer.errors == []

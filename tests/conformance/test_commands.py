@@ -141,7 +141,16 @@ def _degrees(model: ss.Model, name: str, values: Any) -> list[float]:
 def test_onsets_have_the_same_keys(name: str, run: Run) -> None:
     told = json.loads(run("bifurcation", *of(name), "--vary", load(name).axes[0], "--json"))
     assert list(told) == ["model", "parameters", "folds", "onsets"]
-    names = "omega criticality when lyapunov lyapunov_error crossing why error".split()
+    names = [
+        "omega",
+        "criticality",
+        "when",
+        "lyapunov",
+        "lyapunov_error",
+        "crossing",
+        "why",
+        "error",
+    ]
     keys = [own_name(load(name), key) for key in names]
     for row in told["onsets"]["points"]:
         assert list(row)[-len(keys) :] == keys

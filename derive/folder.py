@@ -186,7 +186,7 @@ def description(model: PageModel) -> dict[str, Any]:
     """``model.json`` without the digests of the files."""
     it = model.mechanics
     mirror, stiffness = symmetry.mirror(it), sp.Matrix(statics.jacobian(it))
-    turns = symmetry.whole_turns(it)
+    turns, exchanged = symmetry.whole_turns(it), symmetry.exchanges(it)
     of_statics = {
         str(symbol)
         for symbol in (
@@ -282,6 +282,7 @@ def description(model: PageModel) -> dict[str, Any]:
             "zero": mirror.zero,
             "upright": [index for index, line in enumerate(it.lines) if mirror.takes(line, line)],
         },
+        **({"exchanges": [asdict(one) for one in exchanged]} if exchanged else {}),
         "ties": [_ties(it, index) for index in range(min(2, len(it.coordinates)))],
         "torsions": [{"spring": it.lines.index(torsion.line)} for torsion in it.torsions],
         "symmetric": balance_rows.symmetric(it, stiffness),

@@ -9,13 +9,13 @@ perturbation of one parameter shows.
 """
 
 import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
-from .algebra import Symbols
-from .mechanics import Line, Mechanics, number
+from .algebra import Symbols, expanded
+from .mechanics import Line, Mechanics, NormalForce, number
 
 
 def whole_turns(model: Mechanics) -> dict[int, dict[int, int]]:
@@ -196,3 +196,169 @@ def _at_zero(model: Mechanics, chosen: Symbols) -> dict[sp.Symbol, int]:
         parts = model.parts(symbol)
         values |= dict.fromkeys(parts, 0) | ({parts[-2]: 1} if len(parts) > 1 else {})
     return values
+
+
+# ------------------------------------------------------------------------------------------------
+# exchanges
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """A mirror that exchanges coordinates with each other, or contacts: coordinate i goes to
+    ``signs[i]`` times that of number ``places[i]``, contact k to that of number ``contacts[k]``.
+
+    ``where`` are sets of equations of parameters, each a parameter and a number or another one, of
+    which one set has to hold.
+    """
+
+    places: tuple[int, ...]
+    signs: tuple[int, ...]
+    contacts: tuple[int, ...]
+    where: tuple[tuple[tuple[str, str | float], ...], ...]
+
+
+def exchanges(model: Mechanics) -> tuple[Exchange, ...]:
+    """All of them, by the fewest equations that they ask for; but those that are mirrors of signs
+    alone.
+    """
+    found = [
+        Exchange(places, signs, contacts, where)
+        for places, signs in _involutions(model)
+        for contacts in _contact_images(model, places, signs)
+        if min(signs) < 0 or places != tuple(range(len(places)))
+        if (places, contacts) != (tuple(range(len(places))), tuple(range(len(contacts))))
+        if (where := _equations(model, _exchanged(model, places, signs, contacts)))
+    ]
+    return tuple(sorted(found, key=lambda one: len(one.where[0])))
+
+
+def _involutions(model: Mechanics) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
+    """Places and signs of coordinates that their images' images have again: pairs of one unit, and
+    others alone; a clock stays.
+    """
+    units, n = [it.unit for it in model.page.coordinates], len(model.coordinates)
+    for places in itertools.permutations(range(n)):
+        if any(places[places[k]] != k or units[places[k]] != units[k] for k in range(n)):
+            continue
+        for signs in itertools.product((1, -1), repeat=n):
+            clocks = [k for k, it in enumerate(model.coordinates) if it == model.clock]
+            if all(signs[k] == signs[places[k]] for k in range(n)) and all(
+                places[k] == k and signs[k] == 1 for k in clocks
+            ):
+                yield places, signs
+
+
+def _images(
+    model: Mechanics, places: Sequence[int], signs: Sequence[int]
+) -> dict[sp.Expr, sp.Expr]:
+    moved = model.coordinates
+    return {moved[k]: signs[k] * moved[place] for k, place in enumerate(places)}
+
+
+def _contact_images(
+    model: Mechanics, places: Sequence[int], signs: Sequence[int]
+) -> Iterator[tuple[int, ...]]:
+    """Numbers of contacts that have the gap of another one's image, and its regimes."""
+    images, contacts = _images(model, places, signs), model.contacts
+
+    def fits(one: NormalForce, other: NormalForce) -> bool:
+        if (one.gap is None) != (other.gap is None) or one.unilateral != other.unilateral:
+            return False
+        image = sp.S.Zero if one.gap is None else one.gap.subs(images, simultaneous=True)
+        return one.either_face == other.either_face and expanded(image - (other.gap or 0)) == 0
+
+    for order in itertools.permutations(range(len(contacts))):
+        if all(order[order[k]] == k for k in order) and all(
+            fits(contacts[k], contacts[other]) for k, other in enumerate(order)
+        ):
+            yield order
+
+
+def _exchanged(
+    model: Mechanics, places: Sequence[int], signs: Sequence[int], contacts: Sequence[int]
+) -> list[sp.Expr]:
+    """Expressions that vanish where all forces follow; 1 where something is known not to."""
+    images = _images(model, places, signs)
+    changes = dict(images)
+    for line in model.lines:
+        moved = [part.subs(images, simultaneous=True) for part in (line.dx, line.dy)]
+        same = next(
+            (
+                (other, *ways)
+                for other in (line, *model.lines)
+                for ways in itertools.product((1, -1), repeat=2)
+                if expanded(moved[0] - ways[0] * other.dx) == 0
+                and expanded(moved[1] - ways[1] * other.dy) == 0
+            ),
+            None,
+        )
+        if same is None:
+            return [sp.S.One]
+        there, across, up = same
+        changes |= {line.c: across * there.c, line.s: up * there.s, line.l: there.l}
+    if model.torsions:
+        return [sp.S.One]
+    terms = list[sp.Expr]()
+    by_contact = {model.contacts.index(it.normal): it for it in model.frictions}
+    for k, other in enumerate(contacts):
+        one, image = model.contacts[k], model.contacts[other]
+        changes |= {one.depth: image.depth, one.pushing: image.pushing}
+        if (k in by_contact) != (other in by_contact):
+            return [sp.S.One]
+        if k in by_contact:
+            rubs, rubbed = by_contact[k], by_contact[other]
+            changes[rubs.mu] = rubbed.mu
+            for name in ("ahead", "behind", "belt", "at_rest", "holds"):
+                pair = [getattr(friction, name) for friction in (rubs, rubbed)]
+                terms.append(sp.sympify(pair[0] or 0) - sp.sympify(pair[1] or 0))
+    for k, row in enumerate(model.residuals):
+        moved_row = row.subs(changes, simultaneous=True)
+        terms.append(moved_row - signs[k] * model.residuals[places[k]])
+    moving = {part for term in terms for part in term.free_symbols}
+    moving -= {*model.arguments, *model.coefficients}
+    out: dict[tuple[int, sp.Expr], sp.Expr] = {}
+    for number_of, term in enumerate(map(expanded, terms)):
+        for part in sp.Add.make_args(term):
+            factor, rest = part.as_independent(*moving, as_Add=False)
+            out[number_of, rest] = out.get((number_of, rest), sp.S.Zero) + factor
+    return [term for term in out.values() if expanded(term) != 0]
+
+
+def _equations(
+    model: Mechanics, terms: list[sp.Expr]
+) -> tuple[tuple[tuple[str, str | float], ...], ...]:
+    """The smallest sets of equations of parameters that make all of them vanish."""
+    # Most equations that have to hold.
+    most = 4
+    open_: list[tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], list[sp.Expr]]] = [((), terms)]
+    for _ in range(most + 1):
+        done = {frozenset(said) for said, left in open_ if not left}
+        if done:
+            sets = sorted(sorted(map(_plain, said)) for said in done)
+            return tuple(map(tuple, sets))
+        open_ = [
+            ((*said, one), [it for term in left if (it := expanded(term.subs(*one))) != 0])
+            for said, left in open_
+            for one in _solutions(model, left[0])
+        ]
+    return ()
+
+
+def _plain(equation: tuple[sp.Symbol, sp.Expr]) -> tuple[str, str | float]:
+    symbol, value = equation
+    return str(symbol), float(value) if value.is_number else str(value)
+
+
+def _solutions(model: Mechanics, term: sp.Expr) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+    """Parameters that are 0, a number or another one where a factor of the term vanishes."""
+    numbers = {number(datum) for datum in model.parameters}
+    factors = sp.factor_list(term)[1] if term.is_polynomial(*term.free_symbols) else ()
+    for factor, _ in factors:
+        # A friction coefficient is 0 or not: it follows from parameters.
+        for symbol in sorted(factor.free_symbols & {*numbers, *model.coefficients}, key=str):
+            value = expanded(symbol - factor / factor.diff(symbol))
+            if (value in numbers and symbol in numbers) or (
+                value.is_number and (value > 0 or (value == 0 and not symbol.is_positive))
+            ):
+                yield symbol, value
+                break

@@ -40,7 +40,7 @@ from ..statics.stability import linearization
 from .defining_systems import given_column
 from .options import ContinuationOptions
 from .points import INFINITY
-from .singularities import reflected_coordinates
+from .singularities import Mirror, mirrors_of
 from .tubes import Place, Tubes
 
 
@@ -127,8 +127,8 @@ def linked(
     steps = list(itertools.pairwise(stops))[slice(only, None if only is None else only + 1)]
     given = columns(eq.parameters, along.balance.parameters)
     ends = Intervals.between(given.min(axis=1, keepdims=True), given.max(axis=1, keepdims=True))
-    turned = reflected_coordinates(along.balance, ends)
-    states, pairs = _states(along, eq, turned), dict[Span, dict[int, int]]()
+    mirror, *_ = [*mirrors_of(along.balance, ends), None]
+    states, pairs = _states(along, eq, mirror), dict[Span, dict[int, int]]()
     open_, halved = steps, list[tuple[Span, float]]()
     options = options or ContinuationOptions()
     for halvings in range(options.halvings + 1):
@@ -149,7 +149,7 @@ def linked(
         # Not in the middle, where the fold is.
         middles = [one + 0.47 * (two - one) for one, two in failed]
         states |= _states(
-            along, equilibria(p.replace(**{vary: np.array(middles)}), eq.contact), turned
+            along, equilibria(p.replace(**{vary: np.array(middles)}), eq.contact), mirror
         )
         halved += zip(failed, middles, strict=True)
         open_ = [
@@ -167,7 +167,7 @@ def linked(
     return [pairs[step] for step in steps]
 
 
-def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[float, _States]:
+def _states(along: Along, eq: Equilibria, mirror: Mirror | None = None) -> dict[float, _States]:
     """Equilibria by the value of the parameter."""
     balance, (point, slot) = along.balance, eq.states
     q = np.array([eq.coordinates[name][point, slot] for name in balance.coordinates])
@@ -178,12 +178,11 @@ def _states(along: Along, eq: Equilibria, turned: Sequence[int] = ()) -> dict[fl
         boxes = Intervals(rounded_outward(ends_around(q, off)))
         at = balance.state(boxes, balance.prepared_at(given))
         proved = determinant([list(row) for row in matrix(at.stiffness(), at.shape)]).signs
-    if turned:
-        across = q - np.array(
-            np.broadcast_arrays(*balance.at(list(q), balance.floats(given)).mirrored())
-        )
-        off_mirror = np.abs(across[turned[0]]) > 4 * eq.error[point, slot]
-        sides = np.where(off_mirror, np.sign(across[turned[0]]), 0.0)
+    if mirror is not None:
+        image = mirror.image(list(q), balance.floats(given))
+        across = (q - np.array(np.broadcast_arrays(*image)))[mirror.odd[0]]
+        off_mirror = np.abs(across) > 4 * eq.error[point, slot]
+        sides = np.where(off_mirror, np.sign(across), 0.0)
     values = eq.parameters[along.vary].tolist()
     signs = np.sign(np.linalg.det(K))
     found = _States(q, signs, sides, (signs != 0) & (proved == signs))
@@ -312,7 +311,9 @@ def _across_pitchforks(
             return False
         # In order by the coordinate in which they lie apart most: one that the mirror turns.
         three = begin.q[:, one] if len(one) > len(two) else end.q[:, two]
-        turned = int(np.ptp(three, axis=1).argmax())
+        # Two that it exchanges lie equally far apart, but for rounding.
+        spread = np.ptp(three, axis=1)
+        turned = int((spread >= (1 - 1e-9) * spread.max()).argmax())
         one.sort(key=lambda k: float(begin.q[turned, k]))
         two.sort(key=lambda k: float(end.q[turned, k]))
         sides = zip((begin, end), (one, two), on, strict=True)

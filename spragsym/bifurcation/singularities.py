@@ -8,6 +8,8 @@ over boxes stays undecided around it. The mirror decides it:
 - a state on the mirror has K in two blocks, since turned rows are odd and the others even in the
   turned coordinates. The pitchfork is a regular root of the even rows of the balance and of the
   determinant of the turned block, in the even coordinates and the parameter;
+- a mirror that exchanges coordinates is one of signs in their means and half differences: rows and
+  K are taken along these, and so is the box;
 - near it the balance comes down to one function g of one coordinate u, odd about the mirror, whose
   third derivative is not 0 all over a box that is its own image. Then the box holds no other fold:
   g would have a double root on either side and one on the mirror, five in all, and so its third
@@ -25,7 +27,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
@@ -129,14 +131,44 @@ def cusps_of(
 
 
 @dataclass(frozen=True)
-class _Mirror:
+class Mirror:
     """Coordinates that a mirror turns, the image of a state, and lines that are upright on the
     mirror.
+
+    Of two coordinates that it exchanges, the one of number ``partners[j]`` with that of number j,
+    times a sign, the first stands for their mean and the second, j, for half their difference.
     """
 
     odd: list[int]
     image: Callable[[Sequence[Any], Mapping[str, Any]], Sequence[Any]]
     upright: Sequence[int] = ()
+    partners: Mapping[int, tuple[int, int]] = field(default_factory=dict)
+    #: Whether the forces along coordinates follow, as their sums may not.
+    exchanges: bool = False
+
+    def forces(self, at: Evaluation) -> list[Any]:
+        """The balance along means and half differences."""
+        return self.along(at.rows("forces") if self.exchanges else at.forces())
+
+    def slopes(self, at: Evaluation) -> list[list[Any]]:
+        """K along them, in rows and columns."""
+        K = at.rows("forces_jacobian") if self.exchanges else at.slopes
+        rows = [self.along(row) for row in K]
+        return [list(row) for row in zip(*map(self.along, zip(*rows, strict=True)), strict=True)]
+
+    def along(self, parts: Sequence[Any]) -> list[Any]:
+        """Of two numbers that belong to exchanged coordinates the sum and the difference."""
+        out = list(parts)
+        for j, (i, sign) in self.partners.items():
+            out[i], out[j] = parts[i] + sign * parts[j], parts[j] - sign * parts[i]
+        return out
+
+    def state(self, parts: Sequence[Any]) -> list[Any]:
+        """Coordinates with these means and half differences."""
+        out = list(parts)
+        for j, (i, sign) in self.partners.items():
+            out[i], out[j] = parts[i] - sign * parts[j], parts[j] + sign * parts[i]
+        return out
 
 
 def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
@@ -176,7 +208,7 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
     return found, number
 
 
-def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
+def only_fold(family: Family, box: FloatArray, mirror: Mirror) -> bool:
     """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved
     to hold no other fold.
     """
@@ -191,15 +223,27 @@ def only_fold(family: Family, box: FloatArray, mirror: _Mirror) -> bool:
         ]
         wide = np.maximum(box[:, :-1], image)
         wide = wide + 0.25 * width_of(wide) + 1e-9
-        slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
+        if mirror.exchanges:
+            at = balance.state(list(Intervals(wide[:, :, None])), parameters)
+            slopes = matrix(mirror.slopes(at), (1,)).middle[:, :, 0]
+            parted = mirror.along(list(Intervals(wide[:, :, None])))
+            for number in (k for pair in mirror.partners.items() for k in (pair[0], pair[1][0])):
+                parted[number] = parted[number] * 0.5
+            wide = stacked(parted, (1,)).ends[:, :, 0]
+        else:
+            slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
     if not np.isfinite(slopes).all():
         return False
     *whole, span = exact_ends(np.concatenate([wide, box[:, -1:]], axis=1))
     # Bits of the forces around a pitchfork.
     bits = 120
     precise = PreciseBalance(balance, family.given[:, 0], bits, {vary: span})
+
+    def values(parts: Sequence[Any]) -> Sequence[Any]:
+        return mirror.forces(precise.state(mirror.state(parts)))
+
     try:
-        return bool(balls.sign(third_derivative(precise.values, whole, slopes, bits, mirror.odd)))
+        return bool(balls.sign(third_derivative(values, whole, slopes, bits, mirror.odd)))
     except UndecidedSign:
         return False
 
@@ -209,7 +253,7 @@ class _OnMirror(OfFamily):
     singular.
     """
 
-    def __init__(self, family: Family, mirror: _Mirror) -> None:
+    def __init__(self, family: Family, mirror: Mirror) -> None:
         super().__init__(family)
         self.mirror = mirror
 
@@ -220,48 +264,84 @@ class _OnMirror(OfFamily):
         ones are.
         """
         there, values = self.parted(q, values, xp)
-        for i in self.mirror.odd:
-            there[i] = 0
+        odd, partners = self.mirror.odd, self.mirror.partners
+        for i in odd:
+            there[i] = there[i] if i in partners else 0
         image = self.mirror.image(there, values)
-        for i in self.mirror.odd:
-            there[i] = image[i] * 0.5
+        for i, (other, sign) in partners.items():
+            there[other] = (there[other] + sign * there[i]) * 0.5
+            there[i] = sign * there[other]
+        for i in odd:
+            there[i] = there[i] if i in partners else image[i] * 0.5
         return Evaluation(self.balance, there, values, shape, xp, self.mirror.upright)
 
     def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
         """Even rows of the balance, the odd coordinates less those on the mirror, and the
         determinant of the turned block.
         """
-        K, odd = at.slopes, self.mirror.odd
-        rows = [unknowns[i] - at.q[i] if i in odd else force for i, force in enumerate(at.forces())]
+        K, odd, forces = self.mirror.slopes(at), self.mirror.odd, self.mirror.forces(at)
+        rows = [unknowns[i] - at.q[i] if i in odd else force for i, force in enumerate(forces)]
         return [*rows, determinant([[K[i][j] for j in odd] for i in odd])]
 
 
-def _mirrors(family: Family) -> list[_Mirror]:
-    """The page's mirror, and those that change signs of coordinates only, as of two springs that do
-    not feel each other.
+def _mirrors(family: Family) -> list[Mirror]:
+    """The mirrors of the page, and those that change signs of coordinates only, as of two springs
+    that do not feel each other.
     """
     balance, over = family.balance, family.over
-    odd = reflected_coordinates(balance, over)
-    found = (
-        [
-            _Mirror(
-                odd,
-                lambda q, values: balance.at(q, values).mirrored(),
-                balance.model.about["mirror"]["upright"],
-            )
-        ]
-        if odd
-        else []
-    )
+    found = mirrors_of(balance, over)
+    known = [one.odd for one in found if not one.exchanges]
     values = balance.over(over)
     for size in range(1, balance.n + 1):
         for some in itertools.combinations(range(balance.n), size):
-            if list(some) != odd and follows(balance, values, some):
-                found.append(_Mirror(list(some), partial(_with_signs, some)))
+            if list(some) not in known and follows(balance, values, some):
+                found.append(Mirror(list(some), partial(_with_signs, some)))
     return found
 
 
-def reflected_coordinates(balance: Balance, over: Intervals) -> list[int]:
+def mirrors_of(balance: Balance, over: Intervals) -> list[Mirror]:
+    """The mirrors that the page has for these parameters, shape (P, 1): of signs, and then those
+    that exchange coordinates or contacts.
+    """
+    odd = _reflected_coordinates(balance, over)
+    upright = balance.model.about["mirror"]["upright"]
+    found = (
+        [Mirror(odd, lambda q, values: balance.at(q, values).mirrored(), upright)] if odd else []
+    )
+    for about in balance.model.about.get("exchanges", ()):
+        touching = [balance.pushing[k] for k in about["contacts"]]
+        if touching == balance.pushing and any(_hold(balance, over, one) for one in about["where"]):
+            pairs = {j: (i, about["signs"][i]) for i, j in enumerate(about["places"]) if i < j}
+            alone = [k for k, j in enumerate(about["places"]) if j == k and about["signs"][k] < 0]
+            image = partial(_exchanged, about["places"], about["signs"])
+            found.append(Mirror(sorted([*pairs, *alone]), image, (), pairs, exchanges=True))
+    return found
+
+
+def _hold(balance: Balance, over: Intervals, equations: Sequence[Sequence[Any]]) -> bool:
+    """Whether parameters, or friction coefficients, are all over a box what equations say."""
+    ends = {name: part.ends.ravel() for name, part in zip(balance.parameters, over, strict=True)}
+    with quiet():
+        mus = stacked(balance.at((), balance.over(over)).frictions, (1,)).ends[..., 0]
+    mus = np.where(np.abs(mus).max(axis=0) <= NEGLIGIBLE, 0.0, mus)
+    names = balance.model.about["by_parameters"][-mus.shape[1] :]
+    ends |= dict(zip(names, mus.T, strict=True))
+    wanted = [
+        (ends[name], ends[value] if isinstance(value, str) else value) for name, value in equations
+    ]
+    return all(
+        one[0] == -one[1] and (one[1] == other if np.ndim(other) == 0 else (one == other).all())
+        for one, other in wanted
+    )
+
+
+def _exchanged(
+    places: Sequence[int], signs: Sequence[int], q: Sequence[Any], _: Values
+) -> list[Any]:
+    return [sign * q[place] for place, sign in zip(places, signs, strict=True)]
+
+
+def _reflected_coordinates(balance: Balance, over: Intervals) -> list[int]:
     """Numbers of the coordinates that the mirror turns, if the model is its own image for these
     parameters, shape (P, 1).
     """
@@ -336,7 +416,8 @@ def cusp_off_mirrors(family: Family, column: int = 0, block: Block = None) -> Co
     """Condition of a cusp off the mirrors: beside a mirror that turns one coordinate there are none
     but where pitchforks are degenerate.
     """
-    mirrors, n = [mirror for mirror in _mirrors(family) if len(mirror.odd) == 1], family.balance.n
+    n = family.balance.n
+    mirrors = [one for one in _mirrors(family) if len(one.odd) == 1 and not one.partners]
 
     def images(at: Evaluation) -> list[Intervals]:
         return [stacked(mirror.image(at.q, at.values), at.shape) for mirror in mirrors]

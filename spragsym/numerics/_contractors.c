@@ -137,8 +137,8 @@ static PyObject *judged(PyObject *module, PyObject *arguments) {
     int n;
     int sharp;
     rules by;
-    if (!PyArg_ParseTuple(arguments, "y*y*y*y*y*y*iiy*y*(dddddd)w*w*w*w*", of, of + 1, of + 2, of + 3, of + 4, of + 5, &n, &sharp, of + 6, of + 7,
-            &by.margin, &by.spread, &by.small, &by.narrow, &by.shrunk, &by.finest, of + 8, of + 9, of + 10, of + 11)) {
+    if (!PyArg_ParseTuple(arguments, "y*y*y*y*y*y*iiy*y*" RULES "w*w*w*w*", of, of + 1, of + 2, of + 3, of + 4, of + 5, &n, &sharp, of + 6, of + 7,
+            INTO_RULES(by), of + 8, of + 9, of + 10, of + 11)) {
         return NULL;
     }
     const Py_ssize_t N = of[10].len;

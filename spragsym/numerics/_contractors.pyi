@@ -2,6 +2,8 @@
 
 from typing import Any as Buffer
 
+from .verdicts import CompiledRules
+
 MOST: int
 
 def inverse(matrices: Buffer, n: int, to: Buffer) -> None: ...
@@ -27,7 +29,7 @@ def judged(
     sharp: bool,
     single: Buffer,
     spent: Buffer,
-    rules: tuple[float, float, float, float, float],
+    rules: CompiledRules,
     step: Buffer,
     left: Buffer,
     verdicts: Buffer,

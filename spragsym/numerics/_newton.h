@@ -221,10 +221,17 @@ static void distance(int n, const box *of, const double *middle, double *to) {
     }
 }
 
-/* Numbers that a search is ruled by. */
+/* Numbers that a search is ruled by, and how far each unknown spans. */
 typedef struct {
-    double margin, spread, small, narrow, shrunk, finest;
+    double margin, spread, small, narrow, shrunk, finest, spans[MOST];
 } rules;
+
+/* How they are read. */
+#define RULES "(dddddd(dddddddd))"
+#define INTO_RULES(by)                                                                            \
+    &(by).margin, &(by).spread, &(by).small, &(by).narrow, &(by).shrunk, &(by).finest,            \
+        (by).spans, (by).spans + 1, (by).spans + 2, (by).spans + 3, (by).spans + 4,               \
+        (by).spans + 5, (by).spans + 6, (by).spans + 7
 
 static double scale_of(double low, double high) {
     return most(most(1.0, fabs(low)), most(1.0, fabs(high)));
@@ -254,7 +261,7 @@ static int most_told(int n, const rules *by, const matrix *slopes, const double 
     for (int j = 0; j < n; j++) {
         const int done = closed[j] || widths[j] <= by->finest * scales[j];
         const double value = done ? -1.0 : known ? share[j] :
-                                                   widths[j];
+                                                   widths[j] / by->spans[j];
         if (j == 0 || value > largest || (value != value && largest == largest)) {
             largest = value;
             best = j;

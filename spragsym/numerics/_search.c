@@ -1254,9 +1254,8 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
     Py_buffer of[10];
     Py_buffer parameters;
     judgement to;
-    if (!PyArg_ParseTuple(arguments, "Oy*y*Oy*y*y*i(dddddd)w*w*w*w*w*", &capsule, of, of + 1,
-            &given_parameters, of + 2, of + 3, of + 4, &to.sharp, &to.by.margin, &to.by.spread,
-            &to.by.small, &to.by.narrow, &to.by.shrunk, &to.by.finest, of + 5, of + 6, of + 7,
+    if (!PyArg_ParseTuple(arguments, "Oy*y*Oy*y*y*i" RULES "w*w*w*w*w*", &capsule, of, of + 1,
+            &given_parameters, of + 2, of + 3, of + 4, &to.sharp, INTO_RULES(to.by), of + 5, of + 6, of + 7,
             of + 8, of + 9)) {
         return NULL;
     }
@@ -1370,9 +1369,8 @@ static PyObject *rounds(PyObject *module, PyObject *arguments) {
     judgement to;
     outcome found;
     memset(&found, 0, sizeof found);
-    if (!PyArg_ParseTuple(arguments, "Oy*Oy*i(dddddd)nn", &capsule, of, &given_parameters, of + 1,
-            &to.sharp, &to.by.margin, &to.by.spread, &to.by.small, &to.by.narrow, &to.by.shrunk,
-            &to.by.finest, &budget, &limit)) {
+    if (!PyArg_ParseTuple(arguments, "Oy*Oy*i" RULES "nn", &capsule, of, &given_parameters, of + 1,
+            &to.sharp, INTO_RULES(to.by), &budget, &limit)) {
         return NULL;
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);

@@ -2,6 +2,8 @@
 
 from typing import Any as Buffer
 
+from .verdicts import CompiledRules
+
 def plan(n: int, coordinates: int, parameters: int, *tapes_and_others: Buffer) -> object: ...
 def kept(
     plan: object, given: Buffer, parameters: Buffer, margin: float, boxes: Buffer, keep: Buffer
@@ -15,7 +17,7 @@ def decided(
     single: Buffer,
     spent: Buffer,
     sharp: bool,
-    rules: tuple[float, float, float, float, float, float],
+    rules: CompiledRules,
     wide: Buffer,
     step: Buffer,
     left: Buffer,
@@ -28,7 +30,7 @@ def rounds(
     parameters: Buffer,
     limits: Buffer,
     sharp: bool,
-    rules: tuple[float, float, float, float, float, float],
+    rules: CompiledRules,
     budget: int,
     most: int,
 ) -> tuple[int, bytes, bytes, bytes, bytes]: ...

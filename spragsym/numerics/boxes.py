@@ -214,6 +214,7 @@ def search(
             bool((low == high).all()),
             regions,
             system.prepared(points.bounds),
+            _spans(first.ends[:, :, 0]),
         )
         # A look at one box costs as much as at a few.
         here.run(_parted(first, options.pieces) if low.shape[1] <= 4 else first)
@@ -221,6 +222,15 @@ def search(
         first[:0].concatenated(*found) for found in (here.unique, here.where, here.undecided)
     )
     return SearchOutcome(unique, where, undecided, points, here.looks)
+
+
+def _spans(region: FloatArray) -> FloatArray:
+    """How far the unknowns of a region reach, shape (n,): 1 unless that is far from it, as of
+    lengths in another unit.
+    """
+    reach = np.abs(region).max(axis=0)
+    far = np.isfinite(reach) & (reach > 0) & ((reach > 2.0**9) | (reach < 2.0**-9))
+    return np.where(far, reach, 1.0)
 
 
 @dataclass
@@ -237,6 +247,7 @@ class _Search:
     #: What is searched for the points of each node, where that is not the same for all points.
     regions: FloatArray | None
     parameters: Intervals
+    spans: FloatArray
     looks: int = 0
 
     def __post_init__(self) -> None:
@@ -245,7 +256,13 @@ class _Search:
         self.undecided: list[Pairs] = []
         options = self.system.options
         self.rules = Rules(
-            options.margin, options.spread, options.small, self.narrow, options.shrunk, self.sharp
+            options.margin,
+            options.spread,
+            options.small,
+            self.narrow,
+            options.shrunk,
+            self.sharp,
+            self.spans,
         )
         self.work = np.zeros(self.points.size.size, dtype=int)
         self.plan = self.system.plan(self.parameters)

@@ -21,7 +21,7 @@ from ..core.errors import BackendError
 from . import contractors, tape
 from .interval_arrays import BoolArray, FloatArray, Intervals
 from .tape import Tape
-from .verdicts import NARROW, Judged, Rules
+from .verdicts import Judged, Rules
 
 try:
     from . import _search as compiled
@@ -128,7 +128,8 @@ class Plan:
             parameters.ends,
             self._limits(limits),
             *marks,
-            *_numbers(rules),
+            rules.sharp,
+            rules.compiled,
             wide,
             step,
             left,
@@ -157,17 +158,12 @@ class Plan:
             np.ascontiguousarray(given),
             parameters.ends,
             self._limits(limits),
-            *_numbers(rules),
+            rules.sharp,
+            rules.compiled,
             *most,
         )
         piles = (np.frombuffer(part).reshape(-1, 2, self.n) for part in found)
         return looks, [np.ascontiguousarray(np.moveaxis(pile, 0, 2)) for pile in piles]
-
-
-def _numbers(rules: Rules) -> tuple[bool, tuple[float, float, float, float, float, float]]:
-    """Rules as compiled code takes them."""
-    numbers = rules.margin, rules.spread, rules.small, rules.narrow, rules.shrunk, NARROW
-    return rules.sharp, numbers
 
 
 def planned(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import TypeAlias
 
 import numpy as np
 
@@ -18,6 +19,9 @@ from .interval_arrays import (
     width_of,
 )
 
+#: Margin, spread, small, narrow, shrunk and the finest width of boxes, and spans of all unknowns
+#: that compiled code has room for.
+CompiledRules: TypeAlias = tuple[float, float, float, float, float, float, tuple[float, ...]]
 #: Relative width of boxes that are as narrow as rounding lets them be.
 NARROW = 2.0**-44
 
@@ -39,7 +43,8 @@ class BoxVerdict(IntEnum):
 class Rules:
     """Of :class:`spragsym.numerics.boxes.BoxOptions` those that are asked here, and ``sharp`` where
     points are points. Over a box of them roots are as wide as it makes them, and what is cut
-    closely has no room for these.
+    closely has no room for these. ``spans`` are how far the unknowns reach, where that is far from
+    1: what is cut where slopes tell nothing is widest in proportion to these.
     """
 
     margin: float
@@ -48,6 +53,13 @@ class Rules:
     narrow: float
     shrunk: float
     sharp: bool
+    spans: FloatArray
+
+    @property
+    def compiled(self) -> CompiledRules:
+        """The numbers as compiled code takes them, with room for its most unknowns."""
+        spans = (*self.spans.tolist(), *[1.0] * 8)[:8]
+        return self.margin, self.spread, self.small, self.narrow, self.shrunk, NARROW, spans
 
 
 @dataclass(frozen=True)
@@ -99,7 +111,7 @@ def judged(boxes: Looked, rules: Rules) -> Judged:
         rules.sharp,
         boxes.single,
         boxes.spent,
-        (rules.margin, rules.spread, rules.small, rules.narrow, rules.shrunk, NARROW),
+        rules.compiled,
         step,
         left,
         verdicts,
@@ -138,7 +150,9 @@ def by_numpy(boxes: Looked, rules: Rules) -> Judged:
     left[:, :, rest] = now
     verdicts[rest] = _divided(boxes, rest, now, noise, closed, rules)
     cut = verdicts[rest] == BoxVerdict.HALVED
-    along[rest[cut]] = _most_told(now[:, :, cut], boxes.slopes[:, :, rest[cut]], closed[:, cut])
+    along[rest[cut]] = _most_told(
+        now[:, :, cut], boxes.slopes[:, :, rest[cut]], closed[:, cut], rules.spans
+    )
     return Judged(found.ends, left, verdicts, along)
 
 
@@ -180,7 +194,9 @@ def _divided(
     )
 
 
-def _most_told(now: FloatArray, slopes: Intervals, closed: BoolArray) -> IntArray:
+def _most_told(
+    now: FloatArray, slopes: Intervals, closed: BoolArray, spans: FloatArray
+) -> IntArray:
     """The unknown in which the residuals change most in proportion to all that they change.
 
     A component that interval Newton maps into the interior is not what keeps the box open.
@@ -191,4 +207,4 @@ def _most_told(now: FloatArray, slopes: Intervals, closed: BoolArray) -> IntArra
     finite = np.isfinite(share).all(axis=0)
     # What is as narrow as rounding allows gets no narrower by halving.
     done = closed | (widths <= NARROW * scale_of(now).max(axis=0))
-    return np.where(done, -1.0, np.where(finite, share, widths)).argmax(axis=0)
+    return np.where(done, -1.0, np.where(finite, share, widths / spans[:, None])).argmax(axis=0)

@@ -61,7 +61,10 @@ def region(
     ``bounds`` are parameters, shape (P, N), ``asked`` is the box from :func:`requested_region`.
     """
     ends, proved = _by_forces(balance, bounds)
-    for step in (_by_cells, _in_pieces):
+    # Ends of the cells of a coordinate, on either side of 0, and of more where these tell nothing.
+    few = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30)
+    many = tuple(10.0**k for k in (*range(-12, 19), 24, 32, 42))
+    for step in (partial(_by_cells, few), partial(_by_cells, many), _in_pieces):
         open_ = np.flatnonzero(~proved)
         if not open_.size:
             break
@@ -110,7 +113,7 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
 
 
 def _by_cells(
-    balance: Balance, bounds: Intervals, outer: FloatArray
+    cells: Sequence[float], balance: Balance, bounds: Intervals, outer: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
     """Bounds as by forces, each the hull of those over the cells of one coordinate; and where there
     are any.
@@ -128,7 +131,7 @@ def _by_cells(
         )
         over = Intervals(np.moveaxis(hulls, 0, -1))
         starts = np.stack([ends[:, :, g].max(axis=2) for g in groups], axis=2)
-        found = _cut_in_cells(balance, over, starts)
+        found = _cut_in_cells(cells, balance, over, starts)
         open_ = []
         for group, good, column in zip(groups, _bounded(found), range(len(groups)), strict=True):
             if good or group.size == 1:
@@ -152,11 +155,11 @@ def _in_halves(bounds: Intervals, group: IntArray) -> list[IntArray]:
     return [order[: order.size // 2], order[order.size // 2 :]]
 
 
-def _cut_in_cells(balance: Balance, bounds: Intervals, ends: FloatArray) -> FloatArray:
+def _cut_in_cells(
+    cells: Sequence[float], balance: Balance, bounds: Intervals, ends: FloatArray
+) -> FloatArray:
     """Smaller boxes with the same states: each coordinate in turn is cut into cells."""
     count = bounds.shape[1]
-    # Ends of the cells of a coordinate, on either side of 0.
-    cells = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30)
     edges = np.array([-FARTHEST, *(-edge for edge in cells[::-1]), *cells, FARTHEST])
     low, high = edges[:-1], edges[1:]
     with quiet():
@@ -297,12 +300,17 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
             lines = np.where(sizes < farthest, sizes, 0.0).max(axis=0, initial=0.0)
             scale = np.maximum(scale, lines)
             reach = np.maximum(lines, 1.0)
-            for start in (origin, *(way * reach for way in _ways(balance.n))):
-                near = balance.guessed(start, parameters)
+            for number, way in enumerate((np.zeros((balance.n, 1)), *_ways(balance.n))):
+                near = balance.guessed(way * reach + origin, parameters)
                 guess = balance.guessed(near, parameters)
                 rests = np.abs(guess - near).max(axis=0) <= 1e-9 * np.abs(guess).max(axis=0)
                 size = np.abs(guess).max(axis=0)
                 scale = np.where(rests & (size < farthest), np.maximum(scale, size), scale)
+                if (
+                    number == 0
+                ):  # steps as the state that is nearest to 0, far from 1 in other units
+                    far = (scale > 2.0**9) | ((scale > 0) & (scale < 2.0**-9))
+                    reach = np.where(far, scale, reach)
     # A page in SI units may have states of nanometres.
     return np.where(scale > 0, np.maximum(scale, np.minimum(1.0, 10 * scale)), 1.0)
 

@@ -238,7 +238,15 @@ def test_no_look_loses_a_root(steps):
     values = np.stack([a, b, c])
     points = tree(values, values)
     search = boxes._Search(
-        Lines(), points, np.full((2, 2, 1), np.inf), 5, boxes.NARROW, True, None, points.bounds
+        Lines(),
+        points,
+        np.full((2, 2, 1), np.inf),
+        5,
+        boxes.NARROW,
+        True,
+        None,
+        points.bounds,
+        np.ones(2),
     )
     pairs, roots = random_pairs(rng, 600, points)
     left = pairs
@@ -280,7 +288,7 @@ def test_halves_make_up_the_box():
         np.zeros((2, 100), dtype=bool),
         np.stack([np.ones(100, dtype=bool), np.zeros(100, dtype=bool)]),
     ):
-        along = verdicts._most_told(pairs.ends, slopes, closed)
+        along = verdicts._most_told(pairs.ends, slopes, closed, np.ones(2))
         halves = boxes._cut(pairs, along)
         assert halves.nodes.tolist() == [*range(100), *range(100)]
         lower, upper = halves.ends[:, :, :100], halves.ends[:, :, 100:]

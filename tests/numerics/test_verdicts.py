@@ -55,7 +55,8 @@ def test_verdicts_are_those_of_numpy(n: int, monkeypatch: pytest.MonkeyPatch) ->
     seen = set[int]()
     for odd, sharp in ((0.0, True), (0.02, True), (0.02, False)):
         given = looked(rng, n, 4000, odd)
-        rules = verdicts.Rules(0.05, 0.35, 2.0**-12, 2.0**-44, 0.6, sharp)
+        spans = 10.0 ** rng.integers(-6, 7, n)
+        rules = verdicts.Rules(0.05, 0.35, 2.0**-12, 2.0**-44, 0.6, sharp, spans)
         with quiet():
             found = verdicts.judged(given, rules)
             with monkeypatch.context() as without:

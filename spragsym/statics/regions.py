@@ -11,14 +11,15 @@ the coordinates are bounded as without it. The hull of both holds all equilibria
 
 Where the gap of a contact is an expression, it has both signs over a wide box, and a law that
 hardens makes a large negative force of depths that no state in contact has. There the depth is cut
-off at 0, and the contact's force is a number of its own beside the forces of lift-off. So no slope
-is needed of what is cut off, which has none at the border.
+off at 0, and at what the gaps of other contacts leave, and the contact's force is a number of its
+own beside the forces of lift-off. So no slope is needed of what is cut off, which has none at the
+border.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -350,10 +351,13 @@ def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
     return np.minimum(hull, balance.border[:, :, None])
 
 
+@dataclass(frozen=True)
 class _Pressed:
     """``pushing`` = 1 in generated functions, whose depth (1 − pushing)² TOUCH − pushing · gap is
-    then cut off at 0.
+    then cut off at ``limits``.
     """
+
+    limits: Intervals
 
     def __mul__(self, other: Number) -> Number:
         return other
@@ -364,11 +368,16 @@ class _Pressed:
         return -1  # as of −pushing · gap, which is the depth where it presses
 
     def __rsub__(self, one: int) -> _Nothing:
-        return _Nothing()
+        return _Nothing(self.limits)
 
 
+@dataclass(frozen=True)
 class _Nothing:
-    """1 − pushing and multiples of its square: 0, which cuts off at 0 what it is added to."""
+    """1 − pushing and multiples of its square: 0, which cuts off at ``limits`` what it is added
+    to.
+    """
+
+    limits: Intervals
 
     def __mul__(self, other: Number) -> _Nothing:
         return self
@@ -377,7 +386,7 @@ class _Nothing:
         return self
 
     def __add__(self, depth: Intervals) -> Intervals:
-        return _cut_off(depth)
+        return _cut_off(depth, self.limits)
 
     def __sub__(self, gap: Intervals) -> Intervals:
         return self + -gap
@@ -385,21 +394,20 @@ class _Nothing:
     __radd__ = __add__
 
 
-def _cut_off(value: Intervals) -> Intervals:
-    """Region with what is below 0 moved to 0: 0 alone of what lies below as a whole."""
-    return Intervals(np.stack([np.minimum(value.ends[0], 0.0), np.maximum(value.ends[1], 0.0)]))
+def _cut_off(value: Intervals, limits: Intervals) -> Intervals:
+    """Region with what is beyond limits moved there: the limit alone of what lies beyond as a
+    whole.
+    """
+    low, high = (np.clip(end, limits.low, limits.high) for end in (value.low, value.high))
+    return Intervals.between(low, high)
 
 
 def _presses(balance: Forces) -> list[int]:
-    """Contacts that open and touch, whose gaps are expressions; none where states beyond the border
-    count.
-    """
-    closed = zip(balance.opens, balance.closed, balance.rooms, strict=True)
+    """Contacts that open and touch, whose gaps are expressions."""
     return [
         k
-        for k, touches, room in closed
+        for k, touches in zip(balance.opens, balance.closed, strict=True)
         if touches
-        and not room
         and balance.model.contacts[k]["unilateral"]
         and balance.model.contacts[k]["gap"] not in balance.coordinates
     ]
@@ -415,7 +423,7 @@ def _by_contact_force(at: Evaluation) -> FloatArray:
     along, forces = dict[int, Intervals](), dict[int, Intervals]()
     for k in pressed:
         along[k] = _along_force(at, k, lifted)
-        forces[k] = _cut_off(as_intervals(at.contact_force(k, _Pressed()), shape))
+        forces[k] = _force_of(at, k)
     apart = stacked(at.rows("forces", lifted), shape)
     none = np.zeros(shape, dtype=bool)
     for k in pressed:
@@ -428,6 +436,66 @@ def _by_contact_force(at: Evaluation) -> FloatArray:
     given = sum((along[k] * forces[k] for k in pressed), at_near), slopes, near, reach
     found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
     return np.where(none, -np.inf, np.fmin(found, at.box.ends))
+
+
+def _force_of(at: Evaluation, contact: int) -> Intervals:
+    """Bounds of a contact's force by those of its penetration, from that at which states beyond its
+    border count.
+    """
+    room = _room(at.balance, contact)
+    least = np.full(at.shape, -room)
+    limits = Intervals.between(least, np.maximum(_deepest(at, contact), least))
+    force = as_intervals(at.contact_force(contact, _Pressed(limits)), at.shape)
+    by_depth = _stiffness(at, contact) * limits
+    low, high = (np.nan_to_num(end, nan=np.inf, posinf=np.inf) for end in by_depth.ends)
+    return _cut_off(force, Intervals.between(-low if room else np.maximum(-low, 0.0), high))
+
+
+def _room(balance: Forces, contact: int) -> float:
+    """How far beyond the border of a contact states count."""
+    return balance.rooms[balance.opens.index(contact)]
+
+
+def _deepest(at: Evaluation, contact: int) -> FloatArray:
+    """Largest penetration of a contact that the others leave: where the sum of its gap and that of
+    one which touches is a number, as of two faces of a slot, or the difference from one that is
+    open.
+    """
+    balance, near = at.balance, at.box.nearest_to_zero
+    shift, most = at.box - Intervals.point(near), np.full(at.shape, np.inf)
+    for other in balance.opens:
+        if other == contact:
+            continue
+        sign = 1 if balance.pushing[other] else -1
+        both = partial(_gaps_of, contact, other, sign)
+        value, slopes, *_ = linear(at, near, both)
+        total = sum((slopes[0, i] * shift[i] for i in range(len(at.q))), value[0])
+        most = np.fmin(
+            most, (Intervals.point(np.full(at.shape, _room(balance, other))) - total).high
+        )
+    return most
+
+
+def _gaps_of(contact: int, other: int, sign: int, at: Evaluation) -> list[Number]:
+    return [at.gap(contact) + sign * at.gap(other)]
+
+
+def _stiffness(at: Evaluation, contact: int) -> Intervals:
+    """Force of a contact over its penetration where both are linear in the coordinates, else
+    anything.
+    """
+    moved = replace(at, q=jets.variables(at.q, 2))
+    parts = moved.contact_force(contact, 1), moved.gap(contact)
+    anything = Intervals(np.full((2, *at.shape), np.inf))
+    if not all(isinstance(part, jets.Jet) and _is_linear(part) for part in parts):
+        return anything
+    force, gap = (jets.gradient(part, len(at.q)) for part in parts)
+    index = next((i for i, slope in enumerate(gap) if not is_zero(slope)), None)
+    return anything if index is None else as_intervals(-force[index] / gap[index], at.shape)
+
+
+def _is_linear(value: jets.Jet) -> bool:
+    return all(len(term) < 2 or is_zero(part) for term, part in value.terms.items())
 
 
 def _along_force(at: Evaluation, contact: int, lifted: Sequence[int]) -> Intervals:
@@ -459,15 +527,17 @@ def _along_force(at: Evaluation, contact: int, lifted: Sequence[int]) -> Interva
 
 
 def _closed(at: Evaluation, contact: int) -> FloatArray:
-    """Smaller boxes with all points of a gap ≤ 0: each coordinate from the gap's slopes by it and
-    the others.
+    """Smaller boxes with all points of a gap ≤ 0, or as far beyond as states count: each coordinate
+    from the gap's slopes by it and the others.
     """
     near, ends = at.box.nearest_to_zero, at.box.ends
     at_near, slopes, *_ = linear(replace(at, xp=FREE), near, lambda at: [at.gap(contact)])
-    shift = at.box - Intervals.point(near)
+    shift, room = at.box - Intervals.point(near), _room(at.balance, contact)
     found = ends.copy()
     for index in range(len(at.q)):
-        others = sum((slopes[0, j] * shift[j] for j in range(len(at.q)) if j != index), at_near[0])
+        others = sum(
+            (slopes[0, j] * shift[j] for j in range(len(at.q)) if j != index), at_near[0] - room
+        )
         most = Intervals.point(near[index]) - others / slopes[0, index]
         for side in (0, 1):  # where the gap grows towards that side
             grows = slopes.ends[1 - side, 0, index] < 0

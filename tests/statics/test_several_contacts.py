@@ -189,3 +189,39 @@ def test_where_no_force_balances_a_couple_no_state_is_left_open() -> None:
     ranges = {"mu0": (0.1, 0.3), "M": (0.01, 0.02)}
     proof = ss.certify(p, "one equilibrium", between=ranges)
     assert (proof.outcome, proof.boxes < 100) == ("proved", True)
+
+
+#: A table between two nuts of a screw, whose gaps leave each other's depth 2 δ at most, and no
+#: bound is seen of the table alone.
+NUTS = (
+    HEAD
+    + """
+delta = page.parameter("delta", "m", "preload of the nuts", "> 0", 0.05)
+k_m = page.parameter("k_m", "N m", "stiffness of the motor", "> 0", 0.3)
+k_x = page.parameter("k_x", "N/m", "workpiece", "> 0", 0.1)
+F = page.parameter("F", "N", "cutting force", "real", 0.02)
+x = page.coordinate("x", "m", "table")
+phi = page.coordinate("phi", "rad", "screw")
+page.kinetic(m * (page.rate(x)**2 + a**2 * page.rate(phi)**2) / 2)
+page.potential(k_m * phi**2 / 2 + k_x * x**2 / 2 - F * x)
+left = page.contact(x - a * phi - delta, lambda depth: k_c * depth, name="left")
+right = page.contact(a * phi - x - delta, lambda depth: k_c * depth * (1 + depth / a), name="right")
+page.friction(3 * a * phi + x / 3, V, law, at_rest=mu0, on=left)
+page.friction(3 * a * phi + x / 3, V, law, at_rest=mu0, on=right)
+"""
+)
+
+
+def test_two_faces_of_a_slot_bound_each_other() -> None:
+    p = model_of(NUTS, "nuts").Parameters(mu0=0.1)
+    eq = ss.equilibria(p)
+    assert eq.complete
+    assert ss.folds(p, "mu0", between={"mu0": (0.0, 0.2)}).complete
+    x, phi = eq["x"][0], eq["phi"][0]
+    left, depth = 0.05 - (x - phi), 0.05 + x - phi
+    right = depth * (1 + depth)
+    rows = [
+        0.02 - 0.1 * x + left - right + 0.1 * (left + right) / 3,
+        -0.3 * phi - left + right + 0.1 * (left + right) * 3,
+    ]
+    assert np.abs(rows).max() < 1e-14

@@ -4,7 +4,8 @@ A case is one paper, all of its right statements written with a coordinate rever
 counted from another axis, from a moved origin, with sides swapped, or times a factor of parameters.
 """
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
@@ -73,7 +74,16 @@ def names_in(equation: Equation) -> frozenset[str]:
     return symbols(equation.left) | symbols(equation.right)
 
 
-def _names(name: str, sign: int, shift: Node | None) -> Mapping[str, Node]:
+def _slopes(item: Item, name: str, sign: int) -> dict[str, Node]:
+    """Derivatives by a coordinate that a print counts the other way."""
+    found: dict[str, Node] = {}
+    for own, slope in item.book.slopes.items():
+        if (slope.by in (name, f"v{name}") and sign < 0) is not (slope.of in found):
+            found[own] = Node("neg", (Node("symbol", value=own),))
+    return found
+
+
+def _names(name: str, sign: int, shift: Node | None) -> dict[str, Node]:
     """What stands in the print for a coordinate, its rate and its acceleration."""
 
     def signed(node: Node) -> Node:
@@ -91,6 +101,7 @@ def _definitions(
     case: Case, name: str, sign: int, shift: Node | None
 ) -> Iterator[papers.Statement]:
     names = _names(name, sign, shift)
+    names |= _slopes(case.item, name, sign)
     for own, tree in case.item.book.defined.items():
         text = f"{own} = {printed(renamed(tree, names))}"
         yield papers.Statement(own, "definition", text, is_latex=False, form="units")
@@ -106,15 +117,17 @@ def _written(
     factor: Node | None,
 ) -> papers.Statement:
     """A statement in the convention."""
-    names, held = _names(name, sign, shift), item.held
+    names, held = _names(name, sign, shift) | _slopes(item, name, sign), item.held
+    rows = math.isqrt(len(held.entries))
     coordinates = [str(it) for it in item.it.model.coordinates]
+    coordinates *= max(rows // len(coordinates), 1)
     texts = []
     for equation, index in zip(item.equations, held.index, strict=True):
         is_value = held.is_value and equation.left.kind == "symbol"
         left, right = equation.left, renamed(equation.right, names)
         turns = {
             "vector": [index],
-            "form": [index // len(coordinates), index % len(coordinates)],
+            "form": [index // rows, index % rows],
         }.get(held.law, [])
         if is_value and sign ** sum(coordinates[it] == name for it in turns) < 0:
             right = Node("neg", (right,))

@@ -14,13 +14,12 @@ from functools import partial
 import sympy as sp
 
 from ..pages import PageModel
-from . import samples
-from .derivatives import Derivative, letter_of, name_of, of_law, of_value, tree_of
+from .derivatives import Slope, expressions
 from .matrices import entry_name
-from .names import AT_REST, FREQUENCY, MATRICES
+from .names import AT_REST, FREQUENCY, MATRICES, function_behind
 from .objects import LAMBDA, MOVING, TIME, Derivation, NoObject, Object, derivation, derived
 from .papers import Paper, Statement
-from .repair import Values, evaluated, same_but_for_constant, stem
+from .repair import Values, evaluated, stem
 from .samples import numeric
 from .tree import Argument, Equation, Node, Unread, Vocabulary
 from .tree import printed, read_sympy, symbols, to_sympy
@@ -44,8 +43,8 @@ class Book:
     shapes: dict[str, tuple[int, int]] = field(default_factory=dict)
     #: what defined names are printed as functions of
     arguments: dict[str, Node] = field(default_factory=dict)
-    #: derivatives that are printed of the page's own values, by form and name
-    slopes: dict[tuple[str, str], Derivative] = field(default_factory=dict)
+    #: derivatives that are printed, by name
+    slopes: dict[str, Slope] = field(default_factory=dict)
     #: what is counted in bound energies, by form and name
     meant: dict[tuple[str, str], sp.Expr] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
@@ -58,8 +57,8 @@ class Book:
                     yield name, derived(it, statement.about)
 
     def values(self, it: Derivation) -> dict[str, sp.Expr]:
-        """Bound names, those of the entries of matrices, and their derivatives, as derived."""
-        found = {name: one.value for (form, name), one in self.slopes.items() if form == it.form}
+        """Bound names, and those of the entries of matrices, as derived."""
+        found: dict[str, sp.Expr] = {}
         for name, held in self.objects(it):
             if held.shape is None:
                 found[name] = _meant(name, held, it, self)
@@ -166,7 +165,7 @@ def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool
     """Names that may stand in a statement."""
     objects = book.objects(it) if matrices else ()
     shapes = {name: held.shape for name, held in objects if held.shape is not None}
-    values = book.values(it)
+    values = _expressions(it, book)
     given = book.defined.keys() | book.shapes.keys() | book.bound.keys() | values.keys()
     has_roots = statement.word == "characteristic"
     names = {*it.names, *given, *([FREQUENCY] if has_roots else [])}
@@ -177,7 +176,7 @@ def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool
         book.renamed,
         shapes | book.shapes,
         frozenset(map(str, (*it.normals, *it.coefficients))),
-        _fixed(it, book.defined, values),
+        frozenset(name for name, value in values.items() if _is_fixed(value, it)),
         has_roots,
         _arguments(statement, it, book),
         partial(_slope, it, book),
@@ -190,63 +189,42 @@ def _is_ambiguous(statement: Statement, it: Derivation) -> bool:
 
 
 def _slope(it: Derivation, book: Book, of: str, by: str) -> str:
-    """The name of a derivative, which is kept with its value; beside one by a coordinate or a rate
-    those by the others, one of which may be meant where a print is wrong.
+    """The name of a derivative, which is kept; beside one by a coordinate or a rate those by the
+    others, one of which may be meant where a print is wrong.
     """
-    order = of.count("diff(")
-    base = of.removeprefix("diff(" * order).rstrip(")")
-    frictions = dict(zip(map(str, it.coefficients), it.model.frictions, strict=False))
-    rows = [[*map(str, row)] for row in (it.model.coordinates, it.model.rates)]
-    if by in ("", AT_REST) and base in frictions:
-        slope = of_law(frictions[base], order + (not by), it)
-        if by == AT_REST:
-            slope = Derivative(slope.still or slope.value)
-        book.slopes[it.form, name_of(of, by)] = slope
-        book.letters[name_of(of, by)] = letter_of(book.letters.get(of, of), by)
-    elif by:
-        for one in next((row for row in rows if by in row), [by]):
-            _keep_slope(it, book, of, one)
-    elif (argument := book.arguments.get(base)) is not None:
-        _keep_slope(it, book, of, printed(argument), name_of(of, by))
-    else:
-        raise Unread(f"the derivative of {of}, which is printed as no function; say by what")
-    return name_of(of, by)
-
-
-def _keep_slope(it: Derivation, book: Book, of: str, by: str, named: str = "") -> None:
-    """Keep the derivative of an energy or of what a paper defines, and how it is printed."""
-    values = _expressions(it, book)
+    own = Slope(of, by)
+    is_law = by in ("", AT_REST) and own.law[0] in map(str, it.coefficients)
+    if not by and not is_law:
+        argument = book.arguments.get(function_behind(of, book.arguments) or "")
+        if argument is None or argument.kind != "symbol":
+            raise Unread(f"the derivative of {of}, which is printed as no function; say by what")
+        own = Slope(of, argument.value)
     if of in book.bound and _is_ambiguous(book.bound[of], it):
         raise Unread(
             f"{of} may count the potential of a constant force or leave it out; print it in a "
             f"statement about {book.bound[of].about}"
         )
-    if of not in values:
+    rows = [[*map(str, row)] for row in (it.model.coordinates, it.model.rates)]
+    added = {}
+    for each in next((row for row in rows if own.by in row), [own.by]):
+        one = Slope(of, each)
+        added[one.name] = one
+        letter, by_letter = (
+            book.letters.get(it_) or it.letters.get(it_, it_) for it_ in (of, each)
+        )
+        book.letters[one.name] = one.latex(letter, by_letter if by else "")
+    # What can't be derived is refused before it is kept.
+    if own.name not in _expressions(it, book, added):
         raise Unread(f"the derivative of {of}, which is no name that is known")
-    slope = of_value(values[of], by, it)
-    name = named or name_of(of, by)
-    if of in book.defined:
-        book.defined[name] = tree_of(slope.value, it)
-    else:
-        before = book.slopes.get((it.form, of), slope)
-        along = slope.along if before is slope else (*before.along, *slope.along)
-        book.slopes[it.form, name] = replace(slope, along=along)
-    letters = (book.letters.get(one) or it.letters.get(one, one) for one in (of, by))
-    letter, by_letter = letters
-    book.letters[name] = letter_of(letter, "" if named else by_letter)
+    book.slopes.update(added)
+    return own.name
 
 
-def _fixed(
-    it: Derivation, defined: Mapping[str, Node], bound: Mapping[str, sp.Expr]
-) -> frozenset[str]:
-    """Names that are constant in time: parameters, and what is defined or bound to be one of
-    these; lengths of lines, phases and names that the page has not are none.
+def _is_fixed(value: sp.Expr, it: Derivation) -> bool:
+    """Whether a value is constant in time, a parameter or made of these; lengths of lines, phases
+    and names that the page has not are none.
     """
-    given = {*it.parameters}
-    for name, value in bound.items():
-        if {str(symbol) for symbol in value.free_symbols} <= it.parameters.keys():
-            given.add(name)
-    return frozenset(given | dict(in_order(defined, given)).keys())
+    return {str(symbol) for symbol in value.free_symbols} <= it.parameters.keys()
 
 
 def in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tuple[str, Node]]:
@@ -288,12 +266,12 @@ def _arguments(
     return found | {name: partial(as_printed, one) for name, one in book.arguments.items()}
 
 
-def _expressions(it: Derivation, book: Book) -> dict[str, sp.Expr]:
-    """What names of the page, of objects and of definitions are, in names of the page."""
-    found = {**it.names, **book.values(it)}
-    for name, tree in in_order(book.defined, found):
-        found[name] = to_sympy(tree, found)
-    return found
+def _expressions(
+    it: Derivation, book: Book, more: Mapping[str, Slope] | None = None
+) -> dict[str, sp.Expr]:
+    """What names of the page, of objects, definitions and derivatives are, in names of the page."""
+    known = {**it.names, **book.values(it)}
+    return expressions(known, book.defined, {**book.slopes, **(more or {})}, it)
 
 
 def _in_lambda(tree: Node) -> Node:
@@ -317,13 +295,12 @@ def _meant(name: str, held: Object, it: Derivation, book: Book) -> sp.Expr:
             with suppress(Unread, NoObject, KeyError):
                 *_, equation = equations_of(statement.judged, statement, it, book)
                 equation = by_name(equation)
-                values = samples.drawn(it, held)
-                _, defined = named([equation], held, values, it, book)
-                own = evaluated(equation.right, with_defined(values, defined))
-                for reading in held.readings:
-                    if same_but_for_constant(own, numeric(reading.entry, values)):
-                        book.meant[key] = reading.entry
-                        break
+                # By its names, since a print may count its coordinates in another way.
+                own = to_sympy(equation.right, _expressions(it, book)).free_symbols
+                book.meant[key] = min(
+                    (reading.entry for reading in held.readings),
+                    key=lambda entry: len(own ^ entry.free_symbols),
+                )
     return book.meant[key]
 
 
@@ -333,7 +310,8 @@ def _used(equations: Iterable[Equation], book: Book) -> set[str]:
     pending = {name for one in equations for name in symbols(one.right) | symbols(one.left)}
     while pending:
         found |= pending
-        inside = (symbols(book.defined[name]) for name in pending & book.defined.keys())
+        inside = [symbols(book.defined[name]) for name in pending & book.defined.keys()]
+        inside += [frozenset({book.slopes[name].of}) for name in pending & book.slopes.keys()]
         pending = set().union(*inside) - found
     return found
 
@@ -348,14 +326,13 @@ def named(
     """What names of objects and of definitions in equations are; of the first the values are added
     to those at samples.
     """
-    bound = book.values(it)
-    stems = {stem(name) for name in _used(equations, book) & bound.keys()}
-    bound = {name: value for name, value in bound.items() if stem(name) in stems}
-    for name in bound:
-        slope = book.slopes.get((it.form, name))
-        if held.steady and slope is not None and slope.still is not None:
-            bound[name] = slope.still
-        values[name] = numeric(bound[name], values)
+    known = {**it.names, **book.values(it)}
+    whole = expressions(known, book.defined, book.slopes, it, steady=held.steady)
+    names = (book.values(it).keys() | book.slopes.keys()) & whole.keys()
+    stems = {stem(name) for name in _used(equations, book) & names}
+    bound = {name: whole[name] for name in sorted(names) if stem(name) in stems}
+    for name, value in bound.items():
+        values[name] = numeric(value, values)
     # Not those in names that this form lacks.
     return bound, dict(in_order(book.defined, values))
 

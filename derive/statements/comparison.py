@@ -14,6 +14,7 @@ from sympy.core.relational import Relational
 
 from .. import algebra
 from ..algebra import Pair
+from .derivatives import expressions
 from .objects import BOTH, LAMBDA
 from .reading import Item
 from .repair import Values, evaluated, same, same_but_for_constant
@@ -79,9 +80,8 @@ class Comparison:
         """Values of the print's names where the page's are the samples'."""
         known = self.item.values
         changed = {name: numeric(it, known) for name, it in self.converted.items()}
-        for name in self.item.bound:
-            changed[name] = self._turned(name) * known[name]
-        values = {**known, **changed}
+        slopes = {name: self.names[name] for name in self.item.slopes} if changed else {}
+        values = {**known, **changed} | {name: numeric(it, known) for name, it in slopes.items()}
         for name, tree in self.item.defined.items():
             values[name] = evaluated(tree, values)
         return values
@@ -92,16 +92,17 @@ class Comparison:
         it = self.item.it
         names = it.names | {name: sp.Symbol(name) for name in it.geometry}
         names |= self.converted
-        names |= {name: self._turned(name) * value for name, value in self.item.bound.items()}
-        for name, tree in self.item.defined.items():
-            names[name] = to_sympy(tree, names)
-        return names
-
-    def _turned(self, name: str) -> int:
-        """The sign by which a derivative of a value changes with the coordinates."""
-        slope = self.item.book.slopes.get((self.item.it.form, name))
-        along = () if slope is None else slope.along
-        return math.prod(self.conventions.get(one, Convention()).sign for one in along)
+        slopes = self.item.slopes
+        names |= {name: it for name, it in self.item.bound.items() if name not in slopes}
+        moving = (it.model.coordinates, it.model.rates, it.accelerations)
+        signs = {
+            str(symbol): convention.sign
+            for row in zip(*moving, strict=True)
+            for symbol in row
+            if (convention := self.conventions.get(str(row[0]))) is not None
+        }
+        steady = self.item.held.steady
+        return expressions(names, self.item.defined, slopes, it, steady=steady, signs=signs)
 
     def exactly(self, tree: Node) -> sp.Expr:
         """A tree of the print in the page's symbols."""

@@ -1,9 +1,10 @@
 """Derivatives that a print names: ∂V/∂x and d/dt (∂L/∂x′) of energies, f′(x) of what a paper
-defines, μ′ of a friction law; as names ``diff(V, x)``, ``diff(diff(L, vx), t)``, ``diff(f)``.
+defines, μ′ of a friction law; as names ``diff(V, x)``, ``diff(diff(L, vx), t)``, ``diff(mu)``.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -12,38 +13,80 @@ from .. import laws
 from ..mechanics import SLIP, FrictionForce
 from .names import AT_REST
 from .objects import TIME, Derivation
-from .tree import Node, Unread, Vocabulary, read_sympy
+from .tree import Node, Unread, symbols, to_sympy
 
 
 @dataclass(frozen=True)
-class Derivative:
-    """A derivative of a value of the page, and the coordinates by which it was taken: where a print
-    counts one of these the other way, the derivative has the other sign. That of a friction law has
-    its value at steady sliding, too.
+class Slope:
+    """The derivative of a name by another; of a friction law by the sliding speed, where the second
+    is empty, or none but its value at rest.
     """
 
-    value: sp.Expr
-    along: tuple[str, ...] = ()
-    still: sp.Expr | None = None
+    of: str
+    by: str
+
+    @property
+    def name(self) -> str:
+        """Its name in what is read, which can be read again."""
+        if self.by == AT_REST:
+            return f"at_rest({self.of})"
+        return f"diff({self.of}, {self.by})" if self.by else f"diff({self.of})"
+
+    @property
+    def law(self) -> tuple[str, int]:
+        """The name behind derivatives that are by no name, and how many of these there are."""
+        inner = (
+            self.of.removeprefix("at_rest(").removesuffix(")") if "at_rest" in self.of else self.of
+        )
+        count = inner.count("diff(")
+        return inner.removeprefix("diff(" * count).rstrip(")"), count + (not self.by)
+
+    def latex(self, of: str, by: str) -> str:
+        r"""LaTeX by that of both names: \frac{\partial V}{\partial x}."""
+        if self.by == AT_REST:
+            return rf"{of}|_{{0}}"
+        if not by:
+            return f"{of}'"
+        if self.by == str(TIME):
+            return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}}{of}"
+        return rf"\frac{{\partial {of}}}{{\partial {by}}}"
 
 
-def name_of(of: str, by: str) -> str:
-    """The name of a derivative, by its argument where ``by`` is empty."""
-    if by == AT_REST:
-        return f"{of}_at_rest"
-    return f"diff({of}, {by})" if by else f"diff({of})"
+def expressions(
+    known: Mapping[str, sp.Expr],
+    defined: Mapping[str, Node],
+    slopes: Mapping[str, Slope],
+    it: Derivation,
+    *,
+    steady: bool = False,
+    signs: Mapping[str, int] | None = None,
+) -> dict[str, sp.Expr]:
+    """Known names, and those of definitions and derivatives that stand on these and each other.
+
+    ``signs`` are those of coordinates and rates that a print counts the other way.
+    """
+    found = dict(known)
+    laws_of = dict(zip(map(str, it.coefficients), it.model.frictions, strict=False))
+    trees, pending = dict(defined), dict(slopes)
+    while True:
+        ready = [name for name, tree in trees.items() if symbols(tree) <= found.keys()]
+        for name in ready:
+            found[name] = to_sympy(trees.pop(name), found)
+        steps = [one for one in pending.values() if one.of in found or one.law[0] in laws_of]
+        for one in steps:
+            base, order = one.law
+            if base in laws_of and one.by in ("", AT_REST):
+                at_rest = steady or one.by == AT_REST
+                found[one.name] = _of_law(laws_of[base], order, it, at_rest)
+            else:
+                sign = (signs or {}).get(one.by, 1)
+                found[one.name] = sign * of_value(found[one.of], one.by, it)
+            del pending[one.name]
+        if not ready and not steps:
+            return found
 
 
-def letter_of(of: str, by: str) -> str:
-    r"""LaTeX of a derivative: \frac{\partial V}{\partial x}."""
-    if by in ("", AT_REST):
-        return f"{of}'" if not by else rf"{of}|_{{0}}"
-    if by == str(TIME):
-        return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}}{of}"
-    return rf"\frac{{\partial {of}}}{{\partial {by}}}"
-
-
-def of_value(value: sp.Expr, by: str, it: Derivation) -> Derivative:
+def of_value(value: sp.Expr, by: str, it: Derivation) -> sp.Expr:
     """The derivative of a value in coordinates, rates and parameters; by t along the motion.
 
     Raises
@@ -60,24 +103,18 @@ def of_value(value: sp.Expr, by: str, it: Derivation) -> Derivative:
         if value.has(*it.accelerations):
             raise Unread("the rate of an acceleration is not read")
         pairs = [*zip(moving[0], moving[1], strict=True), *zip(moving[1], moving[2], strict=True)]
-        return Derivative(sum((sp.diff(value, one) * rate for one, rate in pairs), sp.S.Zero))
-    along = tuple(str(row[0]) for row in zip(*moving, strict=True) if symbol in row)
-    if not along and by not in it.parameters:
+        return sum((sp.diff(value, one) * rate for one, rate in pairs), sp.S.Zero)
+    if by not in it.parameters and not any(symbol in row for row in moving):
         raise Unread(f"a derivative by {by}, which is no coordinate, rate or parameter of the page")
-    return Derivative(sp.diff(value, symbol), along)
+    return sp.diff(value, symbol)
 
 
-def of_law(friction: FrictionForce, order: int, it: Derivation) -> Derivative:
-    """The slope of a friction law, and its further derivatives, by the sliding speed."""
+def _of_law(friction: FrictionForce, order: int, it: Derivation, at_rest: bool) -> sp.Expr:
+    """The friction law or a derivative of it by the sliding speed."""
     ahead, behind = sp.diff(friction.ahead, SLIP, order), sp.diff(friction.behind, SLIP, order)
-    still = ahead.subs(SLIP, friction.still)
+    if at_rest:
+        return it.spelled(ahead.subs(SLIP, friction.still))
     speed = laws.slip(friction)
     sign = sp.sign(speed)
     before, after = ahead.subs(SLIP, speed), (-1) ** order * behind.subs(SLIP, -speed)
-    moving = ((1 + sign) * before + (1 - sign) * after) / 2
-    return Derivative(it.spelled(moving), (), it.spelled(still))
-
-
-def tree_of(value: sp.Expr, it: Derivation) -> Node:
-    """A derivative of what a paper prints in a definition, as if it were printed."""
-    return read_sympy(str(value), Vocabulary(frozenset(it.names), (), {}))[0].left
+    return it.spelled(((1 + sign) * before + (1 - sign) * after) / 2)

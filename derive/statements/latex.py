@@ -359,7 +359,7 @@ class _LatexReader:
             here.take()
             is_odd = node.value.count("diff(") % 2 == 0
             if argument.at_rest:
-                node = self.names.derived(node, AT_REST)
+                node = replace(self.names.derived(node, AT_REST), at=at)
             if is_odd and argument.sign < 0:
                 node = Node("neg", (node,), at=at)
         elif bracket is not None and power is None:

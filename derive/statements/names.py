@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
@@ -118,11 +118,8 @@ class Names:
         return Node("number", value="pi", at=at) if name == Name("pi") else None
 
     def function_of(self, node: Node) -> str | None:
-        """The name of which it is the function, or a derivative by its argument; None of others."""
-        value = node.value
-        while value.startswith("diff(") and "," not in value:
-            value = value.removeprefix("diff(").removesuffix(")")
-        return value if value in self.functions_of_one else None
+        """The name of which it is the function, or a derivative; None of others."""
+        return function_behind(node.value, self.functions_of_one)
 
     def derived(self, node: Node, by: str) -> Node:
         """The derivative of a name by another, or by its argument where none is given."""
@@ -159,7 +156,8 @@ class Names:
         places = [sp.Symbol(f"u{number}", real=True) for number in range(len(node.args))]
         names = {str(symbol): symbol for symbol in places}
         operands = dict(zip(names, node.args, strict=True))
-        plain = tuple(Node("symbol", value=name) for name in names)
+        pairs = zip(names, node.args, strict=True)
+        plain = tuple(it if it.kind == "number" else Node("symbol", value=one) for one, it in pairs)
         value = to_sympy(replace(node, args=plain), names)
         terms = []
         for symbol, operand in zip(places, node.args, strict=True):
@@ -194,6 +192,14 @@ class Names:
             length += len(items[place + count].text)
             count += 1
         return count
+
+
+def function_behind(value: str, functions: Collection[str]) -> str | None:
+    """Which of some functions a name is, or is a derivative of: f of diff(diff(f, x), x)."""
+    while value not in functions and value.startswith("diff("):
+        inner, comma, by = value.removeprefix("diff(").removesuffix(")").rpartition(", ")
+        value = inner if comma else by
+    return value if value in functions else None
 
 
 def moved(node: Node, at: tuple[int, int]) -> Node:

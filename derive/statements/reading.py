@@ -11,6 +11,7 @@ from ..pages import PageModel
 from . import samples
 from .book import Book, begun, bind, by_name, equations_of, forms_of, named, print_name
 from .book import with_defined
+from .derivatives import Slope
 from .matrices import matrix_of
 from .objects import Derivation, NoObject, Object, derived
 from .papers import Paper, Statement
@@ -42,6 +43,7 @@ class Item:
     readings: tuple[Values, ...]
     bound: Mapping[str, sp.Expr]
     defined: Mapping[str, Node]
+    slopes: Mapping[str, Slope]
     letters: Mapping[str, str]
     book: Book
 
@@ -136,7 +138,7 @@ def _known_names(
     for symbol, value in it.friction.items():
         known[str(symbol)] = value, "laws.smooth_friction"
     for name, value in book.values(it).items():
-        known[name] = value, book.bound[name].about if name in book.bound else "derivatives"
+        known[name] = value, book.bound[name].about if name in book.bound else "matrices"
     found: list[tuple[sp.Expr, str]] = []
     for left in (one.left for one in equations):
         name = left.value if left.kind == "symbol" else ""
@@ -230,6 +232,7 @@ def _item(
         readings,
         bound,
         defined,
+        {name: slope for name, slope in book.slopes.items() if name in bound},
         letters,
         book,
     )

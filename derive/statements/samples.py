@@ -118,7 +118,8 @@ def _value(part: sp.Basic, values: Mapping[str, Values], found: dict[sp.Basic, V
         names = tuple(sorted(part.free_symbols, key=str))
         value = _compiled(part, names)(*(values[str(name)] for name in names))
     elif not part.args:
-        value = np.array(float(sp.N(part)))
+        number = complex(sp.N(part))
+        value = np.array(np.nan if number.imag else number.real)
     else:
         inner = [_value(it, values, found) for it in part.args]
         if isinstance(part, sp.Add):

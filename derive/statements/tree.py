@@ -255,15 +255,17 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             if isinstance(op, ast.Sub):
                 other = Node("neg", (other,), at=other.at)
             return _joined(kind, one, other, at)
-        case ast.Call(func=ast.Name(id="diff"), args=[_] | [_, _] as arguments, keywords=[]):
+        case ast.Call(
+            func=ast.Name(id="diff" | "at_rest" as word), args=[inner, *more], keywords=[]
+        ) if len(more) <= (word == "diff"):
             if (name := ast.unparse(part)) in vocabulary.symbols:
                 return Node("symbol", value=name, at=at)
-            names = [printed(_tree(it, begin, vocabulary)) for it in arguments]
             if vocabulary.derivative is None:
                 raise Unread(f"{name} is no name that is known", at[0])
-            return Node(
-                "symbol", value=vocabulary.derivative(*names, *[""][: 2 - len(names)]), at=at
-            )
+            # By t, the time, which is no name in an equation.
+            by = "".join(map(ast.unparse, more)) if word == "diff" else "at rest"
+            own = vocabulary.derivative(printed(_tree(inner, begin, vocabulary)), by)
+            return Node("symbol", value=own, at=at)
         case ast.Call(func=ast.Name(id=name), args=[_, *more] as arguments, keywords=[]) if (
             name in FUNCTIONS and bool(more) is (name in OF_SEVERAL)
         ):

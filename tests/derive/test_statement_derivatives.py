@@ -181,3 +181,21 @@ def test_a_derivative_by_another_coordinate_is_an_index() -> None:
     )
     assert rows[1].repaired.startswith("diff(diff(T, vtheta), t) - diff(T, theta) +")
     assert [edit["kind"] for edit in rows[1].edits] == ["index"]
+
+
+def test_what_is_read_can_be_read_again() -> None:
+    """Names of derivatives are those in which they may be written in SymPy's syntax."""
+    texts = [
+        ("energy V", "U(x) = kx^2/2 + k_3x^4/4"),
+        ("definition", "f(x) = kx + k_3x^3"),
+        ("stiffness 1 1", "k_t = f'(x) + (U''(x) - f'(x))/2"),
+        ("damping 1 1", r"c_e = c + N_0\mu'(v_0)"),
+        ("motion x", r"m\ddot x + c\dot x + \frac{dU}{dx} - N_0\mu(v_0) = N_0(\mu(v) - \mu(v_0))"),
+        ("motion x", r"m\ddot x + c\dot x + \frac{d}{dt}(\frac{x}{1 + x^2}) = 0"),
+    ]
+    rows = _rows(PAGE, SPEED, *texts)
+    assert [it.status for it in rows] == ["confirmed", "definition", *["confirmed"] * 3, "failed"]
+    again = tuple(papers.Statement(it.id, it.about, it.read, is_latex=False) for it in rows)
+    assert "at_rest(mu)" in again[4].text
+    others = verdicts.check(papers.Paper("", "", {}, again), PAGE).rows
+    assert [it.status for it in others] == [it.status for it in rows]

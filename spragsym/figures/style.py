@@ -244,25 +244,10 @@ def symbol(name: str) -> str:
         if not index:
             return f"{symbol(numbered[1])}_{numbered[2]}"
         return f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
-    # Names that are letters.
-    greek = {
-        "alpha",
-        "beta",
-        "gamma",
-        "delta",
-        "zeta",
-        "eta",
-        "theta",
-        "kappa",
-        "lambda",
-        "mu",
-        "nu",
-        "rho",
-        "sigma",
-        "tau",
-        "phi",
-        "psi",
-    }
+    # Names that are letters, those of large ones that Latin has not.
+    small = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau"
+    large = "Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega"
+    greek = {*f"{small} upsilon phi chi psi omega {large}".split()}
     return (rf"\{base}" if base in greek else base) + (rf"_{{\rm {index}}}" if index else "")
 
 

@@ -187,12 +187,12 @@ def description(model: PageModel) -> dict[str, Any]:
     it = model.mechanics
     mirror, stiffness = symmetry.mirror(it), sp.Matrix(statics.jacobian(it))
     turns, exchanged = symmetry.whole_turns(it), symmetry.exchanges(it)
+    balanced = {*statics.parameters(it)}
+    balanced |= {part for one in it.frictions for part in laws.friction_at_rest(one).free_symbols}
     of_statics = {
         str(symbol)
-        for symbol in (
-            *statics.parameters(it),
-            *(part for one in it.frictions for part in laws.friction_at_rest(one).free_symbols),
-        )
+        for symbol in map(mechanics.number, it.parameters)
+        if balanced & {symbol, *it.parts(symbol)}
     }
     return {
         "name": model.name,

@@ -262,10 +262,10 @@ class Model:
 
     @property
     def plane(self) -> tuple[str, ...]:
-        """Two parameters for a picture whose reader may choose others: the same, then what else of
-        the balance stands first.
+        """Two parameters for a picture whose reader may choose others: the same where they move
+        equilibria, then what else of the balance stands first.
         """
-        named = [name for name in (self.inclination, self.coefficient) if name is not None]
+        named = [name for name in (self.inclination, self.coefficient) if name in self.balanced]
         return tuple(dict.fromkeys([*named, *self.balanced]))[:2]
 
     @cached_property

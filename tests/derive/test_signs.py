@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from spragsym.derive import pages, signs
+from spragsym.derive import folder, pages, signs
 from spragsym.derive.model import PageError
 from tests.oracles.user_pages import shipped_page
 
@@ -54,6 +54,19 @@ def test_a_belt_s_speed_that_the_domain_of_an_angle_keeps_positive_is_taken(tmp_
     read(tmp_path, "1", "V * sin(theta)")
     with pytest.raises(PageError, match=r"the belt's speed V\*cos\(2\*theta\) may be negative"):
         read(tmp_path, "1", "V * cos(2 * theta)")
+
+
+def test_an_angle_in_the_speed_at_which_friction_is_taken_is_of_the_balance(tmp_path: Path) -> None:
+    text = shipped_page(
+        "stick_slip",
+        ("import Page", "import Page, sin"),
+        ("x = page.coordinate(", PARAMETERS.splitlines()[0] + "\nx = page.coordinate("),
+        ("page.friction(x, V", "page.friction(x, V * sin(theta)"),
+    )
+    path = tmp_path / "mine.py"
+    path.write_text(text, encoding="utf-8")
+    parameters = folder.description(pages.read(path))["parameters"]
+    assert {one["name"] for one in parameters if one["role"] == "both"} >= {"theta", "V", "mu_s"}
 
 
 @pytest.mark.parametrize(

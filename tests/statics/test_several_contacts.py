@@ -225,3 +225,12 @@ def test_two_faces_of_a_slot_bound_each_other() -> None:
         -0.3 * phi - left + right + 0.1 * (left + right) * 3,
     ]
     assert np.abs(rows).max() < 1e-14
+
+
+def test_an_angle_that_moves_no_equilibrium_is_no_axis_of_their_picture() -> None:
+    theta = 'theta = page.parameter("theta", "rad", "of the creep", "[0, 1]", 0.3)\nx = page.coord'
+    page = replaced(PAD, ("x = page.coord", theta)).replace("phi, V,", "phi, V * sin(theta),")
+    model = model_of(page, "creeping_pad")
+    assert (model.inclination, model.coefficient) == ("theta", "mu0")
+    assert "theta" not in model.plane
+    assert model.plane[0] == "mu0"

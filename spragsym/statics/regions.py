@@ -205,7 +205,8 @@ def _squeezed(
         # Cosines and sines of the coordinates as free unknowns, as directions are.
         steps += [partial(_with_free_waves, step) for step in tuple(steps)]
     if pressed := _presses(balance):
-        steps += [partial(_closed, contact=contact) for contact in pressed] + [_by_contact_force]
+        steps += [partial(_closed, contact=contact) for contact in pressed]
+        steps.append(partial(_by_contact_force, known={}))
     for _ in range(rounds):
         before = ends
         for step in steps:
@@ -413,16 +414,20 @@ def _presses(balance: Forces) -> list[int]:
     ]
 
 
-def _by_contact_force(at: Evaluation) -> FloatArray:
+def _by_contact_force(at: Evaluation, known: dict[int, Intervals]) -> FloatArray:
     """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and
     sines left free; of no width where no force of a contact balances all rows.
+
+    ``known`` keeps the directions of forces over boxes that hold these.
     """
     at = replace(at, xp=FREE)
     shape, pressed = at.shape, _presses(at.balance)
     lifted = [0 if k in pressed else one for k, one in enumerate(at.balance.pushing)]
     along, forces = dict[int, Intervals](), dict[int, Intervals]()
     for k in pressed:
-        along[k] = _along_force(at, k, lifted)
+        along[k] = known[k] if k in known else _along_force(at, k, lifted)
+        if np.isfinite(along[k].ends).all():
+            known[k] = along[k]
         forces[k] = _force_of(at, k)
     apart = stacked(at.rows("forces", lifted), shape)
     none = np.zeros(shape, dtype=bool)

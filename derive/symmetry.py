@@ -229,7 +229,11 @@ def exchanges(model: Mechanics) -> tuple[Exchange, ...]:
         if (places, contacts) != (tuple(range(len(places))), tuple(range(len(contacts))))
         if (where := _equations(model, _exchanged(model, places, signs, contacts)))
     ]
-    return tuple(sorted(found, key=lambda one: len(one.where[0])))
+    # One of each image of the coordinates: that which asks for the fewest equations.
+    least = dict[tuple[tuple[int, ...], tuple[int, ...]], Exchange]()
+    for one in sorted(found, key=lambda one: len(one.where[0])):
+        least.setdefault((one.places, one.signs), one)
+    return tuple(least.values())
 
 
 def _involutions(model: Mechanics) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
@@ -260,8 +264,14 @@ def _contact_images(
 ) -> Iterator[tuple[int, ...]]:
     """Numbers of contacts that have the gap of another one's image, and its regimes."""
     images, contacts = _images(model, places, signs), model.contacts
+    along = {it.name: it.along for it in model.frictions if it.along is not None}
 
     def fits(one: NormalForce, other: NormalForce) -> bool:
+        # What friction opposes at a contact goes to that at its image, or to its negative.
+        rubs, there = (sp.sympify(along.get(it.name, 0)) for it in (one, other))
+        there_from = rubs.subs(images, simultaneous=True)
+        if all(expanded(there_from - way * there) != 0 for way in (1, -1)):
+            return False
         if (one.gap is None) != (other.gap is None) or one.unilateral != other.unilateral:
             return False
         image = sp.S.Zero if one.gap is None else one.gap.subs(images, simultaneous=True)
@@ -334,7 +344,7 @@ def _equations(
     for _ in range(most + 1):
         done = {frozenset(said) for said, left in open_ if not left}
         if done:
-            sets = sorted(sorted(map(_plain, said)) for said in done)
+            sets = sorted((sorted(map(_plain, said), key=str) for said in done), key=str)
             return tuple(map(tuple, sets))
         open_ = [
             ((*said, one), [it for term in left if (it := expanded(term.subs(*one))) != 0])

@@ -228,9 +228,9 @@ typedef struct {
 
 /* How they are read. */
 #define RULES "(dddddd(dddddddd))"
-#define INTO_RULES(by)                                                                            \
-    &(by).margin, &(by).spread, &(by).small, &(by).narrow, &(by).shrunk, &(by).finest,            \
-        (by).spans, (by).spans + 1, (by).spans + 2, (by).spans + 3, (by).spans + 4,               \
+#define INTO_RULES(by)                                                                 \
+    &(by).margin, &(by).spread, &(by).small, &(by).narrow, &(by).shrunk, &(by).finest, \
+        (by).spans, (by).spans + 1, (by).spans + 2, (by).spans + 3, (by).spans + 4,    \
         (by).spans + 5, (by).spans + 6, (by).spans + 7
 
 static double scale_of(double low, double high) {

@@ -2,6 +2,7 @@
 searches along other lines.
 """
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 from scipy import optimize
 
 import spragsym as ss
-from spragsym.bifurcation import bifurcation_sets
+from spragsym.bifurcation import bifurcation_sets, hopf_curves
 from spragsym.bifurcation.points import search
 from spragsym.statics.balance import Balance
 from spragsym.statics.stability import linearization
@@ -278,3 +279,19 @@ def test_lines_that_nothing_is_decided_on_get_fewer_boxes(monkeypatch: pytest.Mo
         budgets.clear()
         ss.onset_curves(ss.load(name).Parameters(), n=3, options=options)
         assert {each for _, each in budgets} == {budget}
+
+
+def test_states_are_hardly_damped_by_the_ratio_of_damper_to_stiffness(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Whatever the unit of stiffness: 1e-7 of it is next to nothing, 1e-5 is not."""
+    stiffness = np.array([[[200.0]], [[200.0]], [[2e-4]]])
+    damper = np.array([1e-7, 1e-5, 1e-7])[:, None, None] * stiffness
+
+    def matrices(_family: object, _states: object, damping: bool = True) -> tuple[Any, Any, Any]:
+        turning = np.full_like(stiffness, 3.0)  # gyroscopic terms are no damping
+        return np.ones_like(stiffness), turning + damper * damping, stiffness
+
+    monkeypatch.setattr(hopf_curves, "matrices", matrices)
+    found = hopf_curves._Plane.hardly_damped(SimpleNamespace(), np.zeros((3, 2)))
+    assert found.tolist() == [True, False, True]

@@ -8,7 +8,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.core.errors import ConvergenceError
-from spragsym.orbits import basin_boundaries, branch, fate_boundaries
+from spragsym.orbits import basin_boundaries, branch, exponents, fate_boundaries, orbit
 
 
 def test_a_line_along_the_boundary_does_not_cross_it() -> None:
@@ -79,3 +79,36 @@ def test_what_a_taylor_polynomial_leaves_out_is_the_rest_of_a_geometric_series()
     ball_flow = importlib.import_module("spragsym.orbits.ball_flow")
     left = ball_flow._left_out(flint.arb(0.25), SimpleNamespace(order=5))
     assert float(left) == pytest.approx(sum(0.25**k for k in range(6, 60)), rel=1e-14)
+
+
+def test_averages_of_two_cycles_are_compared_in_the_unit_of_the_first_coordinate(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Whatever that of the others is: 1e-5 of the extent apart they are two, 1e-7 apart one."""
+    monkeypatch.setattr(orbit, "units_of", lambda _: np.array([2.0, 200.0]))
+    monkeypatch.setattr(orbit, "extent", lambda *_: 1.0)
+    monkeypatch.setattr(orbit, "distance", lambda *_: 0.0)
+    cycles = [
+        SimpleNamespace(period=1.0, rms=rms, mean=0.0, orbit=None, state=None)
+        for rms in (1.0, 1.0 + 2e-5, 1.0 + 2e-7)
+    ]
+    assert not orbit.same_cycle(cycles[0], cycles[1])
+    assert orbit.same_cycle(cycles[0], cycles[2])
+
+
+@pytest.mark.parametrize(
+    ("unit", "said"), [(0.01, "errors of integration"), (1.0, "a longer motion")]
+)
+def test_of_an_exponent_that_is_not_told_from_0_the_remedy_depends_on_the_time_unit(
+    unit: float, said: str
+) -> None:
+    """The least error, 1e-5 in units of the motion, is 1e-3 per time where its unit is 0.01."""
+    motion = SimpleNamespace(
+        moves=True,
+        exponents=np.array([0.1, 1e-5]),
+        error=np.array([0.0, 1e-4]),
+        options=SimpleNamespace(significance=2.0, least_error=1e-5),
+        unit=unit,
+        flow=np.zeros(9),
+    )
+    assert said in exponents.Rates.undecided(motion, 0.0)

@@ -14,7 +14,7 @@ from functools import partial
 import sympy as sp
 
 from ..pages import PageModel
-from .derivatives import Slope, expressions
+from .derivatives import Slope, expressions, of_value
 from .matrices import entry_name
 from .names import AT_REST, FREQUENCY, MATRICES, function_behind
 from .objects import LAMBDA, MOVING, TIME, Derivation, NoObject, Object, derivation, derived
@@ -205,17 +205,17 @@ def _slope(it: Derivation, book: Book, of: str, by: str) -> str:
             f"statement about {book.bound[of].about}"
         )
     rows = [[*map(str, row)] for row in (it.model.coordinates, it.model.rates)]
-    added = {}
+    added, letters = dict[str, Slope](), it.letters
     for each in next((row for row in rows if own.by in row), [own.by]):
         one = Slope(of, each)
         added[one.name] = one
-        letter, by_letter = (
-            book.letters.get(it_) or it.letters.get(it_, it_) for it_ in (of, each)
-        )
+        letter, by_letter = (book.letters.get(name, letters.get(name, name)) for name in (of, each))
         book.letters[one.name] = one.latex(letter, by_letter if by else "")
-    # What can't be derived is refused before it is kept.
-    if own.name not in _expressions(it, book, added):
+    values = _expressions(it, book, added)
+    if of not in values:
         raise Unread(f"the derivative of {of}, which is no name that is known")
+    if own.name not in values:
+        of_value(values[of], own.by, it)  # which says why
     book.slopes.update(added)
     return own.name
 

@@ -5,6 +5,7 @@ defines, μ′ of a friction law; as names ``diff(V, x)``, ``diff(diff(L, vx), t
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 
 import sympy as sp
@@ -61,7 +62,8 @@ def expressions(
     steady: bool = False,
     signs: Mapping[str, int] | None = None,
 ) -> dict[str, sp.Expr]:
-    """Known names, and those of definitions and derivatives that stand on these and each other.
+    """Known names, and those of definitions and derivatives that stand on these and each other,
+    but for derivatives that there are not: by a name that the page has in its other form alone.
 
     ``signs`` are those of coordinates and rates that a print counts the other way.
     """
@@ -80,7 +82,8 @@ def expressions(
                 found[one.name] = _of_law(laws_of[base], order, it, at_rest)
             else:
                 sign = (signs or {}).get(one.by, 1)
-                found[one.name] = sign * of_value(found[one.of], one.by, it)
+                with suppress(Unread):
+                    found[one.name] = sign * of_value(found[one.of], one.by, it)
             del pending[one.name]
         if not ready and not steps:
             return found

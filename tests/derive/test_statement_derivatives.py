@@ -199,3 +199,16 @@ def test_what_is_read_can_be_read_again() -> None:
     assert "at_rest(mu)" in again[4].text
     others = verdicts.check(papers.Paper("", "", {}, again), PAGE).rows
     assert [it.status for it in others] == [it.status for it in rows]
+
+
+def test_a_derivative_of_one_form_does_not_hinder_statements_in_the_other() -> None:
+    """By a unit of the page, which is no number of its scaled form."""
+    statements = (
+        papers.Statement("1", "energy V", "U = kx^2/2 + k_3x^4/4", is_latex=True),
+        papers.Statement("2", "definition", r"q = \frac{\partial U}{\partial k}", is_latex=True),
+        papers.Statement(
+            "3", "motion x", "ax + c*vx + x + kappa_3*x**3 - mu", False, form="scaled"
+        ),
+    )
+    rows = verdicts.check(papers.Paper("", "", {}, statements), PAGE).rows
+    assert [it.status for it in rows] == ["confirmed", "definition", "confirmed"]

@@ -26,14 +26,14 @@ Plain: TypeAlias = dict[str, object]
 
 
 @dataclass
-class Body:
+class RigidBody:
     """A body by its coordinates: along the belt, across it, and the angle that turns it."""
 
     parts: dict[str, sp.Symbol] = field(default_factory=dict)
     #: 1 where the angle turns it counter-clockwise, −1 where it does clockwise.
     sense: int = 1
 
-    def merge(self, other: "Body") -> bool:
+    def merge(self, other: "RigidBody") -> bool:
         """Take the coordinates of another, unless each has one of a kind."""
         fits = not self.parts.keys() & other.parts.keys()
         if fits:
@@ -102,11 +102,11 @@ class Scene:
         }
 
     @cached_property
-    def bodies(self) -> list[Body]:
+    def bodies(self) -> list[RigidBody]:
         """Coordinates that move one body: of one end of a spring, of one contact and its
         friction.
         """
-        body = {symbol: Body({kind: symbol}) for symbol, kind in self.kinds.items()}
+        body = {symbol: RigidBody({kind: symbol}) for symbol, kind in self.kinds.items()}
         for group in self._groups():
             for one in group:
                 for other in group:
@@ -167,7 +167,7 @@ class Scene:
         x, y = self._outward(contact)
         return (along, -y * gap) if y else (-x * gap, along)
 
-    def _sense(self, body: Body) -> int:
+    def _sense(self, body: RigidBody) -> int:
         """The sense of an angle in which every contact lies on the side where it touches."""
         angle = body.parts.get("angle")
         for contact in self.model.contacts if angle else ():
@@ -179,7 +179,7 @@ class Scene:
 
     def _arm(self, contact: NormalForce, owners: list[int]) -> tuple[sp.Expr, sp.Expr]:
         """From the centre of its body to a contact, at the origin."""
-        body = self.bodies[owners[0]] if owners else Body()
+        body = self.bodies[owners[0]] if owners else RigidBody()
         if "angle" not in body.parts:
             return sp.S.Zero, sp.S.Zero
         across, up = self._turned(contact, body.parts["angle"])

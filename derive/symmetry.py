@@ -58,7 +58,7 @@ def is_as_before(model: Mechanics, turns: Mapping[int, int]) -> bool:
 
 
 @dataclass(frozen=True)
-class Mirror:
+class Reflection:
     """Turned coordinates with the doubled centre of each, and the sets of parameters of which one
     has to be 0.
     """
@@ -85,7 +85,7 @@ class Mirror:
         return self.centres[symbol] - symbol if symbol in self.centres else symbol
 
 
-def mirror(model: Mechanics) -> Mirror:
+def mirror(model: Mechanics) -> Reflection:
     """The mirror that asks for the fewest parameters to be 0; one that turns nothing if there is
     none.
     """
@@ -94,18 +94,20 @@ def mirror(model: Mechanics) -> Mirror:
         itertools.combinations(model.coordinates, size) for size in sizes
     )
     found = [one for turned in subsets for one in _about(model, turned)]
-    return min(found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=Mirror({}, ()))
+    return min(
+        found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=Reflection({}, ())
+    )
 
 
-def _about(model: Mechanics, turned: Symbols) -> Iterator[Mirror]:
+def _about(model: Mechanics, turned: Symbols) -> Iterator[Reflection]:
     """The mirrors of these coordinates: the first line that they move is upright at the centre, or
     another one's image there.
     """
     for centre in _centres(model, turned):
         centres = {**dict.fromkeys(turned, sp.S.Zero), turned[0]: centre}
-        sets = _zero(model, _remainders(model, Mirror(centres, ())))
+        sets = _zero(model, _remainders(model, Reflection(centres, ())))
         if sets:
-            yield Mirror(centres, sets)
+            yield Reflection(centres, sets)
 
 
 def _centres(model: Mechanics, turned: Symbols) -> list[sp.Expr]:
@@ -126,7 +128,7 @@ def _centres(model: Mechanics, turned: Symbols) -> list[sp.Expr]:
     return list(dict.fromkeys(sp.expand(-(at_zero + other) / slope) for other in alike))
 
 
-def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
+def _remainders(model: Mechanics, one: Reflection) -> list[sp.Expr]:
     """Expressions in parameters that vanish where the forces follow."""
     images = {symbol: one.image(symbol) for symbol in model.coordinates}
     changes: dict[sp.Expr, sp.Expr] = dict(images)

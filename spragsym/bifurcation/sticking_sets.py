@@ -90,7 +90,7 @@ def _hulls(boxes: FloatArray, cell: IntArray) -> tuple[FloatArray, IntArray]:
     return np.concatenate(hulls, axis=2), np.array(owners, dtype=int)
 
 
-class _Combination:
+class _Touches:
     """States of one combination of contacts that touch."""
 
     def __init__(self, model: Model, own: ParameterSet, key: Touching) -> None:
@@ -274,7 +274,7 @@ def _solved(K: Intervals, right: Intervals) -> Intervals:
 # cover
 
 
-def _cover(it: _Combination) -> tuple[_Patches, FloatArray, BoolArray]:
+def _cover(it: _Touches) -> tuple[_Patches, FloatArray, BoolArray]:
     """Patches of one combination that hold all of its states, those that are not proved beside
     them; the region that holds all, and whether that is proved.
     """
@@ -326,7 +326,7 @@ def _sets_of(count: int, *pairs: IntArray) -> IntArray:
 
 
 def _links(
-    parts: Sequence[_Combination], patches: Sequence[_Patches], first: IntArray
+    parts: Sequence[_Touches], patches: Sequence[_Patches], first: IntArray
 ) -> tuple[IntArray, IntArray]:
     """Pairs of patches of all combinations, by their numbers, that are proved to hang together, and
     pairs of which that is not known.
@@ -356,7 +356,7 @@ def _meeting(some: _Patches, others: _Patches) -> tuple[IntArray, IntArray]:
     return first, second
 
 
-def _joined(it: _Combination, some: _Patches) -> tuple[IntArray, IntArray]:
+def _joined(it: _Touches, some: _Patches) -> tuple[IntArray, IntArray]:
     """Pairs of patches that are proved to hang together, and pairs of which that is not known, each
     (2, pairs).
     """
@@ -379,7 +379,7 @@ def _joined(it: _Combination, some: _Patches) -> tuple[IntArray, IntArray]:
 
 
 def _across(
-    one: tuple[_Combination, _Patches], other: tuple[_Combination, _Patches], contact: int
+    one: tuple[_Touches, _Patches], other: tuple[_Touches, _Patches], contact: int
 ) -> tuple[IntArray, IntArray]:
     """The same of patches of two combinations that differ in one contact: of the one and the
     other.
@@ -400,7 +400,7 @@ def _across(
     return pairs[:, sure], pairs[:, ~sure]
 
 
-def _on_border(it: _Combination, some: _Patches, ways: IntArray, border: int) -> _Patches:
+def _on_border(it: _Touches, some: _Patches, ways: IntArray, border: int) -> _Patches:
     """Tiny parts of patches that hold a state on a border, ``proved`` where they do."""
     low, high = _led(some, ways)
     inner = 0.5 * (low + high)
@@ -455,7 +455,7 @@ class _Aims(ByColumn):
         return low.concatenated(high)
 
 
-def _cut(it: _Combination, aims: _Aims, by: Intervals, gap_slopes: Intervals) -> _Aims:
+def _cut(it: _Touches, aims: _Aims, by: Intervals, gap_slopes: Intervals) -> _Aims:
     """Aims without those that have a smaller value beside them, cut down to the ends of shares at
     which theirs are least.
     """
@@ -468,7 +468,7 @@ def _cut(it: _Combination, aims: _Aims, by: Intervals, gap_slopes: Intervals) ->
     return replace(aims, patches=some.over(low, high))[~gone.any(axis=0)]
 
 
-def _least(it: _Combination, aims: _Aims, best: FloatArray) -> FloatArray:
+def _least(it: _Touches, aims: _Aims, best: FloatArray) -> FloatArray:
     """Lower bounds by their numbers, where one is below the upper bounds ``best``, which are made
     smaller.
     """
@@ -500,7 +500,7 @@ def _least(it: _Combination, aims: _Aims, best: FloatArray) -> FloatArray:
     return least
 
 
-def _value(it: _Combination, aims: _Aims, point: FloatArray, best: FloatArray) -> Intervals:
+def _value(it: _Touches, aims: _Aims, point: FloatArray, best: FloatArray) -> Intervals:
     """What is least at points of patches; those of this combination are upper bounds."""
     there = it.narrowed(aims.patches.over(point, point))
     value = aims.of(Intervals(there.ends))
@@ -509,7 +509,7 @@ def _value(it: _Combination, aims: _Aims, point: FloatArray, best: FloatArray) -
     return value
 
 
-def _researched(it: _Combination, aims: _Aims) -> _Aims:
+def _researched(it: _Touches, aims: _Aims) -> _Aims:
     """Aims of which the boxes that are not proved are searched anew."""
     some = aims[~aims.patches.proved]
     if not some.row.size:
@@ -529,19 +529,19 @@ def sets(p: ParameterSet, own: ParameterSet) -> StickingStates:
             "contact that opens, are not answered: its forces are not linear, and an angle comes "
             "around; hold the angle by a spring"
         )
-    every = [_Combination(p.model, own, key) for key in own.model.regimes]
+    every = [_Touches(p.model, own, key) for key in own.model.regimes]
     parts = [one for one in every if one.touches]
     with quiet():
         covers = [_cover(one) for one in parts]
         patches = [found[it.pressed(found)] for it, (found, *_) in zip(parts, covers, strict=True)]
         first = np.cumsum([0, *map(len, patches)])
         sure, open_ = _links(parts, patches, first)
-        return _told(p, list(zip(parts, patches, first, strict=False)), covers, (sure, open_))
+        return _result(p, list(zip(parts, patches, first, strict=False)), covers, (sure, open_))
 
 
-def _told(
+def _result(
     p: ParameterSet,
-    parts: Sequence[tuple[_Combination, _Patches, int]],
+    parts: Sequence[tuple[_Touches, _Patches, int]],
     covers: Sequence[tuple[_Patches, FloatArray, BoolArray]],
     links: tuple[IntArray, IntArray],
 ) -> StickingStates:
@@ -596,6 +596,6 @@ def _told(
             "friction that are used: sets may be larger or smaller there, or there may be others"
         )
     if merged:
-        remarks.append("whether what is told as one set is connected is not known for all of them")
+        remarks.append("whether what is given as one set is connected is not known for all of them")
     complete = bool(whole.all()) and not left and not merged
     return StickingStates(p, error[order], complete, tuple(remarks), ends)

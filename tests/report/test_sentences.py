@@ -1003,7 +1003,10 @@ WARNINGS: list[tuple[Facts, str]] = [
         "faster sliding, and check the unit",
     ),
     (said_of(brake(mu0=45.0)), "mu0 = 45 is more than any brake has; write 45 % or 0.45 for 0.45"),
-    (said_of(brake({"mu0": (0.3, 30.0)})), "mu0 = 30 is more than any brake has; write 45 % or"),
+    (
+        said_of(brake({"mu0": (0.3, 30.0)})),
+        "mu0 = 30 is more than any brake has; write 45 % or 0.45 for 0.45",
+    ),
     (
         said_of(ss.Study(BRAKE, model="damped", damping_ratio=0.8)),
         "damping_ratio = 0.8 is 80 %, more than any brake has; write 0.8 % if that is meant",

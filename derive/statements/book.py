@@ -16,7 +16,7 @@ import sympy as sp
 from ..pages import PageModel
 from .derivatives import Slope, expressions, of_value
 from .matrices import entry_name
-from .names import AT_REST, FREQUENCY, MATRICES, function_behind
+from .names import FREQUENCY, MATRICES, function_behind
 from .objects import LAMBDA, MOVING, TIME, Derivation, NoObject, Object, derivation, derived
 from .papers import Paper, Statement
 from .repair import Values, evaluated, stem
@@ -178,7 +178,7 @@ def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool
         frozenset(map(str, (*it.normals, *it.coefficients))),
         frozenset(name for name, value in values.items() if _is_fixed(value, it)),
         has_roots,
-        _arguments(statement, it, book),
+        _arguments(statement, it, book, values),
         partial(_slope, it, book),
     )
 
@@ -193,8 +193,7 @@ def _slope(it: Derivation, book: Book, of: str, by: str) -> str:
     others, one of which may be meant where a print is wrong.
     """
     own = Slope(of, by)
-    is_law = by in ("", AT_REST) and own.law[0] in map(str, it.coefficients)
-    if not by and not is_law:
+    if not by and own.law({*map(str, it.coefficients)}) is None:
         argument = book.arguments.get(function_behind(of, book.arguments) or "")
         if argument is None or argument.kind != "symbol":
             raise Unread(f"the derivative of {of}, which is printed as no function; say by what")
@@ -236,7 +235,7 @@ def in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tupl
 
 
 def _arguments(
-    statement: Statement, it: Derivation, book: Book
+    statement: Statement, it: Derivation, book: Book, names: Mapping[str, sp.Expr]
 ) -> dict[str, Callable[[Node], Argument | None]]:
     """Of names that are printed as functions, what an expression is to them: the argument with
     which a definition is printed, or of a friction coefficient the sliding speed.
@@ -248,7 +247,6 @@ def _arguments(
         return Argument() if printed(inside) == printed(argument) else None
 
     def as_speed(speed: sp.Expr, is_odd: bool, inside: Node) -> Argument | None:
-        names = _expressions(it, book)
         value = to_sympy(inside, names) if symbols(inside) <= names.keys() else sp.nan
         for sign in (1, -1) if is_odd else (1,):
             for at_rest in (False, True):
@@ -326,9 +324,9 @@ def named(
     """What names of objects and of definitions in equations are; of the first the values are added
     to those at samples.
     """
-    known = {**it.names, **book.values(it)}
-    whole = expressions(known, book.defined, book.slopes, it, steady=held.steady)
-    names = (book.values(it).keys() | book.slopes.keys()) & whole.keys()
+    objects = book.values(it)
+    whole = expressions({**it.names, **objects}, book.defined, book.slopes, it, steady=held.steady)
+    names = (objects.keys() | book.slopes.keys()) & whole.keys()
     stems = {stem(name) for name in _used(equations, book) & names}
     bound = {name: whole[name] for name in sorted(names) if stem(name) in stems}
     for name, value in bound.items():

@@ -65,14 +65,22 @@ class Comparison:
     conventions: Conventions = field(default_factory=dict)
 
     @cached_property
+    def signs(self) -> dict[sp.Symbol, int]:
+        """Signs of the coordinates, rates and accelerations that have conventions."""
+        it = self.item.it
+        return {
+            symbol: self.conventions[str(row[0])].sign
+            for row in zip(it.model.coordinates, it.model.rates, it.accelerations, strict=True)
+            for symbol in row
+            if str(row[0]) in self.conventions
+        }
+
+    @cached_property
     def converted(self) -> dict[str, sp.Expr]:
         """Names of the print that stand for something else than on the page, and for what."""
-        found: dict[str, sp.Expr] = {}
-        it = self.item.it
-        for moving in zip(it.model.coordinates, it.model.rates, it.accelerations, strict=True):
-            if (convention := self.conventions.get(str(moving[0]))) is not None:
-                found |= {str(symbol): convention.sign * symbol for symbol in moving}
-                found[str(moving[0])] += it.measured(convention.shift)
+        found = {str(symbol): sign * symbol for symbol, sign in self.signs.items()}
+        for name, convention in self.conventions.items():
+            found[name] += self.item.it.measured(convention.shift)
         return found
 
     @cached_property
@@ -94,13 +102,7 @@ class Comparison:
         names |= self.converted
         slopes = self.item.slopes
         names |= {name: it for name, it in self.item.bound.items() if name not in slopes}
-        moving = (it.model.coordinates, it.model.rates, it.accelerations)
-        signs = {
-            str(symbol): convention.sign
-            for row in zip(*moving, strict=True)
-            for symbol in row
-            if (convention := self.conventions.get(str(row[0]))) is not None
-        }
+        signs = {str(symbol): sign for symbol, sign in self.signs.items()}
         steady = self.item.held.steady
         return expressions(names, self.item.defined, slopes, it, steady=steady, signs=signs)
 

@@ -4,7 +4,7 @@ defines, μ′ of a friction law; as names ``diff(V, x)``, ``diff(diff(L, vx), t
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -12,7 +12,7 @@ import sympy as sp
 
 from .. import laws
 from ..mechanics import SLIP, FrictionForce
-from .names import AT_REST
+from .names import AT_REST, function_behind
 from .objects import TIME, Derivation
 from .tree import Node, Unread, symbols, to_sympy
 
@@ -34,13 +34,15 @@ class Slope:
         return f"diff({self.of}, {self.by})" if self.by else f"diff({self.of})"
 
     @property
-    def law(self) -> tuple[str, int]:
-        """The name behind derivatives that are by no name, and how many of these there are."""
-        inner = (
-            self.of.removeprefix("at_rest(").removesuffix(")") if "at_rest" in self.of else self.of
-        )
-        count = inner.count("diff(")
-        return inner.removeprefix("diff(" * count).rstrip(")"), count + (not self.by)
+    def order(self) -> int:
+        """Of how many derivatives it is one, that itself counted."""
+        return self.of.count("diff(") + (self.by != AT_REST)
+
+    def law(self, coefficients: Collection[str]) -> str | None:
+        """The friction coefficient that it is a derivative of by the sliding speed, or a value of;
+        None of another name.
+        """
+        return function_behind(self.of, coefficients) if self.by in ("", AT_REST) else None
 
     def latex(self, of: str, by: str) -> str:
         r"""LaTeX by that of both names: \frac{\partial V}{\partial x}."""
@@ -74,12 +76,11 @@ def expressions(
         ready = [name for name, tree in trees.items() if symbols(tree) <= found.keys()]
         for name in ready:
             found[name] = to_sympy(trees.pop(name), found)
-        steps = [one for one in pending.values() if one.of in found or one.law[0] in laws_of]
+        steps = [one for one in pending.values() if one.of in found or one.law(laws_of)]
         for one in steps:
-            base, order = one.law
-            if base in laws_of and one.by in ("", AT_REST):
+            if base := one.law(laws_of):
                 at_rest = steady or one.by == AT_REST
-                found[one.name] = _of_law(laws_of[base], order, it, at_rest)
+                found[one.name] = _of_law(laws_of[base], one.order, it, at_rest)
             else:
                 sign = (signs or {}).get(one.by, 1)
                 with suppress(Unread):

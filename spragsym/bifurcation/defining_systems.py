@@ -51,7 +51,7 @@ from ..numerics.interval_arrays import (
     quiet,
     stacked,
 )
-from ..numerics.jets import Jet, constant, gradient, variables
+from ..numerics.jets import Jet, constant, gradient, is_linear, variables
 from ..numerics.plans import LineTapes
 from ..numerics.polynomials import derivative
 from ..numerics.tape import Tape
@@ -152,10 +152,7 @@ class Family:
                 ).rows("forces")
             except ZeroDivisionError:  # a law that has no value there
                 return False
-        jets = (row for row in rows if isinstance(row, Jet))
-        return all(
-            len(term) < 2 or is_zero(part) for jet in jets for term, part in jet.terms.items()
-        )
+        return all(is_linear(row) for row in rows if isinstance(row, Jet))
 
 
 def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:

@@ -29,7 +29,7 @@ from ..models.forces import named, presses_either
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import cofactor, determinant, is_zero
 from ..numerics.interval_arrays import FloatArray, Intervals, quiet
-from ..numerics.jets import Jet, constant, gradient, variables
+from ..numerics.jets import Jet, constant, gradient, is_linear, variables
 from ..numerics.vectors import TURN
 from ..results.points import StickingStates
 from ..statics.balance import Balance
@@ -301,11 +301,9 @@ def _forces(balance: Balance, values: Mapping[str, Any]) -> tuple[list[Any], lis
         given = (*moved[balance.n :], *balance.pushing)
         rows = list(at.call("forces", at.q, *given, kind="statics"))
         gaps = [at.gap(k) for k in balance.opens]
-    terms = [it for row in [*rows, *gaps] if isinstance(row, Jet) for it in row.terms.items()]
-    if not rows or not all(len(term) < 2 or is_zero(part) for term, part in terms):
+    if not rows or not all(is_linear(it) for it in (*rows, *gaps) if isinstance(it, Jet)):
         raise NotLinear(
-            f"forces of {balance.model.name} are not linear in coordinates and friction "
-            "coefficients; they are with given normal forces and springs along coordinates"
+            f"forces of {balance.model.name} are not linear in coordinates and friction"
         )
     return rows, gaps
 

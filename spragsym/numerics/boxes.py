@@ -24,6 +24,7 @@ from .interval_arrays import (
     Int8Array,
     IntArray,
     Intervals,
+    is_in_another_unit,
     matrix,
     quiet,
     scale_of,
@@ -229,8 +230,7 @@ def _spans(region: FloatArray) -> FloatArray:
     lengths in another unit.
     """
     reach = np.abs(region).max(axis=0)
-    far = np.isfinite(reach) & (reach > 0) & ((reach > 2.0**9) | (reach < 2.0**-9))
-    return np.where(far, reach, 1.0)
+    return np.where(is_in_another_unit(reach), reach, 1.0)
 
 
 @dataclass

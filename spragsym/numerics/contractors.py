@@ -34,6 +34,8 @@ try:
     from . import _contractors as compiled
 except ImportError:  # there was no compiler
     compiled = None  # type: ignore[assignment]  # a module or nothing
+#: How many unknowns compiled code has room for.
+MOST = 0 if compiled is None else compiled.MOST
 
 
 def available() -> bool:
@@ -43,7 +45,7 @@ def available() -> bool:
 
 def compiled_for(n: int) -> ModuleType | None:
     """The extension module for so many unknowns, if it was built."""
-    return None if compiled is None or n > compiled.MOST else compiled
+    return compiled if n <= MOST else None
 
 
 @dataclass(frozen=True)

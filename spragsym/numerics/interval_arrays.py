@@ -97,6 +97,11 @@ def scale_of(values: ArrayLike) -> FloatArray:
     return np.maximum(1.0, np.abs(values))
 
 
+def is_in_another_unit(sizes: FloatArray) -> BoolArray:
+    """Mask of sizes so far from 1 that steps and widths are taken in proportion to these."""
+    return np.isfinite(sizes) & (sizes > 0) & ((sizes > 2.0**9) | (sizes < 2.0**-9))
+
+
 class Intervals(Arithmetic):
     """An array of closed intervals.
 

@@ -300,6 +300,11 @@ def gradient(value: Number, count: int) -> list[Any]:
     return [value.derivative(number) if isinstance(value, Jet) else 0 for number in range(count)]
 
 
+def is_linear(value: Jet) -> bool:
+    """Whether no term of second order or beyond is in it, by structure."""
+    return all(len(term) < 2 or is_zero(part) for term, part in value.terms.items())
+
+
 def constant(value: Number) -> Any:
     """The value of a jet, and a number itself."""
     return value.value if isinstance(value, Jet) else value

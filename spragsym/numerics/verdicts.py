@@ -58,7 +58,7 @@ class Rules:
     @property
     def compiled(self) -> CompiledRules:
         """The numbers as compiled code takes them, with room for its most unknowns."""
-        spans = (*self.spans.tolist(), *[1.0] * 8)[:8]
+        spans = (*self.spans.tolist(), *[1.0] * contractors.MOST)[: contractors.MOST]
         return self.margin, self.spread, self.small, self.narrow, self.shrunk, NARROW, spans
 
 

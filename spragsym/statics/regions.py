@@ -37,6 +37,7 @@ from ..numerics.interval_arrays import (
     FloatArray,
     IntArray,
     Intervals,
+    is_in_another_unit,
     quiet,
     rounded_outward,
     stacked,
@@ -308,11 +309,9 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
                 rests = np.abs(guess - near).max(axis=0) <= 1e-9 * np.abs(guess).max(axis=0)
                 size = np.abs(guess).max(axis=0)
                 scale = np.where(rests & (size < farthest), np.maximum(scale, size), scale)
-                if (
-                    number == 0
-                ):  # steps as the state that is nearest to 0, far from 1 in other units
-                    far = (scale > 2.0**9) | ((scale > 0) & (scale < 2.0**-9))
-                    reach = np.where(far, scale, reach)
+                if number == 0:
+                    # In another unit steps are those of the state that is nearest to 0.
+                    reach = np.where(is_in_another_unit(scale), scale, reach)
     # A page in SI units may have states of nanometres.
     return np.where(scale > 0, np.maximum(scale, np.minimum(1.0, 10 * scale)), 1.0)
 
@@ -492,15 +491,11 @@ def _stiffness(at: Evaluation, contact: int) -> Intervals:
     moved = replace(at, q=jets.variables(at.q, 2))
     parts = moved.contact_force(contact, 1), moved.gap(contact)
     anything = Intervals(np.full((2, *at.shape), np.inf))
-    if not all(isinstance(part, jets.Jet) and _is_linear(part) for part in parts):
+    if not all(isinstance(part, jets.Jet) and jets.is_linear(part) for part in parts):
         return anything
     force, gap = (jets.gradient(part, len(at.q)) for part in parts)
     index = next((i for i, slope in enumerate(gap) if not is_zero(slope)), None)
     return anything if index is None else as_intervals(-force[index] / gap[index], at.shape)
-
-
-def _is_linear(value: jets.Jet) -> bool:
-    return all(len(term) < 2 or is_zero(part) for term, part in value.terms.items())
 
 
 def _along_force(at: Evaluation, contact: int, lifted: Sequence[int]) -> Intervals:

@@ -13,7 +13,7 @@ from spragsym.derive import pages
 from spragsym.derive.statements import papers, reading, verdicts
 
 PAGE = pages.read(Path(__file__).parents[2] / "validation/papers/falling_friction/page.py")
-CART = pages.read(Path(__file__).parents[2] / "validation/papers/lagrange_equations/page.py")
+CART = pages.read(Path(__file__).parents[2] / "validation/papers/cart_pole/page.py")
 SPEED = {"v": "v_0 - x'", "w": "x' - v_0"}
 
 

@@ -170,11 +170,8 @@ def _says_nothing(equation: Equation, held: Object, values: Mapping[str, Values]
     return same(left, right)
 
 
-def _check_conditions(
-    conditions: tuple[Node, ...], values: Mapping[str, Values], defined: Mapping[str, Node]
-) -> None:
+def _check_conditions(conditions: tuple[Node, ...], known: Mapping[str, Values]) -> None:
     """Refuse conditions beside an equation that do not hold of every sample."""
-    known = with_defined(values, defined)
     for condition in conditions:
         if not (symbols(condition) <= known.keys() and evaluated(condition, known).all()):
             raise Unread(
@@ -204,14 +201,15 @@ def _item(
     if held.is_value:
         equations = [*map(by_name, equations)]
     values = samples.drawn(it, held)
+    bound, defined = named(equations, held, values, it, book)
+    known = with_defined(values, defined)
     before, equations = equations[:-count], equations[-count:]
-    if more := [one for one in before if not _says_nothing(one, held, values)]:
+    if more := [one for one in before if not _says_nothing(one, held, known)]:
         if count > 1:
             raise Unread(f"{statement.about} has {count} entries, and the print more equations")
         equations = [*more, *equations]
         held = replace(held, index=held.index * len(equations))
-    bound, defined = named(equations, held, values, it, book)
-    _check_conditions(equations[0].conditions, values, defined)
+    _check_conditions(equations[0].conditions, known)
     sides = [one.right if held.is_value and one.left.kind == "symbol" else one for one in equations]
     for side in sides:
         parts = (side,) if isinstance(side, Node) else (side.left, side.right)

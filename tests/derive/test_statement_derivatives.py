@@ -88,6 +88,17 @@ def test_every_equation_of_a_print_is_judged(text: str, about: str, status: str)
     assert _only(text, about).status == status
 
 
+def test_a_name_that_is_defined_elsewhere_is_no_new_one() -> None:
+    """What is printed of it beside an equation has to be what it is."""
+    motion = r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu"
+    texts = [
+        ("definition", r"p = m\dot x"),
+        ("motion x", rf"p = m\dot x, \quad {motion}"),
+        ("motion x", rf"p = 2m\dot x, \quad {motion}"),
+    ]
+    assert [it.status for it in _rows(PAGE, SPEED, *texts)] == ["definition", "confirmed", "failed"]
+
+
 @pytest.mark.parametrize(
     ("condition", "about", "status"),
     [

@@ -184,10 +184,6 @@ MEASURED = {
         "v [Hz],mu\n0.1,0.2\n0.2,0.3\n",
         ["line 1", "'Hz'", "does not measure what m/s", "v [m/s]"],
     ),
-    "two units": (
-        "v [m/s],mu\nmm/s,\n0.1,0.2\n0.2,0.3\n",
-        ["line 1", "'v [m/s]' has a unit, and the line below gives 'mm/s'"],
-    ),
     "any file": ("secret:x:0\n", ["line 1", "the sliding speed is not among the names"]),
     "one speed": ("v [m/s],mu\n0.1,0.2\n0.1,0.21\n", ["at least two", "different"]),
     "negative": ("v [m/s],mu\n0.1,0.2\n0.2,-0.3\n", ["line 3", "negative"]),
@@ -326,55 +322,38 @@ def test_a_wrong_correlation(value: str, part: str, tmp_path: Path) -> None:
     assert ", line 13" in text
 
 
-# ----------------------------------------------------------------------------- friction curves as
-# test rigs write them
-
-PLAIN = "0.5;0.41\n1;0.43\n"
+# ------------------------------------------------------------------------------ friction curves
 
 
 @pytest.mark.parametrize(
     "text",
     [
-        f"sep=;\nv [m/s];mu\n{PLAIN}",
-        f"Test rig: X\nRun 7; 2.5 bar\nv [m/s];mu\n{PLAIN}",
-        f"v [m/s];mu_k\n{PLAIN}",
-        f"v [m/s];Friction coefficient µ\n{PLAIN}",
-        f"Gleitgeschwindigkeit v, m/s;Reibwert µ\n{PLAIN}",
-        "velocity_mm/s;mu\n500;0.41\n1000;0.43\n",
-        "v / (mm/s);mu / 1\n500;0.41\n1'000;0.43\n",
-        "v [m/s];mu\n−5.0D-01;0.41\n-1;0.43\n",
+        "# rig 7\nv [m/s];mu\n0.5;0.41\n1;0.43\n",
+        "v [m/s]\tmu\n0,5\t0,41\n1\t0,43\n",
+        "mu,speed (km/h)\n0.41,1.8\n0.43,3.6\n",
+        'v [m/s], mu\n"0,5", "0,41"\n"1", "0,43"\n',
+        "v_rel [mm/s] | T [K] | µ_k\n500 | 300 | 0.41\n1000 | 301 | 0.43\n",
+        "sliding speed/(m/s);mu [%]\n−5.0E-01;41\n-1;43\n",
+        "v [m/s]  mu\n0.5   0.41\n1     0.43\n",
     ],
 )
 def test_what_has_one_meaning_is_read(text: str, tmp_path: Path) -> None:
     (tmp_path / "mu.csv").write_text(text, encoding="utf-8")
     speed, friction = read_friction(tmp_path / "mu.csv")
-    assert (speed.tolist(), friction.tolist()) == ([0.5, 1.0], [0.41, 0.43])
+    assert speed.tolist() == [0.5, 1.0]
+    assert friction.tolist() == pytest.approx([0.41, 0.43], rel=1e-15)
 
 
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("v [m/s];mu;mu_k\n0.5;0.41;0.3\n1;0.43;0.3\n", "named 2 times"),
-        ("v [mm/s];mu\n1,000;0.41\n2,000;0.43\n", "thousands"),
-        (f"Run 7; 2.5 bar\n{PLAIN}", "is no head"),
+        ("v [m/s];mu;mu_k\n0.5;0.41;0.3\n1;0.43;0.3\n", "line 1: .* is named 2 times"),
+        ("v [mm/s];mu\n1,000;0.41\n2,000;0.43\n", "line 2: .* thousands"),
+        ("Run 7; 2.5 bar\n0.5;0.41\n1;0.43\n", "line 1: .* is not among the names"),
+        ("v [m/s];mu\n" + "1" * 200_000, "a line of 200000 characters is too long"),
     ],
 )
 def test_what_has_two_meanings_is_refused(text: str, words: str, tmp_path: Path) -> None:
     (tmp_path / "mu.csv").write_text(text, encoding="utf-8")
     with pytest.raises(ss.errors.ParameterError, match=words):
         read_friction(tmp_path / "mu.csv")
-
-
-def test_a_line_without_end_is_refused(tmp_path: Path) -> None:
-    """Of as many characters as csv takes for one cell, and more."""
-    file = tmp_path / "friction.csv"
-    file.write_text("sep=;\nv [m/s];mu\n" + "1" * 200_000, encoding="utf-8")
-    with pytest.raises(ss.errors.ParameterError, match=r"csv: a line of 200000 characters is too"):
-        read_friction(file)
-
-
-def test_decimal_commas_in_quotes_behind_blanks_are_read(tmp_path: Path) -> None:
-    file = tmp_path / "friction.csv"
-    file.write_text('v [m/s], mu\n"0,5", "0,41"\n"1,5", "0,40"\n', encoding="utf-8")
-    speed, friction = read_friction(file)
-    assert (speed.tolist(), friction.tolist()) == ([0.5, 1.5], [0.41, 0.4])

@@ -32,7 +32,7 @@ COMMANDS = (
     (("fates", "--theta0", "30", "--t-end", "500", "-q", "-o", "out.csv"), "out.csv"),
     (("explore", "--no-open", "--out", "e.html"), "e.html"),
     (("export", "--out", "."), "spragsym.c"),
-    (("figures", "--only", "4", "--out", ".", "-q", "-j", "1"), "figure_4.pdf"),
+    (("figures", "4", "--out", ".", "-q", "-j", "1"), "figure_4.pdf"),
     (("check", "--report", "r.md"), "r.md"),
     (("derive", str(PAGE), "--out", "m"), "m/model.json"),
     (("bifurcation", "--mu0", "0.5", "--plot", "p.svg"), "p.svg"),

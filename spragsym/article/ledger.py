@@ -184,7 +184,6 @@ def page() -> str:
         claims=claims,
         printed=equations,
         stated=stated,
-        measured=json.loads(shipped_text("spragsym.article", "measured.json")),
         paradox=PARADOX,
         V=V,
         d=f"{D:g}",

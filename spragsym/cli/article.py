@@ -7,7 +7,7 @@ import inspect
 import itertools
 import re
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import asdict
 from pathlib import Path
@@ -332,36 +332,33 @@ def _print_table(rows: Sequence[Mapping[str, Any]]) -> None:
             click.echo(f"\n{wrapped(row['id'] + right)}\n  {wrapped(row['consequence'], 2)}")
 
 
-def _names(_: click.Context, option: click.Parameter, given: tuple[str, ...]) -> list[str]:
-    """Names of figures; looked at before what is missing is an error."""
-    if not given:
-        return []
-    return _known([*given], DRAWN, option.opts[0] if option.opts[0].startswith("-") else "NAMES")
+def _words(allowed: Sequence[str], option: str) -> Callable[..., list[str]]:
+    """A callback of click: words of an option, separated by blanks or commas."""
 
+    def known(_: click.Context, __: click.Parameter, given: str | tuple[str, ...]) -> list[str]:
+        text = given if isinstance(given, str) else ",".join(given)
+        found = dict.fromkeys(re.split(r"[\s,]+", text.strip(" ,")) if given else ())
+        for name in found:
+            one_of(option, name, allowed)
+        return list(found)
 
-def _kinds(_: click.Context, option: click.Parameter, given: str) -> list[str]:
-    """Formats of figures."""
-    return _known([given], FORMATS, option.opts[0])
+    return known
 
 
 @o.command()
-@click.option(
-    "--only", "first", multiple=True, callback=_names, metavar="NAME...", help="As NAMES."
-)
-@click.argument("names", nargs=-1, callback=_names)
+@click.argument("names", nargs=-1, callback=_words(DRAWN, "NAMES"))
 @o.folder("Folder to write to, made if missing.")
 @click.option(
     "--format",
     "kinds",
     default="pdf",
-    callback=_kinds,
+    callback=_words(FORMATS, "--format"),
     help="pdf, png, svg, or several with commas.",
 )
 @o.workers(-1)
 @o.quiet
 @o.force
 def figures(
-    first: list[str],
     names: list[str],
     out: Path,
     kinds: list[str],
@@ -388,7 +385,7 @@ def figures(
     from ..figures import FIGURES, write
     from ..motion.sweeps.workers import count, pool
 
-    chosen = [FIGURES[name] for name in dict.fromkeys([*first, *names] or FIGURES)]
+    chosen = [FIGURES[name] for name in names or FIGURES]
     written = (
         [
             *(out / f"{draw.__name__}.{kind}" for kind in (*kinds, "txt")),
@@ -408,11 +405,3 @@ def figures(
             for path in write(draw(**moving), out, draw.__name__, kinds):
                 click.echo(path)
             step()
-
-
-def _known(given: list[str], allowed: Sequence[str], option: str) -> list[str]:
-    """Names, separated by blanks or commas."""
-    names = [name for text in given for name in re.split(r"[\s,]+", text.strip(" ,"))]
-    for name in names:
-        one_of(option, name, allowed)
-    return list(dict.fromkeys(names))

@@ -120,7 +120,7 @@ WRITING = {
     "cycles": ("--theta0 42 --vary theta0=41.9:42.1 --plot", "a.svg"),
     "sweep": (f"{MOTION} --quiet -o", "a.csv"),
     "fates": ("--theta0 30,35 --quiet -o", "a.csv"),
-    "figures": ("--only 3 --quiet -j 1 --out", "figure_3.pdf"),
+    "figures": ("3 --quiet -j 1 --out", "figure_3.pdf"),
     "explore": ("--no-open --out", "a.html"),
     "export": ("--out", "spragsym.c"),
     "derive": (f"'{(ROOT / 'derive/models/stick_slip.py').as_posix()}' --out", "model.json"),

@@ -246,7 +246,7 @@ def test_files_have_the_same_bytes_every_time(tmp_path: Path, kinds: tuple[str, 
 @pytest.mark.thorough
 def test_command(tmp_path: Path) -> None:
     result = CliRunner().invoke(
-        command, ["--only", "3,12", "13", "--out", str(tmp_path), "--format", "png,svg", "-j", "1"]
+        command, ["3,12", "13", "--out", str(tmp_path), "--format", "png,svg", "-j", "1"]
     )
     assert result.exit_code == 0, result.output
     written = [Path(line) for line in result.stdout.splitlines()]

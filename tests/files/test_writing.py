@@ -109,7 +109,7 @@ def test_a_failed_write_leaves_what_was_there(
         ("explore", "--no-open", "--out", "{}/e.html"),
         ("report", "{}/b.toml", "--html", "/dev/null/r.html"),
         ("bifurcation", "--plot", "{}/missing/p.svg"),
-        ("figures", "--only", "4", "-q", "--out", "/dev/null/figures"),
+        ("figures", "4", "-q", "--out", "/dev/null/figures"),
         ("export", "--out", "/proc/nowhere"),
         ("simulate", "--theta0", "49", "-o", "{}/missing/r.csv"),
     ],

@@ -16,6 +16,13 @@ BRAKE = {
     "V": "1.2 m/s",
     "d": "10 s/m",
 }
+#: The same with tolerances.
+TOLERANT = BRAKE | {
+    "k": "180 N/mm ± 15 %",
+    "theta0": "52 deg ± 1 deg",
+    "k_x": "9 N/mm ± 15 %",
+    "k_c": "1500 N/mm ± 15 %",
+}
 
 #: Key, what is written for it, and words of the message beside file, line, key and value: what is
 #: wrong, and what to write.

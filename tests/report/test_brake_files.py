@@ -10,20 +10,11 @@ import pytest
 import spragsym as ss
 from spragsym.report.data import read_brake
 from spragsym.report.friction_curve import read_friction
+from spragsym.report.units import read
+from tests.oracles.mistakes import TOLERANT
 
-GOOD = {
-    "m": '"0.35 kg"',
-    "k": '"180 N/mm ± 15 %"',
-    "L_0": '"38 mm"',
-    "theta0": '"52 deg ± 1 deg"',
-    "k_x": '"9 N/mm ± 15 %"',
-    "k_y": '"0 N/mm"',
-    "k_c": '"1500 N/mm ± 15 %"',
-    "F_L": '"420 N"',
-    "mu0": '"[0.3, 0.6]"',
-    "V": '"1.2 m/s"',
-    "d": '"10 s/m"',
-}
+#: What stands behind =.
+GOOD = {name: f'"{text}"' for name, text in TOLERANT.items()}
 #: Line of a key: the table's name is line 1.
 LINES = {name: number for number, name in enumerate(GOOD, 2)}
 
@@ -262,15 +253,11 @@ CONVERSIONS = [
 
 @pytest.mark.parametrize(("text", "si", "value"), CONVERSIONS)
 def test_conversions_by_hand(text: str, si: str, value: float) -> None:
-    from spragsym.report.units import read
-
     assert read(text, si).value == pytest.approx(value, rel=1e-14)
 
 
 @pytest.mark.parametrize("sign", ["±", "+-", "+/-", "± ", " +- "])
 def test_signs_of_a_tolerance(sign: str) -> None:
-    from spragsym.report.units import read
-
     found = read(f"180 N/mm {sign} 15 %", "N/m")
     assert (found.low, found.high) == (153e3, 207e3)
     for text in (f"180 {sign} 27 N/mm", f"(180 {sign} 27) N/mm", f"180 N/mm {sign} 15 percent"):

@@ -12,6 +12,7 @@ import pytest
 import spragsym as ss
 from spragsym.cli import main
 from spragsym.report.units import read
+from tests.oracles.mistakes import BRAKE
 from tests.support import written_brake
 
 
@@ -65,15 +66,7 @@ def test_units_and_dimensions_of_a_value_are_not_dropped(given: object, words: s
 def test_an_odd_number_is_told_of_wherever_data_are_read(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    rows = {
-        "m": "0.35 kg",
-        "k": "180 N/mm",
-        "k_x": "9 N/mm",
-        "k_y": "0 N/mm",
-        "k_c": "1500 N/mm",
-        "L_0": "38 mm",
-    }
-    brake = written_brake(tmp_path, {**rows, "theta0": "52 deg", "F_L": "420 N", "mu0": "45"})
+    brake = written_brake(tmp_path, {**BRAKE, "mu0": "45"})
     with pytest.raises(SystemExit, match="0"):
         main(["equilibria", "--data", str(brake)])
     assert re.fullmatch("spragsym: warning: .*write 45 % or 0.45.*\n", capsys.readouterr().err)

@@ -20,8 +20,8 @@ from ..numerics.vectors import magnitude
 from ..statics.balance import Balance
 from ..statics.forces import filled
 from ..statics.search import columns
-from .sticking import belt_speeds, held
-from .tubes import Tubes
+from .shares import belt_speeds, held
+from .tubes import Place, Tubes, in_turn
 
 
 def connected(p: ParameterSet, one: FloatArray, other: FloatArray, near: FloatArray) -> bool:
@@ -50,10 +50,15 @@ def connected(p: ParameterSet, one: FloatArray, other: FloatArray, near: FloatAr
     begin, end = np.repeat(columns(own, balance.parameters), 2, axis=1).T
     for column, state in ((begin, one), (end, other)):
         column[rows] = _used(balance, rows, column, state)
-    return any(
-        _leads(balance, order, (begin.copy(), end), (one, other), near)
-        for order in permutations(rows)
-    )
+    first = Tubes.of_points(balance, shares[0], begin[:, None])
+    here = first.place(np.append(one, begin[rows[0]])[:, None])
+    if not _close(here, one, near):
+        return False
+    for order in permutations(zip(shares, end[rows, None], strict=True)):
+        there, proved = in_turn(balance, order, begin[:, None], here)
+        if proved.all() and _close(there, other, near):
+            return True
+    return False
 
 
 def _used(balance: Balance, rows: list[int], column: FloatArray, state: FloatArray) -> FloatArray:
@@ -67,28 +72,5 @@ def _used(balance: Balance, rows: list[int], column: FloatArray, state: FloatArr
     return np.clip(np.linalg.lstsq((whole - none).T, -none)[0], -1.0, 1.0)
 
 
-def _leads(
-    balance: Balance,
-    order: tuple[int, ...],
-    ends: tuple[FloatArray, FloatArray],
-    places: tuple[FloatArray, FloatArray],
-    near: FloatArray,
-) -> bool:
-    """Whether the state at the one place is that at the other when shares have moved in an
-    order.
-    """
-    (column, goal), (q, other), last = ends, places, None
-    for row in order:
-        tubes = Tubes.of_points(balance, balance.parameters[row], column[:, None])
-        here = tubes.place(np.append(q, column[row])[:, None])
-        if not (_close(here.z[:-1, 0], q, near) if last is None else here.lies_in(last).all()):
-            return False
-        last = tubes.followed(here, goal[[row]])
-        if not (last.sure & (last.v == goal[row])).all():
-            return False
-        column[row], q = goal[row], last.z[:-1, 0]
-    return _close(q, other, near)
-
-
-def _close(one: FloatArray, other: FloatArray, near: FloatArray) -> bool:
-    return magnitude((one - other) / near) <= 1
+def _close(place: Place, state: FloatArray, near: FloatArray) -> bool:
+    return magnitude((place.z[:-1, 0] - state) / near) <= 1

@@ -16,19 +16,17 @@ friction, at every h.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import cache
-from types import SimpleNamespace
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..core.questions import Method, question
-from ..models.forces import named, presses_either, undecorated
-from ..models.model import Model, parameter_class
+from ..models.forces import named, presses_either
+from ..models.model import Model
 from ..models.parameters import ParameterSet
-from ..numerics.arithmetic import Number, determinant
+from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, scale_of
 from ..numerics.vectors import TURN, apart
 from ..results.points import Points, StickingStates
@@ -38,6 +36,7 @@ from ..statics.search import columns
 from .defining_systems import Augmented, Condition, Family, slope
 from .paths import QuasiStaticContinuation
 from .points import arranged, isolated, nothing
+from .shares import belt_speeds, held
 from .sticking_regions import NotLinear, line, region
 from .sticking_sets import sets
 
@@ -60,10 +59,10 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
         A row for each connected set of states, with the least and the largest value of each
         coordinate in it. Where several frictions hold, of forces that are linear, the set is a
         parallelepiped: ``measure`` is its length, area or volume in the displacements that friction
-        opposes. Beside contacts that open it is put together of polytopes, without ``measure``.
-        Of other forces the ends are enclosed, see :mod:`spragsym.bifurcation.sticking_sets`; where
-        states meet in folds over the shares of friction that are used, ``complete`` is False, and
-        ``remarks`` say that what is told as one set may be several.
+        opposes. Beside contacts that open, and of other forces, the ends are enclosed, without
+        ``measure``, see :mod:`spragsym.bifurcation.sticking_sets`; where states meet in folds over
+        the shares of friction that are used, ``complete`` is False, and ``remarks`` say that what
+        is told as one set may be several.
 
     Raises
     ------
@@ -102,16 +101,15 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
                 f"the belt moves at {belt} = {speed}, and what sticks rides with it; take "
                 f"parameters with {belt} = 0"
             )
-    names = [entry["name"] for entry in holding]
+    own, names = held(p), [entry["name"] for entry in holding]
     beside = any(entry["border"] and entry["name"] not in names for entry in model.contacts)
     if len(holding) > 1 or beside:
         try:
-            return region(p)
+            return region(p, own)
         except NotLinear:
-            return sets(p, held(p, names))
-    if (found := line(p)) is not None:
+            return sets(p, own)
+    if (found := line(p, own)) is not None:
         return found
-    own = held(p, names)
     share = named("held", names[0])
     turns = [_turns(own, share, index) for index in range(len(model.coordinates))]
     try:
@@ -128,87 +126,6 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
             "-1 to 1: some may only just touch the limit of friction, or nearly; change a "
             "parameter by some thousandths"
         ) from error
-
-
-def belt_speeds(p: ParameterSet) -> Sequence[Any]:
-    """Sliding speeds of what rests, of all frictions."""
-    model = p.model
-    levels = model.algebra.borders(
-        *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
-    )
-    return levels[len(model.contacts) :]
-
-
-def held(p: ParameterSet, holding: Sequence[str]) -> ParameterSet:
-    """Parameters of a model whose friction coefficients, those of some contacts, are parameters:
-    the shares of the static ones that are used, of which none is.
-    """
-    kind = _model_held(p.model, tuple(holding))
-    return kind(**{name: p[name] for name in p.ranges})
-
-
-@cache
-def _model_held(model: Model, holding: tuple[str, ...]) -> type[ParameterSet]:
-    """The class of such parameters."""
-    about, arguments = dict(model.about), model.about["arguments"]
-    shares, laws = [named("held", name) for name in holding], _laws(model, holding)
-    share = {
-        "meaning": "share of the static friction coefficient that is used",
-        "unit": "1",
-        "role": "both",
-        "base": 0.0,
-        "domain": "[-1, 1]",
-        "low": -1.0,
-        "high": 1.0,
-        "low_open": False,
-        "high_open": False,
-    }
-    about["parameters"] = [*about["parameters"], *({"name": name, **share} for name in shares)]
-    about["contacts"] = [
-        {**entry, "border": None} if presses_either(entry) else entry for entry in model.contacts
-    ]
-    about["arguments"] = arguments | {name: [*arguments["motion"], *shares] for name in laws}
-    kind: Any = parameter_class(about, model.where)
-    module: Any = SimpleNamespace(**vars(model.algebra) | laws)
-    kind._model = Model(model.where, about, lambda: module, kind)
-    return kind
-
-
-def _laws(model: Model, holding: tuple[str, ...]) -> dict[str, Any]:
-    """Friction coefficients, and their slopes by the parameters, as functions of the shares too,
-    the last arguments.
-    """
-    laws, count = dict[str, Any](), len(holding)
-    for entry in model.frictions:
-        name = entry["name"]
-        slopes, position = named("friction_by_parameters", name), None
-        own = undecorated(getattr(model.algebra, slopes))
-        if name in holding:
-            own = undecorated(getattr(model.algebra, named("friction_held", name)))
-            position = holding.index(name)
-
-        def law(
-            *given: Any, xp: object = None, own: Callable[..., Any] = own, position: Any = position
-        ) -> Number:
-            return own(*given[:-count], given[position - count], xp=xp)
-
-        def by_parameters(
-            *given: Any,
-            xp: object = None,
-            own: Callable[..., Any] = own,
-            position: int | None = position,
-        ) -> tuple[Number, ...]:
-            fixed, added = given[:-count], [0] * count
-            if position is None:
-                return *own(*fixed, xp=xp), *added
-            none, whole = (own(*fixed, share, xp=xp) for share in (0, 1))
-            added[position] = whole - none  # μ is linear in the share
-            return *[0] * len(model.parameters), *added
-
-        laws[slopes] = by_parameters
-        if position is not None:
-            laws |= {named(f"friction_at_{it}", name): law for it in ("rest", "speed")}
-    return laws
 
 
 def _turns(own: ParameterSet, share: str, index: int) -> Points:

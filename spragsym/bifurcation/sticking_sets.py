@@ -20,7 +20,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 from itertools import combinations
+from operator import add
 
 import numpy as np
 
@@ -29,7 +31,7 @@ from ..models.forces import named, presses_either
 from ..models.model import Model, Touching
 from ..models.parameters import ParameterSet
 from ..numerics import certified_roots, contractors, jets
-from ..numerics.columns import ByColumn
+from ..numerics.columns import ByColumn, selected_rows
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -42,9 +44,11 @@ from ..numerics.interval_arrays import (
 )
 from ..results.points import StickingStates
 from ..statics.balance import Balance
-from ..statics.forces import as_intervals
+from ..statics.forces import Evaluation, as_intervals
+from ..statics.precise_balance import clusters
 from ..statics.regions import region
 from ..statics.search import columns, of_region
+from .tubes import halves
 
 
 @dataclass(frozen=True)
@@ -68,29 +72,12 @@ class _Patches(ByColumn):
 
     def halved(self, weight: FloatArray) -> _Patches:
         """Both parts of each cell across its side of most weight."""
-        column = np.arange(len(self))
-        side = np.where(np.nextafter(self.low, np.inf) < self.high, weight, -1.0).argmax(axis=0)
-        low, high = self.low.copy(), self.high.copy()
         # Not in the middle: on simple shares of friction contacts just touch too often.
-        cut = low + 0.4873 * (high - low)
-        low[side, column], high[side, column] = (cut[side, column],) * 2
+        _, high, low = halves(self.low, self.high, weight, 0.4873)
         return self.over(self.low, high).concatenated(self.over(low, self.high))
 
 
-def _hulls(boxes: FloatArray, cell: IntArray) -> tuple[FloatArray, IntArray]:
-    """Hulls of boxes of each cell that hang together, and the cell of each."""
-    hulls, owners = [boxes[:, :, :0]], list[int]()
-    for one in np.unique(cell):
-        mine = boxes[:, :, cell == one]
-        meet = ~contractors.apart(mine[:, :, :, None], mine[:, :, None])
-        of = _sets_of(mine.shape[2], np.argwhere(np.triu(meet, 1)).T)
-        for number in np.unique(of):
-            hulls.append(mine[:, :, of == number].max(axis=2, keepdims=True))
-            owners.append(int(one))
-    return np.concatenate(hulls, axis=2), np.array(owners, dtype=int)
-
-
-class _Touches:
+class Touches:
     """States of one combination of contacts that touch."""
 
     def __init__(self, model: Model, own: ParameterSet, key: Touching) -> None:
@@ -103,10 +90,7 @@ class _Touches:
         #: Numbers of the frictions that hold and of their contacts, and which borders are theirs.
         self.holding = holding
         self.rubbed = [balance.contacts.index(own.model.frictions[k]["name"]) for k in holding]
-        self.theirs = np.array(
-            [[k == one for one in self.rubbed] for k in balance.opens], dtype=bool
-        )
-        self.theirs = self.theirs.reshape(len(balance.opens), len(shares))
+        self.theirs = np.equal.outer(np.array(balance.opens, dtype=int), self.rubbed)
         self.out = [k not in self.closed for k in balance.opens]
         #: Frictions that rub on either of two faces, by |N|.
         self.either = [presses_either(model.contacts[k]) for k in self.rubbed]
@@ -126,6 +110,15 @@ class _Touches:
         """Arguments over the cells."""
         return self.balance.prepared(self.bounds(some.low, some.high))
 
+    def state(self, some: _Patches) -> Evaluation:
+        """The states over the cells."""
+        return self.balance.state(Intervals(some.ends), self.prepared(some))
+
+    def unused(self) -> _Patches:
+        """The origin of the coordinates where no share is used."""
+        q, shares = np.zeros((2, self.balance.n, 1)), np.zeros((len(self.rows), 1))
+        return _Patches(shares, shares, q, q, np.zeros(1, dtype=bool))
+
     def searched(self, cells: _Patches) -> tuple[_Patches, IntArray]:
         """All states over cells within their boxes, and the cell of each: proved where one moves
         less over the cell than in a box with room around, else in boxes of a search.
@@ -140,7 +133,7 @@ class _Touches:
             self.balance, cells.ends[:, :, rest], over.low, over.high, budget=100, narrow=2.0**-20
         )
         boxes, point = outcome.every
-        hulls, owner = _hulls(boxes, rest[point])
+        hulls, owner = clusters(boxes, rest[point])
         others, none = self.alone(replace(cells[owner], ends=hulls, alone=hulls))
         return found.concatenated(others[~none]), np.concatenate([cell, owner[~none]])
 
@@ -168,8 +161,7 @@ class _Touches:
         """Of every contact that opens a gap, with the other sign where it is open: not positive
         where the states are of this combination.
         """
-        at = self.balance.state(list(Intervals(some.ends)), self.prepared(some))
-        gaps = stacked(at.gaps() or [0], some.proved.shape)
+        gaps = stacked(self.state(some).gaps() or [0], some.proved.shape)
         ends = gaps.ends.copy()
         ends[:, self.out] = ends[::-1, self.out]
         return Intervals(ends)[: len(self.out)]
@@ -181,7 +173,7 @@ class _Touches:
 
     def pressed(self, some: _Patches) -> BoolArray:
         """Whether given normal forces press at all states; an error where that is not known."""
-        at = self.balance.state(list(Intervals(some.ends)), self.prepared(some))
+        at = self.state(some)
         none = np.zeros(len(some), dtype=bool)
         for k, either in zip(self.rubbed, self.either, strict=True):
             if either or self.balance.model.contacts[k]["gap"] is not None:
@@ -196,7 +188,7 @@ class _Touches:
 
     def pulls(self, some: _Patches) -> Intervals:
         """μ_s N of every friction that holds, (m, N)."""
-        at = self.balance.state(list(Intervals(some.ends)), self.prepared(some))
+        at = self.state(some)
         names = [self.balance.contacts[k] for k in self.rubbed]
         most = [at.call(named("friction_held", name), (), 1) for name in names]
         forces = [at.contact_force(k, 1) for k in self.rubbed]
@@ -208,31 +200,36 @@ class _Touches:
         """
         balance, shape, q = self.balance, some.proved.shape, list(Intervals(some.ends))
         parameters = self.prepared(some)
-        n, m, first = balance.n, len(self.rows), len(balance.contacts)
+        n, first = balance.n, len(balance.contacts)
         at = balance.state(q, parameters)
         rates = [[int(i == j) for i in range(n)] for j in range(-1, n)]
         still, *moving = (at.call("borders", [*q, *rate])[first:] for rate in rates)
         along = [[still[f] - moved[f] for moved in moving] for f in self.holding]
         K = balance.jacobian(Intervals(some.ends), parameters)
-        solved = [_solved(K, stacked(one, shape)) for one in along]
-        by = Intervals(np.stack([one.ends for one in solved], axis=2))
+        by = Intervals(np.stack([solved(K, stacked(one, shape)).ends for one in along], axis=2))
         for k in np.flatnonzero(self.either).tolist():
             by.ends[:, :, k] = (by[:, k] * _sign(self.pulls(some)[k])).ends
         moved = balance.state(jets.variables(q, 1), parameters)
-        ends = np.zeros((2, len(self.out), m, *shape))
+        ends = np.zeros((2, len(self.out), len(self.rows), *shape))
         for g, gap in enumerate(moved.gaps()):
-            slope = stacked(jets.gradient(gap, n), shape)
-            for k in range(m):
-                one = sum((slope[j] * by[j, k] for j in range(n)), Intervals(np.zeros((2, *shape))))
-                ends[:, g, k] = one.ends[::-1] if self.out[g] else one.ends
+            slopes = stacked(jets.gradient(gap, n), shape)
+            pairs = zip(slopes, by, strict=True)
+            one = reduce(add, (slope[None] * part for slope, part in pairs)).ends
+            ends[:, g] = one[::-1] if self.out[g] else one
         return by, Intervals(ends)
+
+    def crosses(self, some: _Patches) -> BoolArray:
+        """Whether gaps of contacts may have both signs over a patch, (gaps, m, N); not of those of
+        the friction itself.
+        """
+        return (self.gaps(some).high > 0)[:, None] & ~self.theirs[:, :, None]
 
     def ways(self, some: _Patches, gap_slopes: Intervals) -> IntArray:
         """Directions of the shares in which gaps that have both signs over a patch all fall, 0
         where these have no sign, (m, N): its states of this combination hang together with those
         where these shares are at that end.
         """
-        crosses = (self.gaps(some).high > 0)[:, None] & ~self.theirs[:, :, None]
+        crosses = self.crosses(some)
         falls = ~crosses | (gap_slopes.high < 0)
         rises = ~crosses | (gap_slopes.low > 0)
         some_cross = crosses.any(axis=0)
@@ -255,7 +252,7 @@ def _sign(values: Intervals) -> Intervals:
     return Intervals.between(np.sign(values.low), np.sign(values.high))
 
 
-def _solved(K: Intervals, right: Intervals) -> Intervals:
+def solved(K: Intervals, right: Intervals) -> Intervals:
     """All solutions of K x = right, (n, N), infinite where some matrix may be singular."""
     near = (contractors.inverse(K.middle) * right.middle).sum(axis=1)
     values = sum((K[:, j] * Intervals.point(near[j]) for j in range(near.shape[0])), -right)
@@ -274,7 +271,7 @@ def _solved(K: Intervals, right: Intervals) -> Intervals:
 # cover
 
 
-def _cover(it: _Touches) -> tuple[_Patches, FloatArray, BoolArray]:
+def _cover(it: Touches) -> tuple[_Patches, FloatArray, BoolArray]:
     """Patches of one combination that hold all of its states, those that are not proved beside
     them; the region that holds all, and whether that is proved.
     """
@@ -326,26 +323,20 @@ def _sets_of(count: int, *pairs: IntArray) -> IntArray:
 
 
 def _links(
-    parts: Sequence[_Touches], patches: Sequence[_Patches], first: IntArray
+    parts: Sequence[Touches], patches: Sequence[_Patches], first: IntArray
 ) -> tuple[IntArray, IntArray]:
     """Pairs of patches of all combinations, by their numbers, that are proved to hang together, and
     pairs of which that is not known.
     """
-    sure, open_ = [np.empty((2, 0), dtype=int)], [np.empty((2, 0), dtype=int)]
-
-    def enter(found: tuple[IntArray, IntArray], one: int, other: int) -> None:
-        shift = np.array([[first[one]], [first[other]]])
-        for kept, pairs in zip((sure, open_), found, strict=True):
-            kept.append(pairs + shift)
-
-    for k, it in enumerate(parts):
-        enter(_joined(it, patches[k]), k, k)
+    found = [(k, k, _joined(it, patches[k])) for k, it in enumerate(parts)]
     for k, other in combinations(range(len(parts)), 2):
         differ = parts[k].closed ^ parts[other].closed
         if len(differ) == 1:
             pair = ((parts[k], patches[k]), (parts[other], patches[other]))
-            enter(_across(*pair, *differ), k, other)
-    return np.concatenate(sure, axis=1), np.concatenate(open_, axis=1)
+            found.append((k, other, _across(*pair, *differ)))
+    numbered = [[pairs + first[[k, other], None] for pairs in both] for k, other, both in found]
+    sure, open_ = (np.concatenate(pairs, axis=1) for pairs in zip(*numbered, strict=True))
+    return sure, open_
 
 
 def _meeting(some: _Patches, others: _Patches) -> tuple[IntArray, IntArray]:
@@ -356,7 +347,7 @@ def _meeting(some: _Patches, others: _Patches) -> tuple[IntArray, IntArray]:
     return first, second
 
 
-def _joined(it: _Touches, some: _Patches) -> tuple[IntArray, IntArray]:
+def _joined(it: Touches, some: _Patches) -> tuple[IntArray, IntArray]:
     """Pairs of patches that are proved to hang together, and pairs of which that is not known, each
     (2, pairs).
     """
@@ -379,7 +370,7 @@ def _joined(it: _Touches, some: _Patches) -> tuple[IntArray, IntArray]:
 
 
 def _across(
-    one: tuple[_Touches, _Patches], other: tuple[_Touches, _Patches], contact: int
+    one: tuple[Touches, _Patches], other: tuple[Touches, _Patches], contact: int
 ) -> tuple[IntArray, IntArray]:
     """The same of patches of two combinations that differ in one contact: of the one and the
     other.
@@ -400,7 +391,7 @@ def _across(
     return pairs[:, sure], pairs[:, ~sure]
 
 
-def _on_border(it: _Touches, some: _Patches, ways: IntArray, border: int) -> _Patches:
+def _on_border(it: Touches, some: _Patches, ways: IntArray, border: int) -> _Patches:
     """Tiny parts of patches that hold a state on a border, ``proved`` where they do."""
     low, high = _led(some, ways)
     inner = 0.5 * (low + high)
@@ -449,26 +440,24 @@ class _Aims(ByColumn):
         return Intervals(np.where(self.sign > 0, ends, ends[::-1]))
 
     def halved(self, weight: FloatArray) -> _Aims:
-        """Both halves of each."""
-        low = replace(self, patches=self.patches.halved(weight)[: self.row.size])
-        high = replace(self, patches=self.patches.halved(weight)[self.row.size :])
-        return low.concatenated(high)
+        """Both parts of each."""
+        return replace(self.concatenated(self), patches=self.patches.halved(weight))
 
 
-def _cut(it: _Touches, aims: _Aims, by: Intervals, gap_slopes: Intervals) -> _Aims:
+def _cut(it: Touches, aims: _Aims, by: Intervals, gap_slopes: Intervals) -> _Aims:
     """Aims without those that have a smaller value beside them, cut down to the ends of shares at
     which theirs are least.
     """
     some, slopes = aims.patches, aims.of(by)
-    crosses = (it.gaps(some).high > 0)[:, None] & ~it.theirs[:, :, None]
+    crosses = it.crosses(some)
     down = (slopes.low > 0) & (~crosses | (gap_slopes.low >= 0)).all(axis=0) & some.proved
     up = (slopes.high < 0) & (~crosses | (gap_slopes.high <= 0)).all(axis=0) & some.proved
-    gone = (down & (some.low > -1)) | (up & (some.high < 1))
+    gone = np.logical_or.reduce((down & (some.low > -1)) | (up & (some.high < 1)))
     low, high = np.where(up, some.high, some.low), np.where(down, some.low, some.high)
-    return replace(aims, patches=some.over(low, high))[~gone.any(axis=0)]
+    return replace(aims, patches=some.over(low, high))[~gone]
 
 
-def _least(it: _Touches, aims: _Aims, best: FloatArray) -> FloatArray:
+def _least(it: Touches, aims: _Aims, best: FloatArray) -> FloatArray:
     """Lower bounds by their numbers, where one is below the upper bounds ``best``, which are made
     smaller.
     """
@@ -500,7 +489,7 @@ def _least(it: _Touches, aims: _Aims, best: FloatArray) -> FloatArray:
     return least
 
 
-def _value(it: _Touches, aims: _Aims, point: FloatArray, best: FloatArray) -> Intervals:
+def _value(it: Touches, aims: _Aims, point: FloatArray, best: FloatArray) -> Intervals:
     """What is least at points of patches; those of this combination are upper bounds."""
     there = it.narrowed(aims.patches.over(point, point))
     value = aims.of(Intervals(there.ends))
@@ -509,7 +498,7 @@ def _value(it: _Touches, aims: _Aims, point: FloatArray, best: FloatArray) -> In
     return value
 
 
-def _researched(it: _Touches, aims: _Aims) -> _Aims:
+def _researched(it: Touches, aims: _Aims) -> _Aims:
     """Aims of which the boxes that are not proved are searched anew."""
     some = aims[~aims.patches.proved]
     if not some.row.size:
@@ -529,73 +518,69 @@ def sets(p: ParameterSet, own: ParameterSet) -> StickingStates:
             "contact that opens, are not answered: its forces are not linear, and an angle comes "
             "around; hold the angle by a spring"
         )
-    every = [_Touches(p.model, own, key) for key in own.model.regimes]
+    every = [Touches(p.model, own, key) for key in own.model.regimes]
     parts = [one for one in every if one.touches]
     with quiet():
         covers = [_cover(one) for one in parts]
         patches = [found[it.pressed(found)] for it, (found, *_) in zip(parts, covers, strict=True)]
         first = np.cumsum([0, *map(len, patches)])
-        sure, open_ = _links(parts, patches, first)
-        return _result(p, list(zip(parts, patches, first, strict=False)), covers, (sure, open_))
+        links = _links(parts, patches, first)
+        remarks = dict.fromkeys(
+            remark
+            for it, (_, box, whole) in zip(parts, covers, strict=True)
+            for remark in of_region(it.balance, box, whole)
+        )
+        return _result(p, list(zip(parts, patches, first, strict=False)), links, tuple(remarks))
 
 
 def _result(
     p: ParameterSet,
-    parts: Sequence[tuple[_Touches, _Patches, int]],
-    covers: Sequence[tuple[_Patches, FloatArray, BoolArray]],
+    parts: Sequence[tuple[Touches, _Patches, int]],
     links: tuple[IntArray, IntArray],
+    remarks: tuple[str, ...],
 ) -> StickingStates:
     """The result: sets by the patches that links join, and the ends of all coordinates."""
-    sure, open_ = links
     proved = np.concatenate([patches.proved for _, patches, _ in parts])
-    apart = _sets_of(proved.size, sure)
-    of = _sets_of(proved.size, sure, open_)
+    apart, of = _sets_of(proved.size, links[0]), _sets_of(proved.size, *links)
     known = np.unique(of[proved])
-    n, signs = len(p.model.coordinates), (1.0, -1.0)
-    best = np.full(known.size * n * 2, np.inf)
-    least = best.copy()
-    every = []
+    # The least of each coordinate, and of each with the other sign.
+    count = 2 * len(p.model.coordinates)
+    best = np.full(known.size * count, np.inf)
+    every = list[tuple[Touches, _Aims]]()
     for it, patches, first in parts:
-        number = np.searchsorted(known, of[first : first + len(patches)])
-        mine = np.flatnonzero(np.isin(of[first : first + len(patches)], known))
-        each = [
-            _Aims(
-                patches[mine],
-                np.full(mine.size, row),
-                np.full(mine.size, sign),
-                (number[mine] * n + row) * 2 + k,
-            )
-            for row in range(n)
-            for k, sign in enumerate(signs)
-        ]
-        every.append((it, each[0].concatenated(*each[1:])))
-    for it, aims in every:
-        least = np.minimum(least, _least(it, aims, best))
+        own = of[first : first + len(patches)]
+        mine = np.flatnonzero(np.isin(own, known))
+        each, some = np.repeat(np.arange(count), mine.size), np.tile(mine, count)
+        number = np.searchsorted(known, own)[some] * count + each
+        sign = np.where(each % 2, -1.0, 1.0)
+        every.append((it, _Aims(patches[some], each // 2, sign, number)))
+    least = np.minimum.reduce([_least(it, aims, best) for it, aims in every])
     least = np.minimum(least, best)
-    error = ((best - least) / scale_of(best)).reshape(known.size, -1).max(axis=1, initial=0.0)
-    values = (0.5 * (best + least) * np.tile(signs, known.size * n)).reshape(known.size, n, 2)
-    order = np.argsort(values[:, 0, 0])
-    ends = {
-        f"{name}_{end}": values[order, row, k]
-        for row, name in enumerate(p.model.coordinates)
-        for k, end in enumerate(("low", "high"))
-    }
-    whole = np.array([one.all() for *_, one in covers])
-    remarks = list(
-        dict.fromkeys(
-            remark
-            for (it, *_), (_, box, one) in zip(parts, covers, strict=True)
-            for remark in of_region(it.balance, box, one)
-        )
-    )
+    columns = Intervals.between(*(one.reshape(-1, count).T for one in (least, best)))
     left = int((~proved).sum())
-    merged = any(len({*apart[proved & (of == one)]}) > 1 for one in known)
     if left:
-        remarks.append(
+        remarks += (
             f"{left} boxes are undecided, where states may meet in folds over the shares of "
-            "friction that are used: sets may be larger or smaller there, or there may be others"
+            "friction that are used: sets may be larger or smaller there, or there may be others",
         )
-    if merged:
-        remarks.append("whether what is given as one set is connected is not known for all of them")
-    complete = bool(whole.all()) and not left and not merged
-    return StickingStates(p, error[order], complete, tuple(remarks), ends)
+    if np.unique([of[proved], apart[proved]], axis=1).shape[1] > known.size:
+        remarks += ("whether what is given as one set is connected is not known for all of them",)
+    ends = [-one if k % 2 else one for k, one in enumerate(columns)]
+    return replace(sets_of(p, ends), complete=not remarks, remarks=remarks)
+
+
+def sets_of(
+    p: ParameterSet, ends: Sequence[Intervals], further: Sequence[str] = ()
+) -> StickingStates:
+    """Enclosures of both ends of every coordinate and of ``further`` columns, or of nothing, as a
+    result.
+    """
+    names = [f"{name}_{end}" for name in p.model.coordinates for end in ("low", "high")]
+    every = ends or [Intervals(np.empty((2, 0)))] * (len(names) + len(further))
+    columns = {name: one.middle for name, one in zip([*names, *further], every, strict=True)}
+    error = np.zeros(every[0].shape)
+    for one in every:
+        if np.isfinite(one.ends).all():
+            error = np.maximum(error, one.width / scale_of(one.magnitude))
+    order = np.argsort(columns[names[0]])
+    return StickingStates(p, error[order], True, (), selected_rows(columns, order))

@@ -53,19 +53,19 @@ ROUNDED_UP = 1 + 2.0**-40
 
 
 def halves(
-    low: FloatArray, high: FloatArray, weight: FloatArray
+    low: FloatArray, high: FloatArray, weight: FloatArray, share: float = 0.5
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Boxes, one a column, cut in the middle of their side of most weight: its number, and the
-    upper ends of one half and the lower ones of the other.
+    """Boxes, one a column, cut at a share of their side of most weight: its number, and the upper
+    ends of one part and the lower ones of the other.
 
     A side between whose ends there is no float is cut last.
     """
     column = np.arange(low.shape[1])
     some = slice(len(weight))
     side = np.where(np.nextafter(low[some], np.inf) < high[some], weight, -1.0).argmax(axis=0)
-    middle = 0.5 * (low[side, column] + high[side, column])
+    cut = (1 - share) * low[side, column] + share * high[side, column]
     top, bottom = high.copy(), low.copy()
-    top[side, column], bottom[side, column] = middle, middle
+    top[side, column], bottom[side, column] = cut, cut
     return side, top, bottom
 
 
@@ -707,3 +707,20 @@ class Tubes(ByColumn):
             here.scatter(rows[good], end[good])
             step[rows] = np.where(good, 2 * step[rows], 0.25 * (z[-1] - at.v))
         return here
+
+
+def in_turn(
+    balance: Balance, goals: Iterable[tuple[str, FloatArray]], at: FloatArray, place: Place
+) -> tuple[Place, BoolArray]:
+    """The states of a place where one parameter after the other has moved from its value in ``at``,
+    all parameters of shape (P, N), to its goal; and where all of the way is proved.
+    """
+    at, proved = at.copy(), np.ones(at.shape[1], dtype=bool)
+    for name, goal in goals:
+        row, tubes = balance.parameters.index(name), Tubes.of_points(balance, name, at)
+        start = tubes.place(np.vstack([place.z[:-1], at[row]]))
+        proved &= start.lies_in(place)
+        place = tubes.followed(start, goal)
+        proved &= place.v == goal
+        at[row] = goal
+    return place, proved

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..bifurcation.borders import PASSES
 from ..bifurcation.crossings import crossed
-from ..bifurcation.tubes import Place, Tubes
+from ..bifurcation.tubes import Place, Tubes, in_turn
 from ..bifurcation.turning_points import passed, size_of
 from ..core.error_states import in_usual_state
 from ..core.errors import ParameterError, one_of
@@ -214,17 +214,10 @@ class Splitting(Claim):
         """Whether the states of a place become those of another, as one parameter after the other
         moves between their middles.
         """
-        last, at = before, np.repeat(self.tubes.fixed, one.shape[1], axis=1)
+        at = np.repeat(self.tubes.fixed, one.shape[1], axis=1)
         at[self.rows[:-1]], at[self.rows[-1]] = one, self.begin
-        out = np.ones(one.shape[1], dtype=bool)
-        for k, name in enumerate(self.free):
-            tubes = Tubes.of_points(self.balance, name, at)
-            start = tubes.place(np.concatenate([last.z[:-1], one[k : k + 1]]))
-            out &= start.lies_in(last)
-            last = tubes.followed(start, other[k])
-            out &= last.v == other[k]
-            at[self.rows[k]] = other[k]
-        return out & last.lies_in(after)
+        last, proved = in_turn(self.balance, zip(self.free, other, strict=True), at, before)
+        return proved & last.lies_in(after)
 
     def fails(self, points: FloatArray) -> BoolArray:
         found = self.settled(self.points(points))[0]

@@ -120,7 +120,7 @@ def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counte
 
 def _finished_points(path: Path) -> int:
     try:
-        return path_of(path).read_bytes().count(b"\n") - 2
+        return path_of(path).read_bytes().count(b"\n") - 1
     except FileNotFoundError:
         return -1
 

@@ -11,8 +11,6 @@ import errno
 import hashlib
 import json
 import os
-import socket
-import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
@@ -67,11 +65,9 @@ def journal(
         if os.name == "posix":
             path.unlink()  # while it is locked, so that no other process has it
     if os.name != "posix":
-        with suppress(
-            OSError
-            # an open file can't be removed there; the process that has it open sees that the work
-            # is done
-        ):
+        # An open file can't be removed there; the process that has it open sees that the work is
+        # done.
+        with suppress(OSError):
             path.unlink()
 
 
@@ -116,8 +112,8 @@ def _locked(file: FileIO, path: Path) -> bool:
     try:
         if not lock_descriptor(file.fileno(), blocking=False):
             raise StoreError(
-                f"{path} is being written by {_holder(path)}; wait for it to end, or give "
-                "another path"
+                f"{path} is being written by another process or thread; wait for it to end, or "
+                "give another path"
             )
     except OSError as error:
         # The file system has no locks: some network and cluster file systems, as they
@@ -197,11 +193,8 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
         )
     # The beginning of a line that a killed process left goes.
     file.truncate(len(data) - len(cut) if ours else 0)
-    _append(
-        file,
-        path,
-        (b"" if ours else head) + _line("", {"pid": os.getpid(), "host": socket.gethostname()}),
-    )
+    if not ours:
+        _append(file, path, head)
     return points
 
 
@@ -218,27 +211,3 @@ def _append(file: FileIO, path: Path, line: bytes) -> None:
         raise StoreError(
             f"{path} cannot be written: {error.strerror}; make room, or give another path"
         ) from error
-
-
-# ------------------------------------------------------------------------------------------------
-# who has it
-
-
-def _holder(path: Path) -> str:
-    """The process that holds a journal, as far as the file tells."""
-    # The other process may have opened it just now, and not have written its name yet.
-    time.sleep(0.1)
-    writer: dict[str, Any] = {}
-    with suppress(OSError), path.open("rb", buffering=0) as file:
-        file.seek(1)  # on Windows nobody else may read the first byte
-        for line in file.readall().split(b"\n"):
-            content = _content("", line)
-            writer = content if isinstance(content, dict) and "pid" in content else writer
-    if not writer:
-        return "another process"
-    here = writer["host"] == socket.gethostname()
-    if here and writer["pid"] == os.getpid():
-        return f"another thread of this process ({writer['pid']})"
-    return (
-        f"process {writer['pid']} on {'this machine' if here else 'the machine'} ({writer['host']})"
-    )

@@ -7,19 +7,17 @@ is read: HDF5 accepts many damaged files, and crashes the process on others.
 Any file is written to a temporary one beside it, flushed to the disk, then renamed. Whatever ends a
 write, a full disk or a kill, what stood there before stays, and nothing half-written stands under a
 name that was asked for. What a killed process leaves, ``.spragsym-`` with its number, is removed by
-the next write to the same folder.
+a write to the same folder an hour later.
 """
 
 from __future__ import annotations
 
 import csv
-import errno
 import hashlib
 import io
 import json
 import math
 import os
-import re
 import secrets
 import shutil
 import stat
@@ -269,11 +267,8 @@ def resolved(path: FilePath) -> Path:
             target.stat()  # raises what Python from 3.13 on no longer says when it resolves
         if target.exists() and not target.is_file() and not target.is_dir():
             raise ParameterError(f"{path} is a device or a pipe; give the name of a file")
-    except (
-        OSError,
-        RuntimeError,
-        ValueError,
-    ) as error:  # a link that leads to itself, a name too long, a NUL within
+    except (OSError, RuntimeError, ValueError) as error:
+        # A link that leads to itself, a name too long, a NUL within.
         reason = getattr(error, "strerror", None) or error
         raise ParameterError(
             f"{os.fspath(path)[:200]!r} leads nowhere ({reason}); give another path"
@@ -304,10 +299,9 @@ def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
             "to write there"
         ) from error
     if free < bytes_needed:
-        name, size = ("MB", 1e6) if free > 1e8 else ("kB", 1e3)
         raise ParameterError(
-            f"{target}: about {math.ceil(bytes_needed / size)} {name} are needed and "
-            f"{math.floor(free / size)} {name} are free; make room, or write to another disk"
+            f"{target}: about {math.ceil(bytes_needed / 1e3)} kB are needed and "
+            f"{math.floor(free / 1e3)} kB are free; make room, or write to another disk"
         )
     return target
 
@@ -325,9 +319,8 @@ def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
         _remove_left(target.parent)
         _replace(target, data.encode() if isinstance(data, str) else data)
         _settle(target.parent)
-    except (
-        PermissionError
-    ) as error:  # on Windows also while a spreadsheet shows the file that was there
+    except PermissionError as error:
+        # On Windows also while a spreadsheet shows the file that was there.
         raise StoreError(
             f"{target} cannot be written: {error.strerror}; close what has it open, or give a "
             "path where you may write"
@@ -369,40 +362,17 @@ def _beside(folder: Path) -> Path:
 
 def _opened(path: Path) -> int:
     """A new file, never one that is there, nor what a link leads to."""
-    flags = (
-        os.O_WRONLY
-        | os.O_CREAT
-        | os.O_EXCL
-        | getattr(os, "O_NOFOLLOW", 0)
-        | getattr(os, "O_BINARY", 0)
-    )
-    return os.open(path, flags, 0o666)
+    # What exists is no new file, a link to nothing included.
+    return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
 
 
 def _remove_left(folder: Path) -> None:
-    """Remove what killed writes left in a folder."""
-    with suppress(OSError), os.scandir(folder) as entries:
-        # Name of a temporary file, with the number of its process.
-        left = re.compile(r"\.spragsym-(\d{1,9})-[0-9a-f]{16}")
-        for entry in entries:
-            found = left.fullmatch(entry.name)
-            if found and entry.is_file(follow_symlinks=False):
-                # Seconds after which a write has ended, wherever its process
-                # runs.
-                old = time.time() - entry.stat(follow_symlinks=False).st_mtime > 3600.0
-                if old or not _runs(int(found[1])):
-                    os.unlink(entry.path)
-
-
-def _runs(process: int) -> bool:
-    """Whether a process may be there; on Windows it can't be asked without harm."""
-    if os.name != "posix":
-        return True
-    try:
-        os.kill(process, 0)
-    except OSError as error:
-        return error.errno != errno.ESRCH
-    return True
+    """Remove what killed writes left in a folder: no write takes an hour."""
+    old = time.time() - 3600.0
+    with suppress(OSError):
+        for path in folder.glob(".spragsym-*-" + 16 * "[0-9a-f]"):
+            if path.lstat().st_mtime < old:
+                path.unlink()
 
 
 def _settle(folder: Path) -> None:

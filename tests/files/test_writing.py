@@ -4,6 +4,7 @@ more than ours, Ctrl-C.
 
 import os
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -47,18 +48,7 @@ def test_a_user_s_files_beside_and_behind_a_link_stay(tmp_path: Path, run: Run) 
     victim = tmp_path / "victim"
     victim.write_text("mine")
     (tmp_path / "e.csv.new").symlink_to(victim)
-    grid = (
-        "--theta0",
-        "40,50",
-        "--t-end",
-        "20",
-        "--transient",
-        "10",
-        "--backend",
-        "scipy",
-        "-q",
-        "--force",
-    )
+    grid = shlex.split("--theta0 40,50 --t-end 20 --transient 10 --backend scipy -q --force")
     out.write_text("old")
     run("sweep", *grid, "-o", str(out))
     run("sweep", *grid, "-o", str(tmp_path / "e.csv"))
@@ -91,16 +81,14 @@ def test_a_failed_write_leaves_what_was_there(
         "before",
         ["page.html"],
     )
-    # What a killed process leaves is removed, what one that runs is at is not, and no name is taken
-    # that is there.
-    dead, alive = (
-        tmp_path / f".spragsym-{number}-{'0' * 16}" for number in (2**22 + 5, os.getpid())
-    )
-    dead.write_text("half")
-    alive.write_text("half")
+    # What a killed process has left is removed, what one that runs is at is not.
+    left, written = (tmp_path / f".spragsym-{number}-{'0' * 16}" for number in (1, 2))
+    for one in (left, written):
+        one.write_text("half")
+    os.utime(left, (0, 0))
     storage.put(path, "after")
     assert (path.read_text(), path.stat().st_mode & 0o777) == ("after", 0o640)
-    assert (dead.exists(), alive.exists()) == (os.name != "posix", True)
+    assert (left.exists(), written.exists()) == (False, True)
 
 
 @pytest.mark.parametrize(
@@ -249,29 +237,21 @@ def test_a_job_in_the_background_ignores_ctrl_c() -> None:
     assert (done.returncode, "contact" in done.stdout) == (0, True)
 
 
-def test_who_works_on_a_journal_is_told_and_a_killed_process_holds_nothing(
+def test_one_process_alone_works_on_a_journal_and_a_killed_process_holds_nothing(
     tmp_path: Path, begin: Begin
 ) -> None:
-    path, code = (
-        tmp_path / "rms.csv",
-        "\n".join(
-            [
-                "import sys, time; from pathlib import Path; from spragsym.files.journal "
-                "import journal",
-                "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); "
-                "time.sleep(100)",
-            ]
-        ),
+    path = tmp_path / "rms.csv"
+    code = (
+        "import sys, time; from pathlib import Path; from spragsym.files.journal import journal\n"
+        "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); time.sleep(100)"
     )
-    with (
-        journal(path, "a", 2),
-        pytest.raises(StoreError, match=rf"another thread of this process \({os.getpid()}\)"),
-    ):
+    other = "is being written by another process or thread; wait for it to end"
+    with journal(path, "a", 2), pytest.raises(StoreError, match=other):
         journal(path, "a", 2).__enter__()
     process = begin([sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, text=True)
     assert process.stdout is not None
     assert process.stdout.readline() == "held\n"
-    with pytest.raises(StoreError, match=f"process {process.pid} on this machine"):
+    with pytest.raises(StoreError, match=other):
         journal(path, "a", 2).__enter__()
     process.kill()
     process.wait()
@@ -289,12 +269,9 @@ def test_room_that_is_wanted_is_told_from_room_that_there_is(
         monkeypatch.setattr(shutil, "disk_usage", lambda _, usage=usage: usage)
         with pytest.raises(ParameterError) as refused:
             storage.probe(tmp_path / "r.csv", free + 1)
-        found = re.search(
-            r"about (\d+) (.B) are needed and (\d+) (.B) are free", str(refused.value)
-        )
+        found = re.search(r"about (\d+) kB are needed and (\d+) kB are free", str(refused.value))
         assert found is not None
-        assert int(found[1]) > int(found[3])
-        assert found[2] == found[4]
+        assert int(found[1]) > int(found[2])
 
 
 @pytest.mark.parametrize("value", [None, 3, b"x.csv", 1.5, ["x.csv"]])

@@ -24,7 +24,7 @@ import numpy as np
 
 from ..core.errors import ParameterError
 from ..models import Model
-from ..models.parameters import ParameterSet, Ranges, as_ranges
+from ..models.parameters import ParameterSet, Ranges, as_ranges, largest
 from ..numerics import contractors
 from ..numerics.arithmetic import (
     Matrix,
@@ -103,7 +103,7 @@ class Family:
         # Curves may begin and end on a border: states on it count.
         balance = Balance(p.model) if balance is None else balance.extended(room=balance.room)
         between = between or {}
-        spans, asked = ranges(p.model, vary, between), requested_region(p.model, within)
+        spans, asked = ranges(p, vary, between), requested_region(p.model, within)
         given = given_column(p, balance.parameters, vary)
         # Of these nobody has said how far they are searched.
         endless = tuple(
@@ -155,15 +155,14 @@ class Family:
         return all(is_linear(row) for row in rows if isinstance(row, Jet))
 
 
-def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
+def ranges(p: ParameterSet, vary: Sequence[str], between: Ranges) -> FloatArray:
     """Lower and upper ends of the parameters that vary, shape (number, 2)."""
+    model = p.model
     for name in vary:
         model.require_parameter(name)
     given, rows = as_ranges("between", between, {name: model.any_of(name) for name in vary}), []
     for name in vary:
-        # End of the range of a parameter that has none, over its base value if that is
-        # larger than 1.
-        own, far = _ends(model, name), 10.0 * max(1.0, abs(model.base.get(name, 0.0)))
+        own, far = _ends(model, name), _far(p, name)
         ends = given.get(
             name, [end if math.isfinite(end) else math.copysign(far, end) for end in own]
         )
@@ -177,6 +176,13 @@ def ranges(model: Model, vary: Sequence[str], between: Ranges) -> FloatArray:
             )
         rows.append(ends)
     return np.array(rows, dtype=float).reshape(-1, 2)
+
+
+def _far(p: ParameterSet, name: str) -> float:
+    """End of the range of a parameter that has none: ten times the largest of 1, its base value
+    and its own.
+    """
+    return 10.0 * max(1.0, abs(p.model.base.get(name, 0.0)), largest(p, name))
 
 
 def _ends(model: Model, name: str) -> tuple[float, float]:

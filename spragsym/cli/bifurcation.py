@@ -133,7 +133,7 @@ def _draw(
     from ..figures.style import window
 
     p, ranges = case.set(*vary), case.between
-    shown = window(case.model, vary, ranges, lambda: found["cusps"])
+    shown = window(p, vary, ranges, lambda: found["cusps"])
     onsets = None
     plane = " and ".join(vary)
     if undamped or len(found["onsets"]) or not (len(found["folds"]) or len(found["cusps"])):

@@ -323,7 +323,7 @@ def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> 
     kind, before = None, dict.fromkeys(case.model.coordinates, math.nan)
     if not jumped:
         lowest = (
-            p.ranges[name].reached(float(ranges(case.model, (name,), {})[0, 0]))
+            p.ranges[name].reached(float(ranges(p, (name,), {})[0, 0]))
             if name in case.model.axes
             else None
         )

@@ -266,7 +266,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:
         raise ParameterError(
             f"--onsets: {model.name} has no two parameters of its equilibria; leave it out"
         )
-    ends = window(model, model.plane, {})
+    ends = window(p, model.plane, {})
     # Lines of either parameter on which onsets are sought.
     lines = 20
     with show_progress("searching for onsets (--onsets)"):

@@ -283,7 +283,7 @@ class Followed:
         model.require_parameter(vary)
         self.model, self.vary, self.forward = model, vary, 1 if direction == "up" else -1
         self.near = p.followed
-        allowed = model.Parameters.ranges[vary]
+        allowed, given = model.Parameters.ranges[vary], p
         rises = vary in (model.inclination, model.coefficient) and np.isfinite(allowed.low)
         if begin is None and rises:
             if self.forward < 0:
@@ -305,7 +305,7 @@ class Followed:
         )
         self.begin = self.fixed[self.balance.parameters.index(vary)]
         if until is None:
-            far = allowed.reached(float(ranges(model, (vary,), {})[0, int(self.forward > 0)]))
+            far = allowed.reached(float(ranges(given, (vary,), {})[0, int(self.forward > 0)]))
             until = self.forward * max(
                 self.forward * far, float((self.forward * self.begin).max(initial=-np.inf))
             )

@@ -284,10 +284,10 @@ def _range(
     vary = model.one(vary)
     model.require_parameter(vary)
     if between:
-        low, high = ranges(model, (vary,), between)[0].tolist()
+        low, high = ranges(p, (vary,), between)[0].tolist()
     else:
         inset = 1e-4 if p.ranges[vary].open_low else 0.0
-        low, high = window(model, (vary,), {})[vary]
+        low, high = window(p, (vary,), {})[vary]
         low, high = low + inset, high - inset
     return vary, (low, high), ss.folds(p, vary, between={vary: (low, high)}) if contact else None
 

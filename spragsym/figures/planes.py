@@ -284,7 +284,7 @@ def draw_plane(
     """
     model = model_of(p)
     vary = tuple(model.two(vary))
-    between = window(model, vary, between, lambda: ss.cusps(p, vary))
+    between = window(p, vary, between, lambda: ss.cusps(p, vary))
     found = ss.bifurcation_set(p, vary, n, between=between)
     draw_bifurcation_set(found, ax, color=VERMILION)
     _span(ax, model, vary, between)

@@ -421,7 +421,7 @@ def draw_rising(
     model = model_of(p)
     ax, first = own_axes(ax), model.coordinates[0]
     ends = between[vary]
-    allowed, end = p.ranges[vary], ranges(model, (vary,), {})[0, 1]
+    allowed, end = p.ranges[vary], ranges(p, (vary,), {})[0, 1]
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
     least, far = (
         (_TOP, _FAR)

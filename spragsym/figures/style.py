@@ -27,7 +27,7 @@ from ..article.assumed import Parameters
 from ..display import Column
 from ..files.storage import put
 from ..models import Model
-from ..models.parameters import Ranges
+from ..models.parameters import ParameterSet, Ranges, largest
 from ..results import EquilibriumType, Points
 
 if TYPE_CHECKING:
@@ -302,20 +302,25 @@ def in_units(axis: Axis, shown: Shown | None) -> None:
 
 
 def window(
-    model: Model, vary: Sequence[str], between: Ranges, cusps: Callable[[], Points] | None = None
+    p: ParameterSet,
+    vary: Sequence[str],
+    between: Ranges,
+    cusps: Callable[[], Points] | None = None,
 ) -> Ranges:
     """Ranges to show: those given, the parameter's own, or of one without end as far as its base
-    value, 1 and all cusps need.
+    value, 1, all cusps and its value need.
     """
     out = dict(between)
     for name in vary:
         if name not in between:
-            own = model.Parameters.ranges[name]
+            own = p.ranges[name]
             low, high = own.low, own.high
             if np.isinf((low, high)).any():
                 farthest = float(np.abs(cusps()[name]).max(initial=0.0)) if cusps else 0.0
                 # What is shown beyond the farthest cusp.
-                far = max(1.0, 2.0 * abs(model.base.get(name, 0.0)), 1.25 * farthest)
+                far = max(1.0, 2.0 * abs(p.model.base.get(name, 0.0)), 1.25 * farthest)
+                if largest(p, name) >= far:
+                    far = 2.0 * largest(p, name)
                 low, high = -far if np.isinf(low) else low, far if np.isinf(high) else high
             out[name] = low, high
     return out

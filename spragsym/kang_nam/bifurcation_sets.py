@@ -71,7 +71,7 @@ def bifurcation_set(
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
     between = between or {}
-    ranges(p.model, ("theta0", "mu0"), between)  # an error where they make no sense
+    ranges(p, ("theta0", "mu0"), between)  # an error where they make no sense
     # Fewest directions.
     least = 2000
     n = max(least, as_count("n", least if n is None else n, 2))

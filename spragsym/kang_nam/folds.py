@@ -130,7 +130,7 @@ def within(points: PointsT, between: Ranges | None) -> PointsT:
         return points
     from ..bifurcation.defining_systems import ranges  # which loads the search
 
-    return points.between(ranges(points.parameters.model, points.vary, between))
+    return points.between(ranges(points.parameters, points.vary, between))
 
 
 @dataclass(frozen=True)

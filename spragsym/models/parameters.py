@@ -180,6 +180,12 @@ def as_ranges(
     }
 
 
+def largest(p: ParameterSet, name: str) -> float:
+    """The largest size of a parameter, over all points; 0 where it has no value."""
+    value = p[name]
+    return 0.0 if value is None else float(np.abs(value).max(initial=0.0))
+
+
 def varied_range(vary: str, between: Ranges | None, allowed: Range) -> Span:
     """The range of a parameter that varies, which ``between`` must hold, and no other."""
     given = as_ranges("between", between, {vary: allowed})

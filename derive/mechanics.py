@@ -22,7 +22,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from .algebra import Names, Pair, Row, Symbols, expanded, fewest_terms, quotients
+from .algebra import Circles, Names, Pair, Row, Symbols, expanded, fewest_terms, quotients
 from .model import Contact, Datum, Element, Page, PageError, Point, expression_of, speed_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
@@ -346,9 +346,8 @@ class Mechanics:
         total = self.partial(expression, symbol)
         for line in self.lines:
             slopes = line.slopes(self.partial(line.dx, symbol), self.partial(line.dy, symbol))
-            total += sum(
-                (sp.diff(expression, inner) * slope for inner, slope in slopes.items()), sp.S.Zero
-            )
+            for inner, slope in slopes.items():
+                total += sp.diff(expression, inner) * slope
         for torsion in self.torsions:
             line = torsion.line
             turn = (
@@ -377,12 +376,9 @@ class Mechanics:
         shortest = expanded(
             expanded(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)
         ).subs({friction.side**2: 1 for friction in self.frictions})
-        turned = {node: sp.Dummy(real=True) for pair in waves(shortest) for node in pair}
+        turned, circles = self.circles(shortest)
         shortest = shortest.xreplace(turned)
         kept |= turned
-        circles = [(line.c, line.s) for line in self.lines] + [
-            (kept[c], kept[s]) for c, s in waves(sp.Tuple(*turned))
-        ]
         for cosine, sine in circles:
             if shortest.has(cosine, sine):
                 shortest = fewest_terms(shortest, cosine, sine)
@@ -390,6 +386,15 @@ class Mechanics:
             shortest.subs({dummy: quotient for quotient, dummy in kept.items()})
         )
         return sp.collect(whole, tuple(map(number, self.parameters)))
+
+    def circles(self, expression: sp.Basic) -> tuple[Names, Circles]:
+        """Symbols for the cosines and sines in an expression, and the pairs of them that lie on
+        unit circles, the directions of the lines first.
+        """
+        pairs = waves(expression)
+        turned = {node: sp.Dummy(real=True) for pair in pairs for node in pair}
+        lines = ((line.c, line.s) for line in self.lines)
+        return turned, (*lines, *((turned[c], turned[s]) for c, s in pairs))
 
     def _quotients(self, expression: sp.Expr) -> set[sp.Expr]:
         """Quotients and roots of what has a direction or an angle: no polynomials in its cosine and
@@ -430,12 +435,13 @@ class Mechanics:
         """The same without the springs along lines, each of which adds its tension times (c ∂dx + s
         ∂dy), and without torsion springs.
         """
-        springs = [
-            elastic(line, stiffness)
-            for line, stiffness in zip(self.lines, self.stiffnesses, strict=True)
-        ]
-        springs += [torsion.energy for torsion in self.torsions]
-        return self._residuals(expanded(self.potential - sum(springs, sp.S.Zero)))
+        torsions = sp.Add(*(torsion.energy for torsion in self.torsions))
+        return self._residuals(expanded(self.potential - self.elastic_energy - torsions))
+
+    @property
+    def elastic_energy(self) -> sp.Expr:
+        """The energy of the springs along lines, up to a constant."""
+        return sp.Add(*map(elastic, self.lines, self.stiffnesses))
 
     def _residuals(self, potential: sp.Expr) -> Row:
         rows = []
@@ -517,7 +523,7 @@ def of(page: Page, units: bool = False) -> Mechanics:
     scaled = _Scaled(page, units)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
     kinetic, linear, still = _by_rates(page, scaled(page.inertia[0]))
-    stored = sum((scaled(energy) for energy, _ in page.energies), sp.S.Zero)
+    stored = sp.Add(*(scaled(energy) for energy, _ in page.energies))
     potential = rest_energy + stored - still
     contacts = _contacts(page, scaled)
     return Mechanics(
@@ -632,7 +638,7 @@ def _lines(
         for count, torsion in enumerate(page.torsions, 1)
         if torsion.ends is not None
     )
-    energy += sum((torsion.energy for torsion in torsions), sp.S.Zero)
+    energy += sp.Add(*(torsion.energy for torsion in torsions))
     for damper in page.dampers:
         coefficient = scaled(damper.strength)
         if damper.ends is None:

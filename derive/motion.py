@@ -9,17 +9,15 @@ from functools import cached_property, partial
 import sympy as sp
 
 from . import laws
-from .algebra import Names, Row, Symbols, difference, expanded, reached
+from .algebra import Names, Row, Symbols, equal, expanded, reached
 from .emit.function import Function, Module, Results, of_page
 from .mechanics import (
     FrictionForce,
     Mechanics,
     NormalForce,
-    elastic,
     named,
     number,
     on,
-    waves,
 )
 from .model import acceleration_of
 
@@ -53,23 +51,8 @@ class Motion:
         """Jᵀ M⁻¹ J of the displacements that frictions which hold oppose: by how much a unit of
         each slows the sliding of each.
         """
-        return sp.Matrix(
-            [
-                [
-                    sum(
-                        (
-                            a * b
-                            for a, b in zip(
-                                self.along(it), self.accelerated(self.along(other)), strict=True
-                            )
-                        ),
-                        sp.S.Zero,
-                    )
-                    for other in self.holding
-                ]
-                for it in self.holding
-            ]
-        )
+        along = [self.along(it) for it in self.holding]
+        return sp.Matrix(along) * sp.Matrix([self.accelerated(row) for row in along]).T
 
     def _coupled(self, index: int) -> list[int]:
         """The frictions that hold whose forces a constraint depends on: its own, and those that the
@@ -350,7 +333,7 @@ class Motion:
             sp.diff(expression, one.unknown if one in self.holding else one.mu) * turn
             for one, turn in zip(it.frictions, turns, strict=True)
         )
-        return it.tidy(it.derivative(expression, symbol) + sum(follow, sp.S.Zero))
+        return it.tidy(it.derivative(expression, symbol) + sp.Add(*follow))
 
     # ---------------------------------------------------------------------------------------------
     # energy
@@ -360,20 +343,21 @@ class Motion:
         """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the
         contact's.
         """
-        springs = zip(self.model.lines, self.model.stiffnesses, strict=True)
-        return self._apart + sum(
-            (elastic(line, k) + k * line.rest**2 / 2 for line, k in springs), sp.S.Zero
-        )
+        it = self.model
+        springs = zip(it.lines, it.stiffnesses, strict=True)
+        at_rest = sp.Add(*(k * line.rest**2 / 2 for line, k in springs))
+        return it.kinetic + it.potential + at_rest - self.work + self._stored_in_contacts
 
     @cached_property
     def energy(self) -> sp.Expr:
         """The same with the springs' as k (l − r)²/2, which loses no digits where they are hardly
         deformed: l² is dx² + dy².
         """
-        springs = zip(self.model.lines, self.model.stiffnesses, strict=True)
-        return self._apart + sum(
-            (k * (line.l - line.rest) ** 2 / 2 for line, k in springs), sp.S.Zero
-        )
+        it = self.model
+        springs = zip(it.lines, it.stiffnesses, strict=True)
+        strained = sp.Add(*(k * (line.l - line.rest) ** 2 / 2 for line, k in springs))
+        without = expanded(it.potential - it.elastic_energy)
+        return it.kinetic + without + strained - self.work + self._stored_in_contacts
 
     @cached_property
     def strain_energy(self) -> sp.Expr:
@@ -383,22 +367,16 @@ class Motion:
         return self.energy - self.model.kinetic + self.work
 
     @cached_property
-    def _apart(self) -> sp.Expr:
-        """Without the springs along lines."""
-        it = self.model
-        contacts = sum((self._stored_in(contact) for contact in it.contacts), sp.S.Zero)
-        springs = (elastic(line, k) for line, k in zip(it.lines, it.stiffnesses, strict=True))
-        potential = expanded(it.potential - sum(springs, sp.S.Zero))
-        return it.kinetic + potential - self.work + contacts
-
-    def _stored_in(self, contact: NormalForce) -> sp.Expr:
-        """The energy of a contact on the contact's side, with PUSHING."""
-        if contact.gap is None:
-            return sp.S.Zero
-        energy = contact.energy
-        if contact.in_coordinates:
-            energy = expanded(energy.subs(contact.depth, -contact.gap))
-        return (contact.pushing if contact.unilateral else 1) * energy
+    def _stored_in_contacts(self) -> sp.Expr:
+        """The energy of all contacts, each on its own side, with PUSHING."""
+        stored = sp.S.Zero
+        for contact in self.model.contacts:
+            if contact.gap is not None:
+                energy = contact.energy
+                if contact.in_coordinates:
+                    energy = expanded(energy.subs(contact.depth, -contact.gap))
+                stored += (contact.pushing if contact.unilateral else 1) * energy
+        return stored
 
     @cached_property
     def work(self) -> sp.Expr:
@@ -416,15 +394,9 @@ class Motion:
     @cached_property
     def applied_power(self) -> sp.Expr:
         """Power of applied forces that have no potential; zero for those that have one."""
-        return expanded(
-            sum(
-                (
-                    (force - sp.diff(self.work, symbol)) * rate
-                    for symbol, rate, force in self.model.moved
-                ),
-                sp.S.Zero,
-            )
-        )
+        work = self.work
+        powers = ((force - sp.diff(work, q)) * rate for q, rate, force in self.model.moved)
+        return expanded(sp.Add(*powers))
 
     @cached_property
     def clock_power(self) -> sp.Expr:
@@ -450,7 +422,7 @@ class Motion:
         it = self.model
         if it.clock is None:
             return -2 * it.dissipation
-        return -sum((sp.diff(it.dissipation, rate) * rate for _, rate, _ in it.moved), sp.S.Zero)
+        return -sp.Add(*(sp.diff(it.dissipation, rate) * rate for _, rate, _ in it.moved))
 
     @cached_property
     def outputs(self) -> dict[str, sp.Expr]:
@@ -460,7 +432,7 @@ class Motion:
         it = self.model
         frictions = [friction for friction in it.frictions if friction.along is not None]
         forces = [self.friction_force(friction) for friction in frictions]
-        rubbing = sum((f * one.rate for f, one in zip(forces, frictions, strict=True)), sp.S.Zero)
+        rubbing = sp.Add(*(f * one.rate for f, one in zip(forces, frictions, strict=True)))
         powers = rubbing + self.damper_power + self.applied_power + self.clock_power
         springs = enumerate(zip(it.lines, it.stiffnesses, strict=True), 1)
         pressed = [friction.normal for friction in frictions]
@@ -492,15 +464,10 @@ class Motion:
         for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
             if symbol != it.clock:
                 change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
-        rubbing = sum((one.mu * one.normal.rubbing * one.rate for one in it.frictions), sp.S.Zero)
+        rubbing = sp.Add(*(one.mu * one.normal.rubbing * one.rate for one in it.frictions))
         powers = rubbing + self.damper_power + self.applied_power
-        turned = {
-            node: sp.Dummy(real=True) for pair in waves(sp.Tuple(change, powers)) for node in pair
-        }
-        circles = [(line.c, line.s) for line in it.lines] + [
-            (turned[c], turned[s]) for c, s in waves(sp.Tuple(*turned))
-        ]
-        return difference(change.xreplace(turned), powers.xreplace(turned), tuple(circles)) == 0
+        turned, circles = it.circles(sp.Tuple(change, powers))
+        return equal(change.xreplace(turned), powers.xreplace(turned), circles)
 
     # ---------------------------------------------------------------------------------------------
     # borders

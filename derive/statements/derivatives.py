@@ -107,7 +107,7 @@ def of_value(value: sp.Expr, by: str, it: Derivation) -> sp.Expr:
         if value.has(*it.accelerations):
             raise Unread("the rate of an acceleration is not read")
         pairs = [*zip(moving[0], moving[1], strict=True), *zip(moving[1], moving[2], strict=True)]
-        return sum((sp.diff(value, one) * rate for one, rate in pairs), sp.S.Zero)
+        return sp.Add(*(sp.diff(value, one) * rate for one, rate in pairs))
     if by not in it.parameters and not any(symbol in row for row in moving):
         raise Unread(f"a derivative by {by}, which is no coordinate, rate or parameter of the page")
     return sp.diff(value, symbol)

@@ -366,7 +366,7 @@ def _energy(it: Derivation, name: str, side: str) -> Object:
             f"potential of an applied force {'counted' if is_in else 'left out'}: {work}"
             for work, is_in in zip(works, counted, strict=True)
         )
-        added = sum(itertools.compress(works, counted), sp.S.Zero)
+        added = sp.Add(*itertools.compress(works, counted))
         readings.append(Reading(values[name] + sign * added, "; ".join(said)))
     by = "mechanics.Mechanics.potential"
     other = {"U"} - it.names.keys() if name == "V" else set()
@@ -384,7 +384,7 @@ def _potentials_of_forces(it: Derivation) -> list[sp.Expr]:
     for force in it.page.forces:
         if not any(moving & component.free_symbols for component in force.components):
             pairs = zip(force.components, force.place, strict=True)
-            work = sum((it.measured(part) * it.measured(at) for part, at in pairs), sp.S.Zero)
+            work = sp.Add(*(it.measured(part) * it.measured(at) for part, at in pairs))
             found.append(-it.spelled(work))
     return found
 

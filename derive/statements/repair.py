@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import functools
 import math
+import operator
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -126,40 +127,28 @@ def same_but_for_constant(one: Values, other: Values) -> bool:
 # ---------------------------------------------------------------------------------------- values
 
 
-#: NumPy's functions and relations by the names of SymPy's.
+#: Operations on arrays by their names, functions and relations by those of SymPy's.
 _NUMERIC = {
     **{name: sp.lambdify(x, of(x), "numpy") for name, of in FUNCTIONS.items()},
-    "max": lambda *values: functools.reduce(np.maximum, values),
-    "min": lambda *values: functools.reduce(np.minimum, values),
-    "Lt": np.less,
-    "Le": np.less_equal,
-    "Gt": np.greater,
-    "Ge": np.greater_equal,
-    "Ne": np.not_equal,
-    "Eq": np.equal,
-    "And": np.multiply,
+    **{name: getattr(operator, name.lower()) for name in RELATIONS},
+    "add": lambda *parts: functools.reduce(operator.add, parts),
+    "neg": operator.neg,
+    "mul": lambda *parts: functools.reduce(operator.mul, parts),
+    "div": operator.truediv,
+    "pow": operator.pow,
+    "max": lambda *parts: functools.reduce(np.maximum, parts),
+    "min": lambda *parts: functools.reduce(np.minimum, parts),
+    "And": lambda *parts: functools.reduce(np.logical_and, parts),
+    "Tuple": lambda *parts: np.array(np.broadcast_arrays(*parts)),
+    "Piecewise": lambda *pairs: np.select(
+        [holds != 0 for _, holds in pairs], [value for value, _ in pairs], np.nan
+    ),
 }
 
 
 def _applied(tree: Node, parts: Sequence[Values]) -> Values:
     """The values of a tree that is no leaf from those of its parts, any of which may be many."""
-    match tree.kind:
-        case "add":
-            return sum(parts[1:], parts[0])
-        case "neg":
-            return -parts[0]
-        case "mul":
-            return math.prod(parts[1:], start=parts[0])
-        case "div":
-            return parts[0] / parts[1]
-        case "pow":
-            return parts[0] ** parts[1]
-        case _ if tree.value == "Tuple":
-            return np.array(np.broadcast_arrays(*parts))
-        case _ if tree.value == "Piecewise":
-            return np.select([it[1] != 0 for it in parts], [it[0] for it in parts], np.nan)
-        case _:  # of a relation 1 or 0
-            return 1.0 * _NUMERIC[tree.value](*parts)
+    return _NUMERIC[tree.operation](*parts)
 
 
 class Numbers:

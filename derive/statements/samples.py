@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from functools import cache
 
@@ -122,15 +121,8 @@ def _value(part: sp.Basic, values: Mapping[str, Values], found: dict[sp.Basic, V
         value = np.array(np.nan if number.imag else number.real)
     else:
         inner = [_value(it, values, found) for it in part.args]
-        if isinstance(part, sp.Add):
-            value = sum(inner[1:], inner[0])
-        elif isinstance(part, sp.Mul):
-            value = math.prod(inner[1:], start=inner[0])
-        elif isinstance(part, sp.Pow):
-            value = inner[0] ** (int(part.exp) if part.exp.is_Integer else inner[1])
-        else:
-            names = sp.symbols(f"x:{len(inner)}")
-            value = _compiled(part.func(*names), names)(*inner)
+        names = sp.symbols(f"x:{len(inner)}")
+        value = _compiled(part.func(*names), names)(*inner)
     found[part] = value
     return value
 

@@ -6,6 +6,7 @@ import ast
 import functools
 import itertools
 import math
+import operator
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
@@ -20,6 +21,11 @@ class Node:
     args: tuple[Node, ...] = ()
     value: str = ""
     at: tuple[int, int] = (0, 0)
+
+    @property
+    def operation(self) -> str:
+        """The name of a function, or the kind of another operation."""
+        return self.value if self.kind == "call" else self.kind
 
 
 @dataclass(frozen=True)
@@ -160,29 +166,23 @@ def renamed(tree: Node, names: Mapping[str, Node]) -> Node:
 
 def to_sympy(tree: Node, names: Mapping[str, sp.Expr], evaluate: bool = True) -> sp.Expr:
     """The expression of a tree, with what its symbols stand for."""
+    if tree.kind == "symbol":
+        return names[tree.value]
+    if tree.kind == "number":
+        return sp.pi if tree.value == "pi" else sp.Rational(tree.value)
     parts = [to_sympy(part, names, evaluate) for part in tree.args]
+    operations = {
+        "add": sp.Add,
+        "neg": operator.neg,
+        "mul": sp.Mul,
+        "div": operator.truediv,
+        "pow": operator.pow,
+        "Piecewise": lambda *pairs: sp.Piecewise(*(pair.args for pair in pairs)),
+        "Tuple": sp.Tuple,
+        "And": sp.And,
+    }
     with sp.evaluate(evaluate):
-        match tree.kind:
-            case "number":
-                return sp.pi if tree.value == "pi" else sp.Rational(tree.value)
-            case "symbol":
-                return names[tree.value]
-            case "add":
-                return sp.Add(*parts)
-            case "neg":
-                return -parts[0]
-            case "mul":
-                return sp.Mul(*parts)
-            case "div":
-                return parts[0] / parts[1]
-            case "pow":
-                return parts[0] ** parts[1]
-            case _ if tree.value == "Piecewise":
-                return sp.Piecewise(*(pair.args for pair in parts))
-            case _ if tree.value in ("Tuple", "And"):
-                return getattr(sp, tree.value)(*parts)
-            case _:
-                return (FUNCTIONS | RELATIONS)[tree.value](*parts)
+        return (operations | FUNCTIONS | RELATIONS)[tree.operation](*parts)
 
 
 def read_sympy(text: str, vocabulary: Vocabulary) -> list[Equation]:

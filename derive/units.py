@@ -7,7 +7,7 @@ number: itself over the one product of their powers that has its dimension.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import cache
 from typing import TypeAlias
@@ -86,8 +86,8 @@ def of(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimens
     match expression:
         case sp.Symbol():
             return dimensions[expression]
-        case sp.Add():
-            return _of_sum(expression, dimensions)
+        case sp.Add() | sp.Max() | sp.Min():
+            return _of_sum(expression, expression.args, dimensions)
         case sp.Mul():
             dimension = NONE
             for factor in expression.args:
@@ -103,12 +103,9 @@ def of(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimens
             return times(NONE, base, Fraction(expression.exp.p, expression.exp.q))
         case sp.Abs():
             return of(expression.args[0], dimensions)
-        case sp.Max() | sp.Min():
-            return _of_sum(expression, dimensions)
         case sp.Piecewise():
-            return _of_sum(
-                sp.Add(*(value for value, _ in expression.args), evaluate=False), dimensions
-            )
+            values = [value for value, _ in expression.args]
+            return _of_sum(expression, values, dimensions)
         case sp.sign():
             of(expression.args[0], dimensions)
             return NONE
@@ -123,9 +120,11 @@ def of(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimens
     return NONE
 
 
-def _of_sum(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
+def _of_sum(
+    expression: sp.Expr, terms: Iterable[sp.Expr], dimensions: Mapping[sp.Symbol, Dimension]
+) -> Dimension | None:
     found: dict[Dimension, sp.Expr] = {}
-    for term in expression.args:
+    for term in terms:
         dimension = of(term, dimensions)
         if dimension is not None:
             found.setdefault(dimension, term)
@@ -142,18 +141,8 @@ def powers(dimension: Dimension, units: tuple[Dimension, ...]) -> tuple[Fraction
     """Exponents p with ``dimension = Π unitsᵢ^pᵢ``; None if there are none."""
     if not units:
         return () if dimension == NONE else None
-    symbols = sp.symbols(f"p0:{len(units)}")
-    equations = [
-        sum(
-            (sp.Rational(unit[row]) * symbol for symbol, unit in zip(symbols, units, strict=True)),
-            -sp.Rational(dimension[row]),
-        )
-        for row in range(3)
-    ]
-    solutions = sp.linsolve(equations, symbols)
-    if not solutions:
+    try:
+        found, free = sp.Matrix(units).T.gauss_jordan_solve(sp.Matrix(dimension))
+    except ValueError:
         return None
-    (solution,) = solutions
-    if any(value.free_symbols for value in solution):
-        return None
-    return tuple(Fraction(int(value.p), int(value.q)) for value in solution)
+    return None if free else tuple(Fraction(int(it.p), int(it.q)) for it in found)

@@ -55,6 +55,11 @@ class Definition:
             for word in re.findall(r"\w+", text)
         )
 
+    @property
+    def origin(self) -> str:
+        """Its equations, and how many operations it takes, in a comment."""
+        return f"Source: {self.equations}. Operations: {self.operations}."
+
     def spelled(self, of: Callable[[str], str]) -> Definition:
         """The function with all names and expressions spelled anew."""
 

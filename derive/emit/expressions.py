@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum, auto
 
-from .language import KernelError, Kinds, Routine, Source
+from .language import KernelError, Routine, Source
 
 
 class Strength(IntEnum):
@@ -158,7 +158,7 @@ def printed(source: Source, asked: Iterable[str]) -> list[Routine]:
     while further:
         routine = further.pop()
         needed.add(routine.name)
-        called = source.routines.keys() & set(Kinds(source).calls(routine)) - needed
+        called = source.routines.keys() & set(routine.calls) - needed
         further += [source.routines[name] for name in sorted(called)]
     return [
         routine

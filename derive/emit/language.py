@@ -8,7 +8,7 @@ three kinds: a real number, a flag, or a record.
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -60,6 +60,13 @@ class Routine:
     returns: str
     body: tuple[ast.stmt, ...]
 
+    @cached_property
+    def calls(self) -> tuple[str, ...]:
+        """Names of all functions that it calls, in order."""
+        nodes = (node for statement in self.body for node in ast.walk(statement))
+        called = (node.func for node in nodes if isinstance(node, ast.Call))
+        return tuple(it.id for it in called if isinstance(it, ast.Name))
+
 
 @dataclass(frozen=True)
 class Constant:
@@ -85,6 +92,11 @@ class Source:
     def summary(self) -> str:
         """The first line of its docstring."""
         return (ast.get_docstring(ast.parse(self.text)) or "").partition("\n")[0]
+
+    @property
+    def called(self) -> set[str]:
+        """Names of all functions that its routines call."""
+        return {name for it in self.routines.values() for name in it.calls}
 
     @cached_property
     def lines(self) -> list[str]:
@@ -211,13 +223,6 @@ class Kinds:
         raise KernelError(
             f"line {expression.lineno}: {ast.unparse(expression)} is not in the kernel's language"
         )
-
-    def calls(self, routine: Routine) -> Iterator[str]:
-        """Names of all functions that a routine calls."""
-        for statement in routine.body:
-            for node in ast.walk(statement):
-                if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
-                    yield node.func.id
 
 
 def passes(loop: ast.For) -> int:

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterable, Mapping
 
 from ..function import Module
-from ..language import Kinds, Source, definitions
+from ..language import Source, definitions
 
 
 #: What the language's primitives are for arrays; the cube root and the choice have files of their
@@ -19,10 +19,8 @@ def render(
 ) -> str:
     """``generated/kernel.py``: functions of floats and of arrays of any float type."""
     tree = ast.parse(source.text)
-    kinds = Kinds(source)
-    called = {name for it in source.routines.values() for name in kinds.calls(it)}
     homes = {function.name: module.name for module in modules for function in module.functions}
-    used = sorted((homes[name], name) for name in called if name in homes)
+    used = sorted((homes[name], name) for name in source.called & homes.keys())
     bound = "\n".join(f"{name} = inspect.unwrap(_{home}.{name})" for home, name in used)
     imports = "\n".join(
         f"from . import {home} as _{home}" for home in sorted({home for home, _ in used})
@@ -49,11 +47,7 @@ def arithmetic(source: Source, header: str) -> str:
     """``generated/double_double.py``: operations on numbers of two floats each, or arrays of
     such.
     """
-    used = [
-        name
-        for name in _PRIMITIVES
-        if any(name in Kinds(source).calls(it) for it in source.routines.values())
-    ]
+    used = [name for name in _PRIMITIVES if name in source.called]
     return (
         f"{_docstring(ast.parse(source.text), header)}"
         "from __future__ import annotations\n\nfrom typing import Any, NamedTuple, "

@@ -167,6 +167,11 @@ def spoken(text: str, words: Mapping[str, str]) -> str:
     return re.sub(r"@([\w:]+)@", lambda match: words.get(match[1], match[0]), text)
 
 
+def words(text: str, comment: str) -> set[str]:
+    """Words of a source outside of its comments, which a pattern finds."""
+    return set(re.findall(r"\w+", re.sub(comment, "", text, flags=re.DOTALL)))
+
+
 def taken(function: Definition, angles: Angles) -> list[str]:
     """Arguments of the algebra, an angle in the place of its cosine and sine."""
     angle_of = {part: angle for angle, parts in angles.items() for part in parts}

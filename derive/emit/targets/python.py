@@ -63,10 +63,7 @@ def _expression(text: str, ports: Mapping[str, str]) -> str:
 def _function(function: Definition, angles: Angles, ports: Mapping[str, str]) -> str:
     names = taken(function, angles)
     given = [*names, *(f"{name}=0" for name in function.further)]
-    said = (
-        f'"""{function.summary} Returns {function.returns}. Source: {function.equations}. '
-        f'Operations: {function.operations}."""'
-    )
+    said = f'"""{function.summary} Returns {function.returns}. {function.origin}"""'
     turned = [
         (parts[-2:], angle)
         for angle, parts in angles.items()

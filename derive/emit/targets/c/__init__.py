@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 
 from ...expressions import hands_back, printed
 from ...language import Kinds, Routine, Source
-from .. import Material, runtime, spoken
+from .. import Material, runtime, spoken, words
 from . import algebra, cost, kernel
 from .layout import WIDTH, plain
 
@@ -24,14 +24,8 @@ def render(material: Material) -> dict[str, str]:
         text for name, text in sorted(own.items()) if name.endswith(".c") and name != example
     )
     functions = material.algebra
-    calls = {
-        name
-        for it in material.kernel.routines.values()
-        for name in Kinds(material.kernel).calls(it)
-    }
-    used = (calls & functions.keys()) | {
-        name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in functions
-    }
+    called = material.kernel.called.union(re.findall(r"\balgebra_(\w+)\(", definitions))
+    used = called & functions.keys()
     inside = {f"algebra_{name}": function for name, function in functions.items() if name in used}
     public = [functions[name] for name in material.public]
     parts = {
@@ -52,19 +46,19 @@ def render(material: Material) -> dict[str, str]:
         spoken(_filled(runtime(__file__, name), parts), names).rstrip() + "\n"
         for name in ("library.h", "library.c")
     )
-    words = {
+    said = {
         **_words(material),
         **_costs(header + source, {name: it.operations for name, it in inside.items()}),
     }
     files = {f"{library}.h": header, f"{library}.c": source}
     if example in own:
         files |= {"Makefile": spoken(runtime(__file__, "Makefile"), names), example: own[example]}
-    return {name: spoken(text, words) for name, text in files.items()}
+    return {name: spoken(text, said) for name, text in files.items()}
 
 
 def _words(material: Material) -> dict[str, str]:
     """Texts of comments: where the library comes from, what it is, and the nomenclature's words."""
-    words = {
+    said = {
         "source": material.digest[:16],
         "header": textwrap.fill(material.header.replace("``", ""), WIDTH, subsequent_indent=" * "),
         "summary": textwrap.fill(plain(material.summary), WIDTH, subsequent_indent=" * "),
@@ -77,21 +71,17 @@ def _words(material: Material) -> dict[str, str]:
         ),
     }
     for name, quantity in material.quantities.items():
-        words[f"meaning:{name}"] = plain(quantity.meaning)
-        words[f"range:{name}"] = (
-            f"in {quantity.domain}" if quantity.domain[0] in "([{" else quantity.domain
-        )
-    return words
+        within = "in " if quantity.domain[0] in "([{" else ""
+        said[f"meaning:{name}"] = plain(quantity.meaning)
+        said[f"range:{name}"] = f"{within}{quantity.domain}"
+    return said
 
 
 def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
     """Cost of every function, and whole numbers that the source defines."""
-    words = {
-        f"cost:{name}": cost.describe(value) for name, value in cost.costs(source, emitted).items()
-    }
-    return words | {
-        f"constant:{name}": str(value) for name, value in cost.constants(source).items()
-    }
+    costs, constants = cost.costs(source, emitted), cost.constants(source)
+    said = {f"cost:{name}": cost.describe(value) for name, value in costs.items()}
+    return said | {f"constant:{name}": str(value) for name, value in constants.items()}
 
 
 def _filled(text: str, parts: Mapping[str, str]) -> str:
@@ -106,8 +96,7 @@ def _filled(text: str, parts: Mapping[str, str]) -> str:
 def _kernel(material: Material, definitions: str) -> str:
     """Constants, records and the functions that the definitions call."""
     source = material.both_kernels
-    called = re.findall(r"\b(\w+)\(", re.sub(r"/\*.*?\*/", "", definitions, flags=re.DOTALL))
-    asked = source.routines.keys() & {*called, *material.asked}
+    asked = source.routines.keys() & {*words(definitions, r"/\*.*?\*/"), *material.asked}
     numbers = {item.name: (item.value, item.comment) for item in source.constants}
     numbers |= {name: (value, "") for name, value in material.counts.items()}
     return "\n".join(
@@ -124,13 +113,12 @@ def _kernel(material: Material, definitions: str) -> str:
 
 def _in_order(source: Source, routines: Iterable[Routine]) -> list[Routine]:
     """Routines, each after those that it calls."""
-    kinds = Kinds(source)
     ordered: dict[str, Routine] = {}
 
     def place(name: str) -> None:
         if name in ordered:
             return
-        for called in kinds.calls(source.routines[name]):
+        for called in source.routines[name].calls:
             if called in source.routines and not hands_back(source.routines[called]):
                 place(called)
         ordered[name] = source.routines[name]

@@ -47,9 +47,7 @@ def _signature(start: str, names: Iterable[str], result: str | None) -> str:
 def static(name: str, function: Definition) -> str:
     """The algebra itself, unchecked: one result is returned, several are written to an array."""
     several = isinstance(function.results, tuple)
-    said = comment(
-        f"{function.summary} Source: {function.equations}. Operations: {function.operations}."
-    )
+    said = comment(f"{function.summary} {function.origin}")
     start = f"INLINE {'void' if several else 'double'} {name}"
     result = _result(function) if several else None
     head = f"{_signature(start, map(c_name, function.arguments), result)} {{"
@@ -116,10 +114,7 @@ def public(function: Definition, library: str, angles: Angles, *, inside: bool) 
 
 def prototype(function: Definition, library: str, angles: Angles) -> str:
     """The declaration of the public function."""
-    text = (
-        f"{function.summary} Result: {function.returns}. Source: {function.equations}. "
-        f"Operations: {function.operations}."
-    )
+    text = f"{function.summary} Result: {function.returns}. {function.origin}"
     said = textwrap.fill(
         plain(text), WIDTH - len(" */"), initial_indent="/** ", subsequent_indent=" * "
     )

@@ -18,11 +18,7 @@ def definition(function: Definition) -> str:
     given = [f"{name} = 0" if name in function.further else name for name in function.accepted]
     return "\n".join(
         [
-            comment(
-                f"{function.summary} Source: {function.equations}. Operations: "
-                f"{function.operations}.",
-                "  ",
-            ),
+            comment(f"{function.summary} {function.origin}", "  "),
             wrapped(f"  {function.name}({', '.join(given)}) {{"),
             *(
                 wrapped(f"    const {name} = {_printed(expression)};")

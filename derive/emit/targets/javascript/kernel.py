@@ -4,12 +4,11 @@ is taken is computed.
 
 import ast
 import math
-import re
 
 from ...expressions import Syntax, number, printed
 from ...language import Routine, Source
 from ...routines import Printer
-from .. import Material
+from .. import Material, words
 from .algebra import comment, wrapped
 
 
@@ -21,18 +20,13 @@ def render(material: Material) -> str:
     for it in source.constants:
         value = "Infinity" if math.isinf(it.value) else number(it.value)
         lines.append(f"{_said(it.comment)}const {it.name} = {value};\n")
-    own = re.sub(
-        r"//[^\n]*|/\*.*?\*/",
-        "",
-        "".join(material.runtime.get("javascript", {}).values()),
-        flags=re.DOTALL,
+    own = "".join(material.runtime.get("javascript", {}).values())
+    asked = source.routines.keys() & words(own, r"//[^\n]*|/\*.*?\*/")
+    lines.append("\n")
+    lines.append(
+        "\n".join(_JavaScriptPrinter(it, source).definition() for it in printed(source, asked))
     )
-    asked = source.routines.keys() & set(re.findall(r"\w+", own))
-    return (
-        "".join(lines)
-        + "\n"
-        + "\n".join(_JavaScriptPrinter(it, source).definition() for it in printed(source, asked))
-    )
+    return "".join(lines)
 
 
 def _said(text: str, indent: str = "") -> str:

@@ -19,7 +19,7 @@ def definition(function: Definition) -> str:
         *wrapped(f"function {returned} = {function.name}({given})"),
         *comment(
             f"{function.name.upper()}  {function.summary} Returns {function.returns}. "
-            f"Source: {function.equations}. Operations: {function.operations}.",
+            f"{function.origin}",
             "",
         ),
     ]

@@ -4,13 +4,12 @@ choice are computed.
 
 import ast
 import math
-import re
 from collections.abc import Iterator
 
 from ...expressions import Syntax, number, printed
 from ...language import Routine, Source
 from ...routines import Printer, places
-from .. import Material
+from .. import Material, words
 from .algebra import WIDTH, comment, wrapped
 
 
@@ -25,10 +24,8 @@ def method_name(name: str) -> str:
 def render(material: Material) -> list[str]:
     """Every routine."""
     source = material.both_kernels
-    words = set(
-        re.findall(r"\w+", re.sub(r"%.*", "", "".join(material.runtime.get("matlab", {}).values())))
-    )
-    asked = [name for name in source.routines if method_name(name) in words]
+    own = words("".join(material.runtime.get("matlab", {}).values()), r"%[^\n]*")
+    asked = [name for name in source.routines if method_name(name) in own]
     said: set[str] = set()
     return [
         _MatlabPrinter(it, source, material, said).definition() for it in printed(source, asked)

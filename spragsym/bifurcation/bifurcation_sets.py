@@ -16,7 +16,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -43,7 +42,7 @@ from ..results import BifurcationSet, Curve, Points
 from ..statics.balance import Balance
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import on_side
-from ..statics.search import balances_of, of_ranges
+from ..statics.search import of_ranges
 from .borders import BORDER, PASSES, kinds_of_borders, passages
 from .defining_systems import (
     FOLD,
@@ -126,19 +125,17 @@ def bifurcation_set(
     vary = p.model.two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
-    family_of = partial(Family.of, p, vary, between, within)
-    balances = balances_of(p.model, within, options.asked)
+    families = Family.every(p, vary, between, within, options.asked)
     special = list(extrema(p, vary, between or {}, within, options.asked))
     curves, parts, borders = list[Curve](), list[OnLines](), list[tuple[str, Points]]()
-    for balance in balances:
-        family = family_of(balance)
+    for family in families:
+        balance = family.balance
         ends = [points.select(_of_folds(kind, points, balance)) for kind, points in special]
         more = np.concatenate([rows_of(family, points) for points in ends], axis=1)
         parts.append(on_lines(family, FOLD, n, more, more[-1], options))
         curves += [_curve(family, chain) for chain in parts[-1].chains]
-        for contact, other in passages(balances, balance):
-            near = family_of(balance.extended(contact))
-            ends = [*border_extrema(near, balance, between or {}, within)]
+        for contact, other in passages(families, family):
+            near, ends = family.beyond(contact), [*border_extrema(family, contact)]
             borders += [(BORDER, points) for points in ends]
             # None where the balance does not depend on the first parameter.
             none = np.empty((balance.n + 2, 0))
@@ -212,51 +209,42 @@ def extrema(
     combination of contacts that touch, and border points at the ends.
     """
     over, along = vary
-    family_of = partial(Family.of, p, vary, between, within)
-    balances = balances_of(p.model, within, options)
-    families = [family_of(one) for one in balances]
-    family = families[0]
+    families = Family.every(p, vary, between, within, options)
     rest = {name: ends for name, ends in between.items() if name != over}
     with doing("cusps over {} and {}", *vary):
         found = cusps(p, vary, between=between, within=within, options=options)
     yield "cusp", found
     # Where no state depends on one of the two, curves are straight along it.
-    bends = set(vary) <= set(family.balance.balanced)
+    bends = set(vary) <= set(p.model.balanced)
     for one in families if bends else ():
         for block in blocks_of(one):
             yield "turn", isolated(one, turn(block[0], block), "turn")
-    low, high = family.spans[0].tolist()
+    low, high = families[0].spans[0].tolist()
     for end in (low, high):
         value = p.ranges[over].reached(end, high - low)
         at_end = p.replace(**{over: value})
         yield "end", folds(at_end, along, between=rest, within=within, options=options)
-    for balance in balances if bends else ():
-        for contact in balance.opens:
-            near = family_of(balance.extended(contact))
-            yield "border", isolated(near, fold_on_border(contact), "border")
+    for one in families if bends else ():
+        for contact in one.balance.opens:
+            yield "border", isolated(one.beyond(contact), fold_on_border(contact), "border")
 
 
-def border_extrema(
-    near: Family, balance: Balance, between: Ranges, within: Ranges | None
-) -> Iterator[Points]:
-    """Extreme values in the second parameter and ends of curves on which the gap of a contact of
-    ``balance`` is 0, the one beyond whose border states of the family ``near`` count.
+def border_extrema(family: Family, contact: int) -> Iterator[Points]:
+    """Extreme values in the second parameter and ends of curves on which the gap of a contact that
+    touches is 0.
     """
-    (over, along), contact, p = near.vary, near.balance.beyond, near.p
-    if contact is None or over not in balance.balanced:
+    over, balance, near = family.vary[0], family.balance, family.beyond(contact)
+    if over not in balance.balanced:
         return
     if _moves_border(near, contact):
         yield isolated(near, touch_turn(contact), BORDER)
     closed = [other for other in balance.opens if balance.pushing[other] and other > contact]
     for other in closed:  # where a curve of one contact ends at that of another
-        over_all = Family.of(p, near.vary, between, within, balance.extended())
-        yield isolated(over_all, both_touch(contact, other), BORDER)
-    rest = {name: ends for name, ends in between.items() if name != over}
-    low, high = near.spans[0].tolist()
+        yield isolated(family.beyond(), both_touch(contact, other), BORDER)
+    low, high = family.spans[0].tolist()
     for end in (low, high):
-        here = p.replace(**{over: p.ranges[over].reached(end, high - low)})
-        at_end = Family.of(here, (along,), rest, within, near.balance)
-        yield isolated(at_end, touch(contact), BORDER)
+        value = family.p.ranges[over].reached(end, high - low)
+        yield isolated(near.fixed(over, value), touch(contact), BORDER)
 
 
 def _moves_border(near: Family, contact: int) -> bool:
@@ -315,18 +303,14 @@ def on_lines(
     rows, left, lines, decided, whole, error = [], [], {}, {}, True, 0.0
     balance, vary, spans = family.balance, family.vary, family.spans
     families = list[Family]()
-    for along, across in ((0, 1), (1, 0)):
+    for across in (1, 0):
         # Inside of the range: its ends are often degenerate.
         low, high = spans[across]
         values = low + (high - low) * (np.arange(n) + 0.5) / n
         if across == 1:
             values = np.sort(np.append(values, _between(apart, spans[across], values)))
         lines[vary[across]] = values
-        column = np.repeat(family.given, values.size, axis=1)
-        column[balance.parameters.index(vary[across])] = values
-        families.append(
-            replace(family, vary=(vary[along],), given=column, spans=spans[along : along + 1])
-        )
+        families.append(family.fixed(vary[across], values))
     effort = _effort(families, condition)
     for across, each in zip((1, 0), families, strict=True):
         values = lines[vary[across]]
@@ -436,7 +420,7 @@ def _between(values: Iterable[float], span: FloatArray, lines: FloatArray) -> Fl
 
 def _pairs(
     places: FloatArray, lines: Sequence[FloatArray], decided: Sequence[BoolArray], spans: FloatArray
-) -> Iterator[IntArray]:
+) -> IntArray:
     """Points that may be neighbours on a curve, by their values of both parameters, in pairs, shape
     (2, pairs), each once.
 
@@ -444,14 +428,14 @@ def _pairs(
     many points, hardly any line that is not does either: beyond, curves are followed.
     """
     bounds = [_strips(*each) for each in zip(places, lines, spans, strict=True)]
-    below = [np.concatenate([[0], np.cumsum(sure)]) for sure in decided]
-    for one, other in _close(np.array([first for first, _ in bounds])):
-        near = np.ones(one.size, dtype=bool)
-        for (first, last), count in zip(bounds, below, strict=True):
-            begin = np.minimum(last[one], last[other])
-            end = np.maximum(begin, np.maximum(first[one], first[other]))
-            near &= count[begin] == count[end]
-        yield np.array([one[near], other[near]])
+    one, other = _close(np.array([first for first, _ in bounds]))
+    near = np.ones(one.size, dtype=bool)
+    for (first, last), sure in zip(bounds, decided, strict=True):
+        count = np.concatenate([[0], np.cumsum(sure)])
+        begin = np.minimum(last[one], last[other])
+        end = np.maximum(begin, np.maximum(first[one], first[other]))
+        near &= count[begin] == count[end]
+    return np.array([one[near], other[near]])
 
 
 def _strips(places: FloatArray, lines: FloatArray, span: FloatArray) -> tuple[IntArray, IntArray]:
@@ -461,55 +445,40 @@ def _strips(places: FloatArray, lines: FloatArray, span: FloatArray) -> tuple[In
     return first, np.searchsorted(lines, places + room, "right").astype(int)
 
 
-def _close(cells: IntArray) -> Iterator[IntArray]:
-    """Points in pairs, each once: all of a few; of many, those of which neither of two numbers,
-    shape (2, points), differs by more than two.
+def _close(cells: IntArray) -> IntArray:
+    """Points in pairs, each once, shape (2, pairs): all of a few; of many, those of which neither
+    of two numbers, shape (2, points), differs by more than two.
     """
+    from scipy.spatial import KDTree
+
     # All pairs of so many points fit into memory.
     few = 2000
-    # Strips between lines that neighbours on a curve are apart, at most.
-    strips = 2
     if cells.shape[1] <= few:
-        yield np.array(np.triu_indices(cells.shape[1], 1))
-        return
-    width = int(cells[1].max(initial=0)) + 1 + strips
-    key = cells[0] * width + cells[1]
-    order = np.argsort(key, kind="stable")
-    key = key[order]
-    ahead = [(0, across) for across in range(strips + 1)]
-    ahead += itertools.product(range(1, strips + 1), range(-strips, strips + 1))
-    for along, across in ahead:
-        cell = key + along * width + across
-        # Of the same cell those behind a point.
-        begin = np.searchsorted(key, cell) if along or across else 1 + np.arange(key.size)
-        number = np.searchsorted(key, cell, "right") - begin
-        behind = np.arange(number.sum()) - np.repeat(np.cumsum(number) - number, number)
-        yield np.array([np.repeat(order, number), order[np.repeat(begin, number) + behind]])
+        return np.array(np.triu_indices(cells.shape[1], 1))
+    # Neighbours on a curve are so few strips between lines apart.
+    pairs: IntArray = KDTree(cells.T).query_pairs(2.5, p=np.inf, output_type="ndarray").T
+    return pairs
 
 
-def _chains(folds: FoldCurves, states: FloatArray, pairs: Iterable[IntArray]) -> list[IntArray]:
+def _chains(folds: FoldCurves, states: FloatArray, pairs: IntArray) -> list[IntArray]:
     """Points in order along curves: each is joined to the next ones ahead and behind along its
     tangent, if they agree.
 
-    ``pairs`` of points may be neighbours.
+    ``pairs`` of points, shape (2, number), may be neighbours.
     """
     count = states.shape[1]
     scaled, tangent = states / folds.scale[:, None], folds.tangents(states)
-    joints = [np.empty((5, 0))]
-    for one, other in pairs:
-        gap = scaled[:, other] - scaled[:, one]
-        distance = np.linalg.norm(gap, axis=0)
-        ahead = np.array(
-            [(gap * tangent[:, one]).sum(axis=0), (-gap * tangent[:, other]).sum(axis=0)]
-        )
-        with quiet():
-            straight = np.abs(ahead) / distance
-            cost = (distance / straight**2).sum(axis=0)
-        near = (straight > 0.5).all(axis=0) & (distance > 1e-12)
-        joints.append(np.array([cost, one, other, *np.where(ahead > 0, 0, 1)])[:, near])
+    one, other = pairs
+    gap = scaled[:, other] - scaled[:, one]
+    distance = np.linalg.norm(gap, axis=0)
+    ahead = np.array([(gap * tangent[:, one]).sum(axis=0), (-gap * tangent[:, other]).sum(axis=0)])
+    with quiet():
+        straight = np.abs(ahead) / distance
+        cost = (distance / straight**2).sum(axis=0)
+    near = (straight > 0.5).all(axis=0) & (distance > 1e-12)
     # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link, the
     # nearest pairs first.
-    cost, one, other, *sides = np.concatenate(joints, axis=1)
+    cost, one, other, *sides = np.array([cost, one, other, *np.where(ahead > 0, 0, 1)])[:, near]
     links: list[set[int]] = [set() for _ in range(count)]
     free = np.ones((count, 2), dtype=bool)
     order = np.lexsort((other, one, cost))

@@ -21,7 +21,6 @@ from numpy.typing import NDArray
 
 from ..core.errors import ConvergenceError
 from ..models.model import Touching, label_of
-from ..models.parameters import ParameterSet, Ranges
 from ..numerics.arithmetic import determinant
 from ..numerics.certified_roots import in_order
 from ..numerics.interval_arrays import (
@@ -49,28 +48,24 @@ BORDER_FOLD = "border_fold"
 BORDER = "border"
 
 
-def borders(
-    balances: Sequence[Balance],
-    p: ParameterSet,
-    vary: str,
-    between: Ranges | None,
-    within: Ranges | None,
-) -> list[Points]:
-    """Border points of each contact between two of these combinations of contacts that touch."""
+def borders(families: Sequence[Family]) -> list[Points]:
+    """Border points along one parameter of each contact between two of these combinations of
+    contacts that touch.
+    """
     found = []
-    for balance in balances:
-        for contact, other in passages(balances, balance):
-            near = balance.extended(contact)
-            family = Family.of(p, (vary,), between, within, near)
-            there = search(family, touch(contact))
-            kind = kinds_of_borders(family, there.roots.ends, other)
-            found.append(arranged(family, there, kind))
+    for family in families:
+        for contact, other in passages(families, family):
+            near = family.beyond(contact)
+            there = search(near, touch(contact))
+            found.append(arranged(near, there, kinds_of_borders(near, there.roots.ends, other)))
     return found
 
 
-def passages(balances: Sequence[Balance], balance: Balance) -> Iterator[tuple[int, Balance]]:
-    """Contacts of a combination by whose loss it becomes another one of these, and that one."""
-    combinations = [one.pushing for one in balances]
+def passages(families: Sequence[Family], family: Family) -> Iterator[tuple[int, Balance]]:
+    """Contacts of a combination by whose loss it becomes that of another one of these families, and
+    its balance.
+    """
+    balance, combinations = family.balance, [one.balance.pushing for one in families]
     for contact in balance.opens:
         other = balance.across(contact)
         if balance.pushing[contact] and other.pushing in combinations:

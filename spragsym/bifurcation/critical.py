@@ -348,11 +348,12 @@ class _CandidateSearch:
     """Candidates, and what becomes of the state at each of them."""
 
     def __init__(self, p: ParameterSet, vary: str, over: str, between: Ranges | None) -> None:
-        family = Family.of(p, (over, vary), between)
-        self.p, self.vary, self.over, self.balances = p, vary, over, balances_of(p.model)
-        self.spans, self.endless = family.spans, family.endless
-        for span, name in zip(self.spans, family.vary, strict=True):
+        families = Family.every(p, (over, vary), between)
+        self.p, self.vary, self.over, self.spans = p, vary, over, families[0].spans.copy()
+        for span, name in zip(self.spans, (over, vary), strict=True):
             span[:] = [p.ranges[name].reached(float(end), span[1] - span[0]) for end in span]
+        self.endless = families[0].endless
+        self.families = [replace(one, spans=self.spans) for one in families]
         self.low, self.high = map(float, self.spans[1])
         #: The value from which on candidates are not all known, and what is not proved.
         self.open_from, self.remarks = math.inf, list[str]()
@@ -416,16 +417,14 @@ class _CandidateSearch:
             whole &= points.whole and bool(np.isfinite(points.region).all())
             yield kind, points
 
-        for balance in self.balances:
+        for family in self.families:
             if not whole:
-                yield INFINITY, escapes(Family.of(self.p, both, between, None, balance))
+                yield INFINITY, escapes(family)
                 for end in self.spans[0].tolist():
-                    here, rest = self.p.replace(**{self.over: end}), {self.vary: between[self.vary]}
-                    yield INFINITY, escapes(Family.of(here, (self.vary,), rest, None, balance))
-            for contact in balance.opens:
-                if balance.pushing[contact]:
-                    near = Family.of(self.p, both, between, None, balance.extended(contact))
-                    for points in border_extrema(near, balance, between, None):
+                    yield INFINITY, escapes(family.fixed(self.over, end))
+            for contact in family.balance.opens:
+                if family.balance.pushing[contact]:
+                    for points in border_extrema(family, contact):
                         yield BORDER, points
 
     def beside(self, one: _Candidate) -> list[list[float]]:
@@ -449,7 +448,8 @@ class _CandidateSearch:
         first, touching, error = reference_place(
             here.replace(**{self.over: places[0]}), self.p.followed, where
         )
-        balance = self.balances[number_of(self.balances, touching)]
+        balances = balances_of(self.p.model)
+        balance = balances[number_of(balances, touching)]
         way = carried(balance, here, self.over, np.array(places), first, error)
         self.beginning = dict(zip(places, way.T, strict=True))
 

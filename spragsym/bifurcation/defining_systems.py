@@ -58,8 +58,10 @@ from ..numerics.tape import Tape
 from ..statics.balance import ENDLESS, Balance, direction_entries, no_direction
 from ..statics.forces import Evaluation, Values
 from ..statics.namespaces import XP
+from ..statics.options import SearchOptions
 from ..statics.precise_balance import refined_in_digits
 from ..statics.regions import requested_region
+from ..statics.search import balances_of
 from ..statics.systems import Boxes, Entries, StateSystem, at_anchors
 
 #: Arcs of directions, π/16 wide, looked at one by one: 32 are a full turn, one more covers what
@@ -112,6 +114,37 @@ class Family:
             if name not in between and math.inf in map(abs, _ends(p.model, name))
         )
         return cls(p, balance, tuple(vary), given, spans, asked, endless)
+
+    @classmethod
+    def every(
+        cls,
+        p: ParameterSet,
+        vary: Sequence[str],
+        between: Ranges | None = None,
+        within: Ranges | None = None,
+        options: SearchOptions | None = None,
+    ) -> list[Self]:
+        """Of every combination of contacts that touch."""
+        balances = balances_of(p.model, within, options)
+        return [cls.of(p, vary, between, within, balance) for balance in balances]
+
+    def beyond(self, contact: int | None = None) -> Self:
+        """The same where states a little beyond the border of a contact, or of all, count too."""
+        return replace(self, balance=self.balance.extended(contact))
+
+    def fixed(self, name: str, values: float | FloatArray) -> Self:
+        """The same at one value, or at many, of a parameter that varies here."""
+        row, number = self.balance.parameters.index(name), self.vary.index(name)
+        given = np.repeat(self.given, np.size(values), axis=1)
+        given[row] = values
+        return replace(
+            self,
+            p=self.p.replace(**{name: values}),
+            vary=tuple(one for one in self.vary if one != name),
+            given=given,
+            spans=np.delete(self.spans, number, axis=0),
+            endless=tuple(one for one in self.endless if one != name),
+        )
 
     def at(self, values: FloatArray) -> FloatArray:
         """All parameters where those that vary have these values, shape (number, points)."""

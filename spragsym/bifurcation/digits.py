@@ -193,8 +193,8 @@ def precise_cusps(
         [[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in p.model.parameters]
     )
     parts = [
-        _cusps_of(replace(Family.of(p, vary, between, None, balance), given=given), exact, digits)
-        for balance in balances_of(p.model)
+        _cusps_of(replace(family, given=given), exact, digits)
+        for family in Family.every(p, vary, between)
     ]
     ordered = sorted(
         chain(*(part.cusps for part in parts)),

@@ -140,10 +140,7 @@ def flutter_onsets(
     ([0.101, 1.4035], ['supercritical', 'subcritical'])
     """
     name = p.model.one(vary)
-    families = (
-        Family.of(p, (name,), between, within, balance)
-        for balance in balances_of(p.model, within, options)
-    )
+    families = Family.every(p, (name,), between, within, options)
     return Onsets(**vars(together([_in_combination(family, damping) for family in families])))
 
 

@@ -21,7 +21,6 @@ from ..numerics import contractors
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
 from ..results import Curve, Points, Result
 from ..statics import stability
-from ..statics.search import balances_of
 from ..statics.stability import slope_over
 from .bifurcation_sets import FoldCurves, on_lines
 from .borders import joined
@@ -175,8 +174,7 @@ def onset_curves(
     vary = model.two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
-    balances = balances_of(p.model, options=options.asked)
-    planes = (_Plane.of(p, vary, between, None, balance) for balance in balances)
+    planes = _Plane.every(p, vary, between, options=options.asked)
     first, *others = (plane.curves(n, damping, options) for plane in planes)
     return _joined(first, others) if others else first
 

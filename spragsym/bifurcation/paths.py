@@ -212,15 +212,13 @@ def border_ends(
     """Values at which states leave the contact or come into it, and at which they run to infinity,
     if they do, beside the folds ``turns``.
     """
-    balances, found = balances_of(p.model, options=options), list[Points]()
-    family_of = functools.partial(Family.of, p, (vary,), {vary: span}, None)
-    combinations = {tuple(balance.pushing) for balance in balances}
-    for balance in balances:
+    families, found = Family.every(p, (vary,), {vary: span}, None, options), list[Points]()
+    combinations = [family.balance.pushing for family in families]
+    for family in families:
+        balance = family.balance
         for contact in balance.opens:
-            other = tuple(balance.across(contact).pushing)
-            if balance.pushing[contact] and other not in combinations:
-                near = family_of(balance.extended(contact))
-                found.append(isolated(near, touch(contact), BORDER))
+            if balance.pushing[contact] and balance.across(contact).pushing not in combinations:
+                found.append(isolated(family.beyond(contact), touch(contact), BORDER))
                 if not found[-1].decided:
                     raise ConvergenceError(
                         f"whether equilibria leave the contact along {vary} is not decided; "
@@ -229,7 +227,7 @@ def border_ends(
     if not (
         turns.whole and np.isfinite(turns.region).all()
     ):  # states run to infinity only where nothing bounds them
-        found += [escapes(family_of(balance)) for balance in balances]
+        found += map(escapes, families)
     return found
 
 

@@ -63,7 +63,6 @@ from ..statics.namespaces import XP, follows
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
-from ..statics.search import balances_of
 from ..statics.stability import with_a_zero
 from .borders import at_borders, borders, combination, joined
 from .defining_systems import (
@@ -90,17 +89,13 @@ def folds_of(
     """All folds and pitchforks along one parameter, and border points between combinations of
     contacts that touch; arguments as of :func:`spragsym.folds`.
     """
-    balances = balances_of(p.model, within, options)
-    parts = [_folds_in(balance, p, vary, between, within) for balance in balances]
-    parts += borders(balances, p, vary, between, within)
-    return replace(joined(parts), _ended=ended)
+    families = Family.every(p, (vary,), between, within, options)
+    return replace(joined([*map(_folds_in, families), *borders(families)]), _ended=ended)
 
 
-def _folds_in(
-    balance: Balance, p: ParameterSet, vary: str, between: Ranges | None, within: Ranges | None
-) -> Points:
+def _folds_in(family: Family) -> Points:
     """Folds of one combination of contacts that touch."""
-    family = Family.of(p, (vary,), between, within, balance)
+    (vary,) = family.vary
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
     kind = np.repeat(["fold", "pitchfork"], [found.roots.point.size - pitchforks, pitchforks])
 
@@ -124,9 +119,7 @@ def cusps_of(
     options: SearchOptions | None = None,
 ) -> Points:
     """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
-    families = (
-        Family.of(p, vary, between, within, one) for one in balances_of(p.model, within, options)
-    )
+    families = Family.every(p, vary, between, within, options)
     return joined([arranged(family, isolated(family), "cusp") for family in families])
 
 

@@ -11,7 +11,7 @@ space of parameters are the leaves of a tree of boxes, so that one proof serves 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -211,11 +211,17 @@ def search(
             points,
             beyond,
             budget or options.budget or system.usual_budget,
-            narrow or options.narrow or NARROW,
-            bool((low == high).all()),
+            Rules(
+                options.margin,
+                options.spread,
+                options.small,
+                narrow or options.narrow or NARROW,
+                options.shrunk,
+                bool((low == high).all()),
+                _spans(first.ends[:, :, 0]),
+            ),
             regions,
             system.prepared(points.bounds),
-            _spans(first.ends[:, :, 0]),
         )
         # A look at one box costs as much as at a few.
         here.run(_parted(first, options.pieces) if low.shape[1] <= 4 else first)
@@ -241,29 +247,16 @@ class _Search:
     points: Tree
     limits: FloatArray
     budget: int
-    narrow: float
-    #: Whether points are points.
-    sharp: bool
+    rules: Rules
     #: What is searched for the points of each node, where that is not the same for all points.
     regions: FloatArray | None
     parameters: Intervals
-    spans: FloatArray
     looks: int = 0
+    unique: list[Pairs] = field(default_factory=list)
+    where: list[Pairs] = field(default_factory=list)
+    undecided: list[Pairs] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.unique: list[Pairs] = []
-        self.where: list[Pairs] = []
-        self.undecided: list[Pairs] = []
-        options = self.system.options
-        self.rules = Rules(
-            options.margin,
-            options.spread,
-            options.small,
-            self.narrow,
-            options.shrunk,
-            self.sharp,
-            self.spans,
-        )
         self.work = np.zeros(self.points.size.size, dtype=int)
         self.plan = self.system.plan(self.parameters)
 

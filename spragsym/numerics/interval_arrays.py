@@ -316,11 +316,24 @@ class Intervals(Arithmetic):
 
     def component(self, across: Intervals) -> Intervals:
         """x/√(x² + y²), see :func:`unit_vector`."""
-        return _component(self, across)
+        ends = self.ends
+        other = np.where(ends > 0, across.mignitude, across.magnitude)
+        # Three roundings, of a sum of squares, and two more: less than 4 units, where nothing
+        # underflows or overflows.
+        values = rounded_outward(ends / np.sqrt(ends * ends + other * other), 4)
+        size = np.maximum(np.abs(ends), other)
+        accurate = (size > 1e-140) & (size < 1e150) & (values <= 1)
+        return Intervals(np.where(accurate, values, 1.0))
 
     def angle(self, cosine: Intervals, side: int | None) -> Intervals:
         """Of the vector of which this is the sine, see :func:`atan2`."""
-        return _angle(self, cosine, side)
+        x, y = (np.stack([part.low, part.high]) for part in (cosine, self))
+        cut = ~((x[0] > 0) | (y[0] > 0) | (y[1] < 0))
+        corners = np.stack([np.arctan2(y[j], x[i]) for i in (0, 1) for j in (0, 1)])
+        ends = _bounded_by_pi(np.stack([-corners.min(axis=0), corners.max(axis=0)]))
+        if cut.any():
+            ends = np.where(cut, _across(x, y, side), ends)
+        return Intervals(ends)
 
     def is_nothing(self) -> bool:
         """Whether all are 0."""
@@ -470,18 +483,6 @@ def unit_vector(dx: Intervals, dy: Intervals) -> tuple[Intervals, Intervals]:
     return dx.component(dy), dy.component(dx)
 
 
-def _component(along: Intervals, across: Intervals) -> Intervals:
-    near, far = across.mignitude, across.magnitude
-    ends = along.ends
-    other = np.where(ends > 0, near, far)
-    # Three roundings, of a sum of squares, and two more: less than 4 units, where nothing
-    # underflows or overflows.
-    values = rounded_outward(ends / np.sqrt(ends * ends + other * other), 4)
-    size = np.maximum(np.abs(ends), other)
-    accurate = (size > 1e-140) & (size < 1e150) & (values <= 1)
-    return Intervals(np.where(accurate, values, 1.0))
-
-
 def atan2(sine: Intervals, cosine: Intervals, side: int | None = None) -> Intervals:
     """The angle of the vector (cosine, sine), from −π to π; NaN where the vectors meet the ray on
     which it jumps, or 0.
@@ -491,16 +492,6 @@ def atan2(sine: Intervals, cosine: Intervals, side: int | None = None) -> Interv
     corners: on each side it is monotone.
     """
     return sine.angle(cosine, side)
-
-
-def _angle(sine: Intervals, cosine: Intervals, side: int | None) -> Intervals:
-    x, y = (np.stack([part.low, part.high]) for part in (cosine, sine))
-    cut = ~((x[0] > 0) | (y[0] > 0) | (y[1] < 0))
-    corners = np.stack([np.arctan2(y[j], x[i]) for i in (0, 1) for j in (0, 1)])
-    ends = _bounded_by_pi(np.stack([-corners.min(axis=0), corners.max(axis=0)]))
-    if cut.any():
-        ends = np.where(cut, _across(x, y, side), ends)
-    return Intervals(ends)
 
 
 def _across(x: FloatArray, y: FloatArray, side: int | None) -> FloatArray:

@@ -157,8 +157,8 @@ def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
         ]
 
 
-def _dot(row: Sequence[Ball], column: Sequence[Ball]) -> Ball:
-    return sum((a * b for a, b in zip(row, column, strict=True)), Ball(0, 0, 0, row[0].bits))
+def _dot(row: Sequence[Any], column: Sequence[Any]) -> Any:
+    return sum(a * b for a, b in zip(row, column, strict=True))
 
 
 def _norm(values: Sequence[Ball]) -> Fraction:
@@ -291,11 +291,11 @@ class _Task:
             [u, 1],
             *([value, zero - step] for value, step in zip(others, steps, strict=True)),
         ]
-        out = [_less(slopes[0][0], slopes[0][1:], steps) + zero]
+        out = [slopes[0][0] - _dot(slopes[0][1:], steps) + zero]
         for order in range(2, highest + 1):
             rest, *rows = self._coefficients(series, order)
             steps = linear_solution(matrix, rows, _largest_pivot)
-            out.append(_less(rest, slopes[0][1:], steps) + zero)
+            out.append(rest - _dot(slopes[0][1:], steps) + zero)
             for part, term in zip(series, [0, *(zero - step for step in steps)], strict=True):
                 part.append(term)
         return out
@@ -455,13 +455,6 @@ def _about(c: Sequence[Any], h: Ball) -> tuple[list[Any], Ball]:
     """
     middle = balls.middle(h)
     return shifted(c, middle), h - middle
-
-
-def _less(value: Number, factors: Sequence[Any], steps: Sequence[Any]) -> Number:
-    """value − Σ factor step."""
-    for factor, step in zip(factors, steps, strict=True):
-        value = value - factor * step
-    return value
 
 
 def _short(value: Fraction) -> Fraction:

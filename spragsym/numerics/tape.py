@@ -14,6 +14,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import partialmethod
 from typing import Any, NoReturn, TypeAlias
 
 import numpy as np
@@ -122,23 +123,18 @@ class Recorded(Intervals):
         operand = self._of(other)
         return NotImplemented if operand is None else self._noted(name, operand.place)
 
-    def __neg__(self) -> Recorded:
-        return self._noted("negative")
-
-    def __abs__(self) -> Recorded:
-        return self._noted("absolute")
-
     def __add__(self, other: Number) -> Recorded:
         if isinstance(other, int | float) and other == 0:
             return self
         return self._with("sum", other)
 
+    # An interval on the left asks these first, because they are not those of Intervals.
     def __radd__(self, other: Number) -> Recorded:
         return self.__add__(other)
 
     def __mul__(self, other: Number) -> Recorded:
         if other is self:
-            return self.squared()
+            return self._noted("square")
         if isinstance(other, int | float):
             return self._noted("scaled", self.recording.number(exactly(other)))
         return self._with("product", other)
@@ -160,46 +156,6 @@ class Recorded(Intervals):
             return self._noted("odd_power", power)
         return super().__pow__(power)
 
-    def squared(self) -> Recorded:
-        """x²."""
-        return self._noted("square")
-
-    def sqrt(self) -> Recorded:
-        """Square root."""
-        return self._noted("sqrt")
-
-    def exp(self) -> Recorded:
-        """Exponential."""
-        return self._noted("exp")
-
-    def log(self) -> Recorded:
-        """Natural logarithm."""
-        return self._noted("log")
-
-    def tanh(self) -> Recorded:
-        """Hyperbolic tangent."""
-        return self._noted("tanh")
-
-    def atan(self) -> Recorded:
-        """Arc tangent."""
-        return self._noted("atan")
-
-    def sign(self) -> Recorded:
-        """−1, 0 or 1, or an interval of these."""
-        return self._noted("sign")
-
-    def cos(self) -> Recorded:
-        """Cosine."""
-        return self._noted("cos")
-
-    def sin(self) -> Recorded:
-        """Sine."""
-        return self._noted("sin")
-
-    def not_negative(self) -> Recorded:
-        """Value that is known not to be negative."""
-        return self._noted("not_negative")
-
     def component(self, across: Intervals) -> Recorded:
         """x/√(x² + y²)."""
         return self._with("component", across)
@@ -207,6 +163,18 @@ class Recorded(Intervals):
     def angle(self, cosine: Intervals, side: int | None) -> Recorded:
         """The angle of a vector."""
         return self._with(ANGLES[side], cosine)
+
+
+for _method, _operation in {
+    "__neg__": "negative",
+    "__abs__": "absolute",
+    "squared": "square",
+    **{
+        name: name
+        for name in ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin", "sign", "not_negative")
+    },
+}.items():
+    setattr(Recorded, _method, partialmethod(Recorded._noted, _operation))
 
 
 class RecordedRows:
@@ -263,14 +231,18 @@ class Tapes:
         self, key: Hashable, rows: Rows, given: Sequence[int], vanishing: Sequence[bool] = ()
     ) -> Tape:
         """The tape of a function of inputs with so many rows each; NotRecorded if it has none."""
-        key = (key, *vanishing)
-        if key not in self.known:
-            inputs = (Intervals(np.zeros((2, rows, 1))) for rows in given)
-            self.known[key] = recorded(rows, *inputs, vanishing=vanishing)
-        found = self.known[key]
-        if found is None:
+        inputs = [Intervals(np.zeros((2, number, 1))) for number in given]
+        if (found := self._found(key, rows, inputs, vanishing)) is None:
             raise NotRecorded
         return found
+
+    def _found(
+        self, key: Hashable, rows: Rows, given: Sequence[Intervals], vanishing: Sequence[bool]
+    ) -> Tape | None:
+        key = (key, *vanishing)
+        if key not in self.known:
+            self.known[key] = recorded(rows, *given, vanishing=vanishing)
+        return self.known[key]
 
     def evaluated(
         self,
@@ -285,12 +257,8 @@ class Tapes:
         which may be asked of these alone; a tape holds for one such pattern.
         """
         shape = given[0].shape[1:]
-        if compiled is None or shape == (0,):
-            return stacked(rows(*given), shape)
-        key = (key, *vanishing)
-        if key not in self.known:
-            self.known[key] = recorded(rows, *given, vanishing=vanishing)
-        tape = self.known[key]
+        recordable = compiled is not None and shape != (0,)
+        tape = self._found(key, rows, given, vanishing) if recordable else None
         return stacked(rows(*given), shape) if tape is None else tape(*given)
 
 

@@ -242,11 +242,9 @@ def test_no_look_loses_a_root(steps):
         points,
         np.full((2, 2, 1), np.inf),
         5,
-        boxes.NARROW,
-        True,
+        verdicts.Rules(0.05, 0.35, 2.0**-12, boxes.NARROW, 0.6, True, np.ones(2)),
         None,
         points.bounds,
-        np.ones(2),
     )
     pairs, roots = random_pairs(rng, 600, points)
     left = pairs

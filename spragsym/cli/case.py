@@ -342,12 +342,9 @@ def study_of(
     from ..report.data import read_brake
 
     trust = is_typed("trust") if trust is None else trust
-    brake = read_brake(path, trust or model or False)  # refused before anything large is loaded
-    from ..report.study import Study, warn_of
-
-    study = Study.of(**vars(brake))
+    study = read_brake(path, trust or model or False)
     if warn:
-        warn_of(study)
+        study.with_warnings()
     plain = study.undamped().model
     if model not in (None, study.model, plain):
         raise ParameterError(f"--model {model}: {path} is about {plain}; leave one of the two out")

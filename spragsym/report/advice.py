@@ -9,11 +9,11 @@ import shlex
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
-from .brake import Brake
 from .damping import remedy
 from .example import example_of
 from .facts import FRICTION, Facts
 from .states import State, comes_from_near
+from .study import Study
 from .tolerances import deciding
 from .units import hertz
 
@@ -35,7 +35,7 @@ def warnings(report: Facts) -> tuple[str, ...]:
     )
 
 
-def _contact(study: Brake, found: Sequence[State]) -> Iterator[str]:
+def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
     if not {"L_0", "F_L", "k_c"} <= set(study.values):
         return
     length = 1e3 * study.values["L_0"]
@@ -66,7 +66,7 @@ def _far(report: Facts) -> Iterator[str]:
         )
 
 
-def _stiffness(study: Brake) -> Iterator[str]:
+def _stiffness(study: Study) -> Iterator[str]:
     if "k_c" not in study.values or not study.kind.opens:
         return
     for name in ("k", "k_x", "k_y"):
@@ -79,7 +79,7 @@ def _stiffness(study: Brake) -> Iterator[str]:
         yield f"k = {study.shown('k')} is only {sigma:.1g} times k_c: check its unit"
 
 
-def _friction_caution(study: Brake) -> Iterator[str]:
+def _friction_caution(study: Study) -> Iterator[str]:
     missing = [name for name in study.kind.of_the_law if name not in study.values]
     if missing:
         yield (
@@ -102,7 +102,7 @@ def _friction_caution(study: Brake) -> Iterator[str]:
         yield f"the belt is so slow that friction is {share}: check {cause}"
 
 
-def _fit(study: Brake) -> Iterator[str]:
+def _fit(study: Study) -> Iterator[str]:
     fit = study.fit
     if fit is None:
         return
@@ -135,7 +135,7 @@ def _fit(study: Brake) -> Iterator[str]:
         )
 
 
-def of_data(study: Brake) -> Iterator[str]:
+def of_data(study: Study) -> Iterator[str]:
     """Remarks that the numbers alone call for, whatever is asked of them: a unit that was probably
     meant otherwise.
     """

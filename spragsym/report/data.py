@@ -19,11 +19,11 @@ from ..files.text import FilePath, brake_text, path_text, printed
 from ..models.load import USUAL, WITH_DAMPERS
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
-from .brake import Brake, LoadParameter, check_load, load_parameter_of, spanned
 from .damping import RATIO, modal_dampers
 from .example import OWN_EXAMPLES, example_of
 from .friction_curve import read_friction
 from .friction_fit import FrictionFit, fit_friction
+from .study import LoadParameter, Study, check_load, load_parameter_of, spanned
 from .trust import trusted_model
 from .units import (
     SIGMAS_AT_ENDS,
@@ -37,7 +37,7 @@ from .units import (
 )
 
 
-def read_brake(path: FilePath, trust: bool | str = False) -> Brake:
+def read_brake(path: FilePath, trust: bool | str = False) -> Study:
     """The data of a brake from a TOML file with one table, ``[brake]``.
 
     For each quantity it has a text with number, unit and, if there is one, a tolerance;
@@ -81,7 +81,7 @@ class _FileReader:
         except SpragsymError as error:
             raise ParameterError(f"{self.of(key)}: {before}{error}") from error
 
-    def read(self, trust: bool | str) -> Brake:
+    def read(self, trust: bool | str) -> Study:
         table = self._table()
         for key, value in table.items():
             printed(self.of(key), {key: value})
@@ -142,7 +142,7 @@ class _FileReader:
             if ratio is not None:
                 found |= modal_dampers(kind, found, ratio)
         measured = {key: found[key] for key in kind.units if key in found}
-        return Brake.of(**data, source=Path(self.path).name, quantities=measured)
+        return Study.of(**data, source=Path(self.path).name, quantities=measured)
 
     def _check_missing(
         self, given: Set[str], own: Mapping[str, Any], kind: Quantities, dampers: Set[str]

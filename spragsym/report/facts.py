@@ -19,7 +19,6 @@ from ..design.probability import JumpProbability
 from ..numerics.columns import selected_rows
 from ..results.points import CriticalLoad, Points
 from ..statics.equilibria import equilibria
-from .brake import Brake
 from .friction_law import speed_for
 from .redesigns import Change, changes, distance
 from .states import (
@@ -33,6 +32,7 @@ from .states import (
     others,
     states,
 )
+from .study import Study
 from .tolerances import bracket, certificate, chance, sampling_budget, varied
 from .units import Numbers
 
@@ -77,7 +77,7 @@ class Facts:
 
     Attributes
     ----------
-    study : Brake
+    study : Study
         The brake.
     jump_parameter : float or None
         Where the followed state jumps, as the loading parameter; NaN where it does not.
@@ -123,7 +123,7 @@ class Facts:
         the loading parameter and along the inclination; ``"border"`` where it leaves the contact.
     """
 
-    study: Brake
+    study: Study
     jump_parameter: float | None
     jump_at: float | None
     speed: float
@@ -227,7 +227,7 @@ def percent_beyond(value: float, other: float) -> float:
 class _Answers:
     """Answers about one brake, and remarks about what can't be answered, in the order of asking."""
 
-    def __init__(self, study: Brake) -> None:
+    def __init__(self, study: Study) -> None:
         self.study = study
         self.remarks: list[str] = []
 
@@ -259,7 +259,7 @@ class _Answers:
         return ", and ".join(dict.fromkeys(text.partition(";")[0] for text in reasons_in_units))
 
 
-def facts(study: Brake, options: ReportOptions) -> Facts:
+def facts(study: Study, options: ReportOptions) -> Facts:
     """All facts of a report; the same study and options give the same facts."""
     study.kind.model.require_answered("report")
     _slides(study)
@@ -341,7 +341,7 @@ def facts(study: Brake, options: ReportOptions) -> Facts:
     )
 
 
-def _slides(study: Brake) -> None:
+def _slides(study: Study) -> None:
     """An error for a belt that stands still, against which nothing slides."""
     kind = study.kind
     rubs = kind.has_friction and study.quantities[str(kind.friction)].high > 0
@@ -373,13 +373,13 @@ def _jump(answers: _Answers) -> float | None:
     return found
 
 
-def speed_of_jump(study: Brake, jump: float | None) -> float:
+def speed_of_jump(study: Study, jump: float | None) -> float:
     """The belt speed from which on the largest friction reaches the jump; NaN without one."""
     jumps = jump is not None and not math.isnan(jump) and study.of_friction
     return speed_for(study, jump) if jump is not None and jumps else math.nan
 
 
-def reach_of(study: Brake, jump: float | None, speed: float) -> str:
+def reach_of(study: Study, jump: float | None, speed: float) -> str:
     """Largest friction and its origin, as :attr:`Facts.reach` says it."""
     _, here, most = study.in_use
     if jump is None:
@@ -437,7 +437,7 @@ def _folds(answers: _Answers) -> dict[str, Points]:
     return found
 
 
-def _rows(study: Brake, found: dict[str, Points]) -> tuple[FoldRow, ...]:
+def _rows(study: Study, found: dict[str, Points]) -> tuple[FoldRow, ...]:
     rows = []
     for vary, points in found.items():
         for i, value in enumerate(points[vary].tolist()):

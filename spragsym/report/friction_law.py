@@ -20,17 +20,17 @@ from ..statics.forces import as_intervals
 from .units import Measured
 
 if TYPE_CHECKING:
-    from .brake import Brake
+    from .study import Study
 
 
-def friction_depends_on(study: Brake) -> tuple[str, ...]:
+def friction_depends_on(study: Study) -> tuple[str, ...]:
     """Quantities on which the friction that works depends."""
     law, own = study.kind.law, study.kind.friction
     full = law["at_rest"] == "full" and study.law == "friction_at_rest"
     return (own,) if full and own is not None else tuple(law["quantities"])
 
 
-def friction_bounds(study: Brake) -> Span:
+def friction_bounds(study: Study) -> Span:
     """Bounds of the friction that works for everything within the tolerances, by intervals."""
     law = _Law(study)
     least, most = -law.largest(-1), law.largest()
@@ -38,7 +38,7 @@ def friction_bounds(study: Brake) -> Span:
     return max(0.0, least) if study.kind.law["at_rest"] == "full" else least, most
 
 
-def speed_for(study: Brake, friction: float) -> float:
+def speed_for(study: Study, friction: float) -> float:
     """The least speed of the belt in m/s at which the largest friction within the tolerances is
     this one; NaN where none is.
 
@@ -81,7 +81,7 @@ class _Law:
     measure cancel in it.
     """
 
-    def __init__(self, study: Brake) -> None:
+    def __init__(self, study: Study) -> None:
         names = study.kind.law["quantities"]
         exact = {
             name: replace(one, low=one.value, high=one.value)
@@ -128,7 +128,7 @@ class _Law:
         return np.where(low[side] < high[side], found.high - found.low, -1.0)
 
 
-def parameter_ends(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
+def parameter_ends(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
     """Two sets of parameters at the study's own units, rounded outward, and units of measure that
     have tolerances too.
     """

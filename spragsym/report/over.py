@@ -13,10 +13,10 @@ from ..design.jumps import verb_of
 from ..models.parameters import FloatArray
 from ..models.quantities import factor
 from ..statics.equilibria import equilibria
-from .brake import Brake
 from .damping import modal_dampers
 from .facts import percent_beyond, reach_of, speed_of_jump
 from .states import current, states
+from .study import Study
 from .units import Measured
 
 #: What is said of a point by where its state ends, see :attr:`Facts.reach`, in the words of an
@@ -86,7 +86,7 @@ def _cell(value: float | str) -> str:
     return value if isinstance(value, str) else repr(value) if math.isfinite(value) else ""
 
 
-def verdicts_over(study: Brake, over: Mapping[str, FloatArray]) -> Verdicts:
+def verdicts_over(study: Study, over: Mapping[str, FloatArray]) -> Verdicts:
     """The verdict at each point of a grid; values are in the units of the file.
 
     A quantity that has a tolerance keeps it as a share of its value, an inclination as it is.
@@ -121,7 +121,7 @@ def _titled(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def _verdict_of(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float | str, ...], str]:
+def _verdict_of(study: Study, values: Mapping[str, float]) -> tuple[tuple[float | str, ...], str]:
     """Verdict of one point, and the reason where there is none."""
     try:
         at = brake_at(study, values)
@@ -136,7 +136,7 @@ def _verdict_of(study: Brake, values: Mapping[str, float]) -> tuple[tuple[float 
     return (shown, percent_beyond(jump, at.in_use[2]), outcome, here), ""
 
 
-def brake_at(study: Brake, values: Mapping[str, float]) -> Brake:
+def brake_at(study: Study, values: Mapping[str, float]) -> Study:
     """The brake with quantities at values in the units of the file; a damping ratio holds for every
     mode there, too, unless one of its dampers is among them.
     """
@@ -149,7 +149,7 @@ def brake_at(study: Brake, values: Mapping[str, float]) -> Brake:
     return study.with_quantities(measured)
 
 
-def _placed(study: Brake, name: str, value: float) -> Measured:
+def _placed(study: Study, name: str, value: float) -> Measured:
     """A quantity at a value in the unit of the file."""
     one, unit, allowed = study.quantities[name], study.kind.units[name], study.kind.ranges()[name]
     si = value * factor(one.unit, unit)

@@ -22,7 +22,7 @@ from ..models.parameters import Range, Span
 from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray
 from ..results import Result
-from .brake import Brake
+from .study import Study
 from .tolerances import (
     begins_alike,
     certificate,
@@ -67,7 +67,7 @@ class Change(Result):
     outcome: str
 
 
-def changes(study: Brake, target: float) -> tuple[Change, ...]:
+def changes(study: Study, target: float) -> tuple[Change, ...]:
     """Changes that keep the jump at or beyond a target, and beyond the largest value given for all
     brakes within the tolerances.
 
@@ -90,7 +90,7 @@ def changes(study: Brake, target: float) -> tuple[Change, ...]:
     return (*found, together)
 
 
-def distance(study: Brake) -> float:
+def distance(study: Study) -> float:
     """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without
     one, or a jump.
     """
@@ -100,7 +100,7 @@ def distance(study: Brake) -> float:
     return math.nan
 
 
-def design(study: Brake) -> Design:
+def design(study: Study) -> Design:
     """The brake as drawn, with the friction that works, as a design of the model: quantities in
     SI.
     """
@@ -122,7 +122,7 @@ def design(study: Brake) -> Design:
 class _RedesignSearch:
     """The changes of one brake."""
 
-    def __init__(self, study: Brake, target: float) -> None:
+    def __init__(self, study: Study, target: float) -> None:
         self.study, self.target, self.budget = study, target, sampling_budget(study)
         self.span = {
             name: self._span(name) for name in study.kind.balanced if name != study.loading.quantity
@@ -344,7 +344,7 @@ class _RedesignSearch:
         )
 
 
-def _rounded(study: Brake, name: str, after: float, further: int) -> float:
+def _rounded(study: Study, name: str, after: float, further: int) -> float:
     """A value rounded away from the old one to few digits in its unit, and then by single units of
     the last digit farther.
     """

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from ..orbits import Cycle
-from .brake import Brake
+from .study import Study
 
 
-def surface_levels(study: Brake, found: Cycle) -> list[dict[str, str | float]]:
+def surface_levels(study: Study, found: Cycle) -> list[dict[str, str | float]]:
     """Speeds and levels of a cycle: a row for each coordinate that is a length.
 
     Parameters

@@ -28,7 +28,7 @@ from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.search import balances_of, number_of
 from ..statics.stability import linearization, roots, verdicts
-from .brake import Brake
+from .study import Study
 from .units import Numbers
 
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
@@ -154,7 +154,7 @@ def _opens(forces: Any) -> bool:
     return any(ends is not None and ends[0] == 0 for ends in each)
 
 
-def unit_of(study: Brake, name: str = "") -> tuple[str, float]:
+def unit_of(study: Study, name: str = "") -> tuple[str, float]:
     """The unit of a coordinate, by default of the first, and its size: lengths in millimetres,
     angles in degrees.
     """
@@ -162,19 +162,19 @@ def unit_of(study: Brake, name: str = "") -> tuple[str, float]:
     return ("mm", 1e3 * study.scales.length) if si == "m" else ("deg", math.degrees(1.0))
 
 
-def in_units(study: Brake, position: Numbers) -> Numbers:
+def in_units(study: Study, position: Numbers) -> Numbers:
     """The coordinates of a place by name and unit."""
     shown = ((name, *unit_of(study, name)) for name in study.kind.coordinates if name in position)
     return {f"{name}_{unit}": size * float(position[name]) for name, unit, size in shown}
 
 
-def _of_springs(study: Brake, values: Sequence[Any]) -> OfSprings:
+def _of_springs(study: Study, values: Sequence[Any]) -> OfSprings:
     if len(values) < 2:
         return next(iter(values), None)
     return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
 
 
-def _of_contacts(study: Brake, in_newtons: Mapping[str, Any]) -> Any:
+def _of_contacts(study: Study, in_newtons: Mapping[str, Any]) -> Any:
     """The force of the only contact, or those of several by their names; None without any."""
     names = [one["name"] for one in study.kind.about["contacts"]]
     codes = {name: forces.named("contact_force", name) for name in names}
@@ -182,7 +182,7 @@ def _of_contacts(study: Brake, in_newtons: Mapping[str, Any]) -> Any:
     return found.get("", found or None)
 
 
-def _forces(study: Brake, ends: Ranges, share: float = 1.0) -> tuple[Any, Any]:
+def _forces(study: Study, ends: Ranges, share: float = 1.0) -> tuple[Any, Any]:
     size = share * study.scales.force
     in_newtons = {name: (low * size, high * size) for name, (low, high) in ends.items()}
     contacts = _of_contacts(study, in_newtons)
@@ -198,7 +198,7 @@ def _extremes(p: ParameterSet, states: FloatArray) -> Ranges:
     return {name: (float(np.min(force)), float(np.max(force))) for name, force in forces_over_time}
 
 
-def states(study: Brake, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
+def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
     """Every state of ``eq``, in contact at the friction that works, in its order; the one that is
     ``here`` is ``current``.
     """
@@ -215,7 +215,7 @@ def states(study: Brake, eq: Equilibria, here: Numbers | None) -> tuple[State, .
 
 
 def others(
-    study: Brake, eq: Equilibria, states: Sequence[State]
+    study: Study, eq: Equilibria, states: Sequence[State]
 ) -> tuple[tuple[Numbers, float | None], ...]:
     """Other stable states of ``eq``, as they are known, than the current one: each place in units,
     and the loading parameter where it ends, NaN where it does not, None where that is not known.
@@ -238,7 +238,7 @@ def others(
     return tuple(found)
 
 
-def current(study: Brake, eq: Equilibria) -> Numbers | None:
+def current(study: Study, eq: Equilibria) -> Numbers | None:
     """The coordinates of the state that is reached as the loading parameter rises; where nothing
     does, of the only one.
     """
@@ -253,7 +253,7 @@ def current(study: Brake, eq: Equilibria) -> Numbers | None:
     return {name: float(column[-1]) for name, column in path.coordinates.items()}
 
 
-def comes_from_near(study: Brake, position: Numbers) -> bool:
+def comes_from_near(study: Study, position: Numbers) -> bool:
     """Whether the state in a place, of coordinates and units, is the one that is reached from near
     it, where the loading parameter begins; else a jump leads there, or a push.
     """
@@ -282,7 +282,7 @@ def _places(eq: Equilibria) -> list[Numbers]:
     ]
 
 
-def _state(study: Brake, eq: Equilibria, slot: int, position: Numbers, is_here: bool) -> State:
+def _state(study: Study, eq: Equilibria, slot: int, position: Numbers, is_here: bool) -> State:
     scales, model = study.scales, study.kind.model
 
     def of(names: Iterable[str], scale: float) -> OfSprings:
@@ -323,7 +323,7 @@ def _state(study: Brake, eq: Equilibria, slot: int, position: Numbers, is_here: 
     )
 
 
-def _roots(study: Brake, q: list[float], touching: str) -> ComplexArray:
+def _roots(study: Study, q: list[float], touching: str) -> ComplexArray:
     """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope
     where that is not known.
     """
@@ -339,7 +339,7 @@ def _roots(study: Brake, q: list[float], touching: str) -> ComplexArray:
     return roots(*linearization(balance, np.array(q)[:, None], given[:, None]))[0]
 
 
-def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
+def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
     """The jump as a motion; None where the belt's friction reaches none, the law is not known, or
     the motion creeps.
 
@@ -400,7 +400,7 @@ def jump_peak(study: Brake, value: float, speed: float) -> JumpPeak | None:
     )
 
 
-def _moving(study: Brake, value: float, speed: float) -> ParameterSet | None:
+def _moving(study: Study, value: float, speed: float) -> ParameterSet | None:
     """The parameters of the motion where it jumps; None where the law is not known or brings no
     such friction.
     """
@@ -433,7 +433,7 @@ def _balanced(balance: Balance, p: ParameterSet, position: FloatArray, held: int
     return q
 
 
-def oscillation_of(study: Brake, stability: str | None, holds: bool) -> Oscillation:
+def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillation:
     """The cycle that the motion comes to, from rest or from far out; or what it does instead.
 
     ``stability`` is of the state that the brake is in, and ``holds`` whether that is not unstable.

@@ -14,10 +14,10 @@ from ..design.probability import JumpProbability
 from ..models.load import USUAL, WITH_DAMPERS
 from ..statics.stability import NEUTRAL_GROWTH
 from .advice import Rows, next_steps, warnings
-from .brake import Brake
 from .facts import Facts, percent_beyond
 from .redesigns import LARGEST_FACTOR
 from .states import SHARE_BEYOND_FOLD, JumpPeak, Oscillation, State, in_units
+from .study import Study
 from .units import SIGMAS_AT_ENDS, Numbers, hertz
 
 #: An object in JSON.
@@ -49,7 +49,7 @@ def _on_others(report: Facts) -> str:
     )
 
 
-def followed_state(study: Brake) -> str:
+def followed_state(study: Study) -> str:
     """Name of the state that is followed."""
     if study.state:
         return f"the state chosen near {_places(in_units(study, study.near))}"
@@ -142,7 +142,7 @@ def _on_the_jump(report: Facts) -> str:
     return f"It {sprags}{model}: {state} {jumps}, {where} {load.word} {ends}."
 
 
-def _apart(study: Brake, jump: float, ends: Sequence[float]) -> int:
+def _apart(study: Study, jump: float, ends: Sequence[float]) -> int:
     """The digits, from four on, in which the jump and what it is compared with are told apart."""
     # Digits of a sentence at most.
     most_digits = 8

@@ -18,8 +18,8 @@ from ..design.probability import JumpProbability, Sampling, estimated, measured
 from ..design.tube_certificates import Splitting, claims
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import Unit
-from .brake import Brake
 from .friction_law import friction_bounds, friction_depends_on, parameter_ends
+from .study import Study
 from .units import Measured, Numbers
 
 
@@ -42,7 +42,7 @@ class SamplingBudget:
     further: tuple[float, ...] = (0.0, 0.03, 0.3)
 
 
-def sampling_budget(study: Brake) -> SamplingBudget:
+def sampling_budget(study: Study) -> SamplingBudget:
     """SamplingBudget for the study's model."""
     # Where a jump is looked for without end, and so by closed forms, thousands of points in
     # a second: more.
@@ -60,7 +60,7 @@ def sampling_budget(study: Brake) -> SamplingBudget:
     return endless if math.isinf(study.upper_limit) else SamplingBudget()
 
 
-def deciding(study: Brake) -> tuple[str, ...]:
+def deciding(study: Study) -> tuple[str, ...]:
     """The quantities that decide whether it jumps: those of the balance of forces, and of the
     friction that works.
     """
@@ -68,12 +68,12 @@ def deciding(study: Brake) -> tuple[str, ...]:
     return tuple(name for name in study.quantities if name in names)
 
 
-def varied(study: Brake) -> list[str]:
+def varied(study: Study) -> list[str]:
     """Quantities that have a tolerance."""
     return [name for name in deciding(study) if study.quantities[name].varies]
 
 
-def values_at(study: Brake, shares: FloatArray) -> dict[str, FloatArray]:
+def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
     """All quantities in SI, within their ranges, at shares of what is :func:`varied`, of shape (n,
     varied).
     """
@@ -87,7 +87,7 @@ def values_at(study: Brake, shares: FloatArray) -> dict[str, FloatArray]:
     return values
 
 
-def corners(study: Brake) -> FloatArray:
+def corners(study: Study) -> FloatArray:
     """Shares of the brake as drawn with most of what rises, and of all corners of the tolerances
     that may occur, at its upper end only.
     """
@@ -103,7 +103,7 @@ def corners(study: Brake) -> FloatArray:
     return np.vstack([drawn, found])
 
 
-def samples(study: Brake, number: int) -> FloatArray:
+def samples(study: Study, number: int) -> FloatArray:
     """Shares of Sobol' points, correlated as the quantities are."""
     from scipy.stats import qmc  # heavy, and a refusal does not need it
 
@@ -114,7 +114,7 @@ def samples(study: Brake, number: int) -> FloatArray:
 
 
 def ending(
-    study: Brake, values: Mapping[str, Any], target: float | None = None, *, coarse: bool = False
+    study: Study, values: Mapping[str, Any], target: float | None = None, *, coarse: bool = False
 ) -> FloatArray:
     """1 for brakes, by their quantities in SI, that jump up to a target, or to the own value of
     each; 0 or NaN for others.
@@ -122,7 +122,7 @@ def ending(
     return limit_point_passed(study.loaded(values, target), **study.along(values), coarse=coarse)
 
 
-def box(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
+def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
     """Corners between which all brakes lie, with the μ₀ of the friction that works; what rises has
     begun to.
     """
@@ -136,18 +136,18 @@ def box(study: Brake) -> tuple[Any, Any, dict[str, Unit]]:
     return low, high, units
 
 
-def splitting(study: Brake) -> Splitting:
+def splitting(study: Study) -> Splitting:
     """The state of all brakes, followed as what rises does, in parts of their box."""
     low, high, units = box(study)
     return Splitting(low, high, study.loading.name, study.start(), units)
 
 
-def _all_works(study: Brake) -> bool:
+def _all_works(study: Study) -> bool:
     """Whether statics takes the friction as the parameters have it, and not a share of μ₀."""
     return study.kind.law["at_rest"] != "full" or study.law == "friction_at_rest"
 
 
-def certificate(study: Brake, *, coarse: bool = False) -> Certificate:
+def certificate(study: Study, *, coarse: bool = False) -> Certificate:
     """Whether no brake within the tolerances jumps: proved, refuted by one in SI, or undecided;
     ``coarse`` ends earlier.
 
@@ -173,7 +173,7 @@ def certificate(study: Brake, *, coarse: bool = False) -> Certificate:
     return replace(found, outcome="undecided", counterexample=None)
 
 
-def counterexample(study: Brake, number: int) -> Numbers | None:
+def counterexample(study: Study, number: int) -> Numbers | None:
     """A brake within the tolerances that jumps, in SI: a corner if there is one, or one of some
     points.
     """
@@ -185,7 +185,7 @@ def counterexample(study: Brake, number: int) -> Numbers | None:
     return None
 
 
-def chance(study: Brake, n: int) -> JumpProbability:
+def chance(study: Study, n: int) -> JumpProbability:
     """Probability of a jump with the distributions of the file, what varies together included."""
     return estimated(
         study.values | {name: study.quantities[name].whole for name in varied(study)},
@@ -194,7 +194,7 @@ def chance(study: Brake, n: int) -> JumpProbability:
     )
 
 
-def begins_alike(study: Brake, after: Numbers) -> bool:
+def begins_alike(study: Study, after: Numbers) -> bool:
     """Whether the state that is followed in a changed brake is the one of the brake as drawn, not
     one behind its end.
     """
@@ -216,7 +216,7 @@ def begins_alike(study: Brake, after: Numbers) -> bool:
         return False
 
 
-def bracket(study: Brake) -> Span:
+def bracket(study: Study) -> Span:
     """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is
     proved not to.
 
@@ -251,7 +251,7 @@ def bracket(study: Brake) -> Span:
     return max(0.0, below - off), min(1.0, above + off)
 
 
-def _shares_that_work(study: Brake) -> Span:
+def _shares_that_work(study: Study) -> Span:
     """Bounds of the share of μ₀ that works, over all tolerances but that of μ₀."""
     if _all_works(study):
         return 1.0, 1.0
@@ -265,7 +265,7 @@ def _shares_that_work(study: Brake) -> Span:
     return max(nothing, least), max(nothing, most)
 
 
-def sides(study: Brake) -> dict[str, tuple[str, float]]:
+def sides(study: Study) -> dict[str, tuple[str, float]]:
     """For each parameter and each unit the quantity that it is, and its unit in SI."""
     kind = study.kind
     return {f"{base}/{base}_0": (base, study.values[base]) for base in kind.bases} | {

@@ -16,7 +16,7 @@ import pytest
 import spragsym as ss
 from spragsym.core.errors import ConvergenceError
 from spragsym.report import facts
-from spragsym.report.brake import Brake
+from spragsym.report.study import Study
 from tests.report.test_sentences import (
     DAMPED,
     EXACT,
@@ -94,7 +94,7 @@ def lowest(kind: str, value: float, complete: bool = True) -> Callable[..., Any]
 )
 def test_a_remark(
     question: str,
-    study: Brake,
+    study: Study,
     answers: dict[str, Any],
     remark: str,
     monkeypatch: pytest.MonkeyPatch,

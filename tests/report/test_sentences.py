@@ -14,11 +14,11 @@ import scipy.optimize
 import spragsym as ss
 from spragsym.design.probability import JumpProbability
 from spragsym.report import facts, texts
-from spragsym.report.brake import Brake
 from spragsym.report.facts import Facts, FoldRow
 from spragsym.report.friction_fit import FrictionFit, fit_friction
 from spragsym.report.redesigns import Change
 from spragsym.report.states import JumpPeak, Oscillation, State, states
+from spragsym.report.study import Study
 
 #: The quantities of a brake in SI.
 BRAKE: Mapping[str, float] = {
@@ -234,7 +234,7 @@ FACTS = Facts(
 )
 
 
-def said_of(study: Brake = EXACT, **known: Any) -> Facts:
+def said_of(study: Study = EXACT, **known: Any) -> Facts:
     """Facts of a brake that jumps at more friction than it has, with some of them replaced."""
     return dataclasses.replace(FACTS, study=study, **known)
 

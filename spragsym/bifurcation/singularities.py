@@ -216,15 +216,12 @@ def only_fold(family: Family, box: FloatArray, mirror: Mirror) -> bool:
         ]
         wide = np.maximum(box[:, :-1], image)
         wide = wide + 0.25 * width_of(wide) + 1e-9
-        if mirror.exchanges:
-            at = balance.state(list(Intervals(wide[:, :, None])), parameters)
-            slopes = matrix(mirror.slopes(at), (1,)).middle[:, :, 0]
-            parted = mirror.along(list(Intervals(wide[:, :, None])))
-            for number in (k for pair in mirror.partners.items() for k in (pair[0], pair[1][0])):
-                parted[number] = parted[number] * 0.5
-            wide = stacked(parted, (1,)).ends[:, :, 0]
-        else:
-            slopes = balance.jacobian(Intervals(wide[:, :, None]), parameters).middle[:, :, 0]
+        sides = Intervals(wide[:, :, None])
+        slopes = matrix(mirror.slopes(balance.state(sides, parameters)), (1,)).middle[:, :, 0]
+        parted = mirror.along(list(sides))
+        for j, (i, _) in mirror.partners.items():
+            parted[i], parted[j] = parted[i] * 0.5, parted[j] * 0.5
+        wide = stacked(parted, (1,)).ends[:, :, 0]
     if not np.isfinite(slopes).all():
         return False
     *whole, span = exact_ends(np.concatenate([wide, box[:, -1:]], axis=1))
@@ -296,11 +293,13 @@ def mirrors_of(balance: Balance, over: Intervals) -> list[Mirror]:
     """The mirrors that the page has for these parameters, shape (P, 1): of signs, and then those
     that exchange coordinates or contacts.
     """
-    odd = _reflected_coordinates(balance, over)
-    upright = balance.model.about["mirror"]["upright"]
-    found = (
-        [Mirror(odd, lambda q, values: balance.at(q, values).mirrored(), upright)] if odd else []
-    )
+    about, found = balance.model.about["mirror"], list[Mirror]()
+    if any(_hold(balance, over, [(name, 0) for name in names]) for names in about["zero"]):
+        odd = [balance.coordinates.index(name) for name in about["turned"]]
+        if odd:
+            found.append(
+                Mirror(odd, lambda q, given: balance.at(q, given).mirrored(), about["upright"])
+            )
     for about in balance.model.about.get("exchanges", ()):
         touching = [balance.pushing[k] for k in about["contacts"]]
         if touching == balance.pushing and any(_hold(balance, over, one) for one in about["where"]):
@@ -332,23 +331,6 @@ def _exchanged(
     places: Sequence[int], signs: Sequence[int], q: Sequence[Any], _: Values
 ) -> list[Any]:
     return [sign * q[place] for place, sign in zip(places, signs, strict=True)]
-
-
-def _reflected_coordinates(balance: Balance, over: Intervals) -> list[int]:
-    """Numbers of the coordinates that the mirror turns, if the model is its own image for these
-    parameters, shape (P, 1).
-    """
-    about = balance.model.about["mirror"]
-    with quiet():
-        mus = stacked(balance.at((), balance.over(over)).frictions, (1,)).magnitude.max(axis=1)
-    zero = {
-        name for name, ends in zip(balance.parameters, over, strict=True) if not ends.ends.any()
-    }
-    coefficients = balance.model.about["by_parameters"][-len(mus) :]
-    zero |= {name for name, mu in zip(coefficients, mus.tolist(), strict=True) if mu <= NEGLIGIBLE}
-    if not any(zero.issuperset(names) for names in about["zero"]):
-        return []
-    return [balance.coordinates.index(name) for name in about["turned"]]
 
 
 def _with_signs(odd: Sequence[int], q: Sequence[Any], _: Values) -> list[Any]:

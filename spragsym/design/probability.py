@@ -426,88 +426,64 @@ def jump_probability(
     found = estimated(variables, event, sampling)
     if not max_boxes:
         return found
-    return replace(found, proved=bracket(asked, variables, vary, begin, max_boxes))
+    proved = measured(*_split(asked, variables, vary, begin), max_boxes)
+    return replace(found, proved=proved)
 
 
-def bracket(
-    model: Model, variables: dict[str, Any], vary: str, begin: float, max_boxes: int
-) -> Span:
-    """Probability of what is proved to end, and one minus that of what is proved not to."""
-    low, high, laws = _corners(model, variables)
-    up_to = _up_to(laws, vary, float(high[vary]))
-    return measured(
-        Splitting(low, high, vary, begin),
-        _cdf_of(laws),
-        (up_to, up_to),
-        max_boxes,
-    )
-
-
-def _corners(
-    model: Model, variables: dict[str, Any]
-) -> tuple[ParameterSet, ParameterSet, dict[str, Any]]:
-    """Two corners of a box that holds all points, but for tails without an end; laws of what
-    varies.
-    """
+def _split(
+    model: Model, variables: dict[str, Any], vary: str, begin: float
+) -> tuple[Splitting, OpenShare]:
+    """A box that holds all points, but for tails without an end, and how probable its parts are."""
     laws = {name: one for name, one in variables.items() if not isinstance(one, float)}
     ends = ({name: _end(one, share) for name, one in laws.items()} for share in (0.0, 1.0))
     low, high = (model.Parameters(**variables | end) for end in ends)
-    return low, high, laws
-
-
-def _cdf_of(laws: Mapping[str, Any]) -> dict[str, Shares]:
-    """Shares up to a value of each."""
-    return {name: law.cdf for name, law in laws.items()}
-
-
-def _up_to(laws: Mapping[str, Any], vary: str, goal: float) -> Shares:
-    """The share of the distribution of what moves up to some values."""
-    return laws[vary].cdf if vary in laws else lambda value: 1.0 * (value >= goal)
+    box, goal = Splitting(low, high, vary, begin), float(high[vary])
+    shares: dict[str, Shares] = {name: law.cdf for name, law in laws.items()}
+    up_to = shares.get(vary, lambda value: 1.0 * (value >= goal))
+    return box, OpenShare(box.free, shares, (up_to, up_to))
 
 
 def _proved(model: Model, variables: dict[str, Any], vary: str, begin: float) -> ProvedJumps | None:
     """Proved part of the box of the variables, if any."""
-    low, high, laws = _corners(model, variables)
-    up_to = _up_to(laws, vary, float(high[vary]))
     try:
-        box = Splitting(low, high, vary, begin)
-        share = partial(_open_share, box.free, _cdf_of(laws), (up_to, up_to))
-        return proved_jumps(box, share, Pieces.few)
+        return proved_jumps(*_split(model, variables, vary, begin), Pieces.few)
     except (ConvergenceError, ParameterError):  # of a box around points that may all be decided
         return None
 
 
-def measured(
-    box: Splitting, laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], max_boxes: int
-) -> Span:
-    """The bracket over a box; ``laws`` are shares up to a value of each side, and ``up_to`` bounds
-    of those of what moves.
+@dataclass(frozen=True)
+class OpenShare:
+    """Probability of what is not decided of pieces of a box: ``laws`` are shares up to a value of
+    each of the sides that are ``free``, and ``up_to`` bounds of those of what moves.
     """
 
+    free: Sequence[str]
+    laws: Mapping[str, Shares]
+    up_to: tuple[Shares, Shares]
+
+    def __call__(self, pieces: Pieces) -> FloatArray:
+        """Of each piece."""
+        return self.of_free(pieces) * (self.up_to[1](pieces.top) - self.up_to[0](pieces.safe))
+
+    def of_free(self, pieces: Pieces) -> FloatArray:
+        """Probability of the sides of each piece but that of what moves."""
+        sides = zip(self.free, pieces.low[:-1], pieces.high[:-1], strict=True)
+        parts = [self.laws[name](high) - self.laws[name](low) for name, low, high in sides]
+        return np.prod([np.ones(len(pieces)), *parts], axis=0)
+
+
+def measured(box: Splitting, share: OpenShare, max_boxes: int) -> Span:
+    """Probability of what is proved to end, and one minus that of what is proved not to."""
     least, most = 0.0, 1.0
     box.sharp = True
-    for pieces, last, _ in box.run(partial(_open_share, box.free, laws, up_to), max_boxes):
+    for pieces, last, _ in box.run(share, max_boxes):
         done = pieces[last]
-        of_free = _share_of_free(box.free, laws, done)
-        least += float((of_free * (1.0 - up_to[1](done.top))).sum())
-        most -= float((of_free * up_to[0](done.safe)).sum())
+        of_free = share.of_free(done)
+        least += float((of_free * (1.0 - share.up_to[1](done.top))).sum())
+        most -= float((of_free * share.up_to[0](done.safe)).sum())
     # What sums of shares are rounded outward by.
     rounding = 1e-12
     return max(0.0, least - rounding), min(1.0, most + rounding)
-
-
-def _open_share(
-    free: Sequence[str], laws: Mapping[str, Shares], up_to: tuple[Shares, Shares], pieces: Pieces
-) -> FloatArray:
-    """Probability of what is not decided of each piece."""
-    return _share_of_free(free, laws, pieces) * (up_to[1](pieces.top) - up_to[0](pieces.safe))
-
-
-def _share_of_free(free: Sequence[str], laws: Mapping[str, Shares], pieces: Pieces) -> FloatArray:
-    """Probability of the sides of each piece but that of what moves."""
-    sides = zip(free, pieces.low[:-1], pieces.high[:-1], strict=True)
-    parts = [laws[name](high) - laws[name](low) for name, low, high in sides]
-    return np.prod([np.ones(len(pieces)), *parts], axis=0)
 
 
 def _end(law: Quantiles, share: float) -> float:

@@ -14,7 +14,7 @@ import numpy as np
 from ..core.errors import ConvergenceError
 from ..design.certificates import Certificate
 from ..design.jumps import limit_point_passed
-from ..design.probability import JumpProbability, Sampling, estimated, measured
+from ..design.probability import JumpProbability, OpenShare, Sampling, estimated, measured
 from ..design.tube_certificates import Splitting, claims
 from ..models.parameters import FloatArray, Span
 from ..models.quantities import Unit
@@ -243,7 +243,7 @@ def bracket(study: Study) -> Span:
     up_to = law(quantity, size / most), law(quantity, size / least)
     # Parts of them.
     parts = 200
-    below, above = measured(whole, laws, up_to, parts)
+    below, above = measured(whole, OpenShare(whole.free, laws, up_to), parts)
     ends = [study.quantities[name] for name in names]
     # Of a share of a distribution, where values go over its width.
     rounding = 2.0**-50

@@ -70,19 +70,22 @@ class Reflection:
         """Whether a line lies after the mirror where the mirrored image of another one does; its
         own is upright on the mirror.
         """
-        image = [
-            part.subs({symbol: self.image(symbol) for symbol in self.centres}, simultaneous=True)
-            for part in (line.dx, line.dy)
-        ]
-        return (
-            bool(self.centres)
-            and sp.expand(image[0] + other.dx) == 0
-            and sp.expand(image[1] - other.dy) == 0
-        )
+        images = {symbol: self.image(symbol) for symbol in self.centres}
+        return bool(self.centres) and _lies(line, images, other, (-1, 1))
 
     def image(self, symbol: sp.Symbol) -> sp.Expr:
         """Place where a mirror takes a coordinate."""
         return self.centres[symbol] - symbol if symbol in self.centres else symbol
+
+
+def _lies(
+    line: Line, images: Mapping[sp.Symbol, sp.Expr], other: Line, ways: tuple[int, int]
+) -> bool:
+    """Whether the image of a line lies where another one does, along the belt and across it in
+    these ways.
+    """
+    dx, dy = (part.subs(images, simultaneous=True) for part in (line.dx, line.dy))
+    return bool(expanded(dx - ways[0] * other.dx) == 0 == expanded(dy - ways[1] * other.dy))
 
 
 def mirror(model: Mechanics) -> Reflection:
@@ -132,7 +135,6 @@ def _remainders(model: Mechanics, one: Reflection) -> list[sp.Expr]:
     """Expressions in parameters that vanish where the forces follow."""
     images = {symbol: one.image(symbol) for symbol in model.coordinates}
     changes: dict[sp.Expr, sp.Expr] = dict(images)
-    unknown: list[sp.Symbol] = []
     for line in model.lines:
         image_of = next((other for other in (line, *model.lines) if one.takes(line, other)), None)
         if image_of is not None:
@@ -140,16 +142,13 @@ def _remainders(model: Mechanics, one: Reflection) -> list[sp.Expr]:
         else:
             # A line that is not mirrored has another direction and length.
             others = sp.symbols(f"{line.c}_image {line.s}_image {line.l}_image", real=True)
-            unknown += others
             changes |= dict(zip((line.c, line.s, line.l), others, strict=True))
-    unknown += model.turned
     for torsion in model.torsions:
         # A mirrored line that is at rest upright is turned the other way; of another nothing is
         # known.
         odd = one.takes(torsion.line, torsion.line) and torsion.cosine_of_rest == 0
         image = sp.Symbol(f"{torsion.phi}_image", real=True)
         changes[torsion.phi] = -torsion.phi if odd else image
-        unknown += [] if odd else [image]
     rows = []
     gaps = [contact.gap for contact in model.contacts if contact.gap is not None]
     if any(sp.expand(gap.subs(images, simultaneous=True) - gap) != 0 for gap in gaps):
@@ -157,19 +156,21 @@ def _remainders(model: Mechanics, one: Reflection) -> list[sp.Expr]:
     for symbol, row in zip(model.coordinates, model.residuals, strict=True):
         image = row.subs(changes, simultaneous=True)
         rows.append(image + row if symbol in one.centres else image - row)
-    symbols = (
-        *model.coordinates,
-        *model.directions,
-        *unknown,
-        *(1 / line.l for line in model.lines),
-        *model.depths,
-    )
-    generators = [symbol for symbol in symbols if any(row.has(symbol) for row in rows)]
-    out = []
-    for row in rows:
-        collected = sp.collect(sp.expand(row), generators, evaluate=False)
-        out += [term for term in collected.values() if term != 0]
-    return out
+    return _coefficients(model, rows)
+
+
+def _coefficients(model: Mechanics, terms: list[sp.Expr]) -> list[sp.Expr]:
+    """Expressions in parameters and friction coefficients that stand before what moves: all of them
+    vanish where the terms do.
+    """
+    moving = {part for term in terms for part in term.free_symbols}
+    moving -= {*model.arguments, *model.coefficients}
+    found: dict[tuple[int, sp.Expr], sp.Expr] = {}
+    for place, term in enumerate(map(expanded, terms)):
+        for part in sp.Add.make_args(term):
+            factor, rest = part.as_independent(*moving, as_Add=False)
+            found[place, rest] = found.get((place, rest), sp.S.Zero) + factor
+    return [term for term in found.values() if expanded(term) != 0]
 
 
 def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...], ...]:
@@ -293,14 +294,12 @@ def _exchanged(
     images = _images(model, places, signs)
     changes = dict(images)
     for line in model.lines:
-        moved = [part.subs(images, simultaneous=True) for part in (line.dx, line.dy)]
         same = next(
             (
                 (other, *ways)
                 for other in (line, *model.lines)
                 for ways in itertools.product((1, -1), repeat=2)
-                if expanded(moved[0] - ways[0] * other.dx) == 0
-                and expanded(moved[1] - ways[1] * other.dy) == 0
+                if _lies(line, images, other, ways)
             ),
             None,
         )
@@ -326,14 +325,7 @@ def _exchanged(
     for k, row in enumerate(model.residuals):
         moved_row = row.subs(changes, simultaneous=True)
         terms.append(moved_row - signs[k] * model.residuals[places[k]])
-    moving = {part for term in terms for part in term.free_symbols}
-    moving -= {*model.arguments, *model.coefficients}
-    out: dict[tuple[int, sp.Expr], sp.Expr] = {}
-    for number_of, term in enumerate(map(expanded, terms)):
-        for part in sp.Add.make_args(term):
-            factor, rest = part.as_independent(*moving, as_Add=False)
-            out[number_of, rest] = out.get((number_of, rest), sp.S.Zero) + factor
-    return [term for term in out.values() if expanded(term) != 0]
+    return _coefficients(model, terms)
 
 
 def _equations(

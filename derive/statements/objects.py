@@ -109,11 +109,8 @@ class Derivation:
     @cached_property
     def plain(self) -> dict[sp.Expr, sp.Expr]:
         """Expressions for directions, lengths, turnings and angles of the general derivation."""
-        found: dict[sp.Expr, sp.Expr] = {}
-        for angle in self.model.angles:
-            found |= {angle.c: sp.cos(angle.symbol), angle.s: sp.sin(angle.symbol)}
-        for line, (length, turn) in zip(self.model.lines, self._lines, strict=True):
-            dx, dy = line.dx.subs(found), line.dy.subs(found)
+        found = dict(self._angles)
+        for line, (length, turn, dx, dy) in zip(self.model.lines, self._lines, strict=True):
             named, size = self.geometry.keys(), sp.sqrt(dx**2 + dy**2)
             found[line.l] = sp.Symbol(length) if length in named else size
             is_named = turn in named
@@ -191,20 +188,28 @@ class Derivation:
         }
 
     @cached_property
-    def _lines(self) -> list[tuple[str, str]]:
-        """Names of the length and the inclination of every line."""
-        marks = [f"_{index}" for index in range(1, len(self.model.lines) + 1)]
-        marks = [""] if len(marks) == 1 else marks
-        return [(f"L{mark}", f"theta{mark}") for mark in marks]
+    def _angles(self) -> dict[sp.Expr, sp.Expr]:
+        """Cosines and sines of the page's angles for their symbols."""
+        found: dict[sp.Expr, sp.Expr] = {}
+        for angle in self.model.angles:
+            found |= {angle.c: sp.cos(angle.symbol), angle.s: sp.sin(angle.symbol)}
+        return found
+
+    @cached_property
+    def _lines(self) -> list[tuple[str, str, sp.Expr, sp.Expr]]:
+        """Names of the length and the inclination of every line, and its vector."""
+        found = []
+        for index, line in enumerate(self.model.lines, 1):
+            mark = f"_{index}" if len(self.model.lines) > 1 else ""
+            vector = line.dx.subs(self._angles), line.dy.subs(self._angles)
+            found.append((f"L{mark}", f"theta{mark}", *vector))
+        return found
 
     @cached_property
     def geometry(self) -> dict[str, sp.Expr]:
         """Length L and inclination theta of every line, numbered where there are several."""
         found: dict[str, sp.Expr] = {}
-        angles = {it.c: sp.cos(it.symbol) for it in self.model.angles}
-        angles |= {it.s: sp.sin(it.symbol) for it in self.model.angles}
-        for line, (length, angle) in zip(self.model.lines, self._lines, strict=True):
-            dx, dy = line.dx.subs(angles), line.dy.subs(angles)
+        for length, angle, dx, dy in self._lines:
             found |= {length: sp.sqrt(dx**2 + dy**2), angle: sp.atan2(dy, dx)}
         taken = self.parameters.keys() | set(map(str, self.model.coordinates))
         return {name: value for name, value in found.items() if name not in taken}
@@ -222,17 +227,19 @@ class Derivation:
     @cached_property
     def friction(self) -> dict[sp.Symbol, sp.Expr]:
         """The friction coefficients of a motion; 0 of a page without friction."""
-        values = []
-        for sliding in self.page.frictions:
-            speed = sliding.belt - self.page.rate(sliding.along)
-            values.append(self.spelled(self.model.scaled(expression_of(sliding.law(speed)))))
+        slides = [(it.law, it.belt - self.page.rate(it.along)) for it in self.page.frictions]
+        values = [self._in_form(law(speed)) for law, speed in slides]
         return dict(zip(self.coefficients, values or [sp.S.Zero], strict=True))
 
     @cached_property
     def speeds(self) -> list[sp.Expr]:
         """The sliding speed of every friction: that of the belt less that of what slides on it."""
-        slides = ((it.belt, self.page.rate(it.along)) for it in self.page.frictions)
-        return [self.spelled(self.model.scaled(expression_of(a - b))) for a, b in slides]
+        frictions = self.page.frictions
+        return [self._in_form(it.belt - self.page.rate(it.along)) for it in frictions]
+
+    def _in_form(self, value: sp.Expr) -> sp.Expr:
+        """An expression of the page in this form."""
+        return self.spelled(self.model.scaled(expression_of(value)))
 
     @cached_property
     def at_rest(self) -> dict[sp.Symbol, sp.Expr]:
@@ -577,7 +584,7 @@ def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matri
     """D and b of two coordinates, in MU, and L: linear in the direction of a line."""
     if len(it.model.lines) != 1 or len(it.model.coordinates) != 2 or len(it.geometry) != 2:
         raise NoObject("only two coordinates and one line that is named L, theta have a direction")
-    (line,), ((length, angle),) = it.model.lines, it._lines
+    (line,), ((length, angle, *_),) = it.model.lines, it._lines
     L, theta = sp.Symbol(length), sp.Symbol(angle)
     direction = sp.Matrix(sp.symbols("c s"))
     ends = (it.spelled(line.dx), it.spelled(line.dy))

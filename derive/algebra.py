@@ -15,22 +15,23 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
 #: Expressions in a row, as coefficients and results are, and two of them.
-Row: TypeAlias = tuple[sp.Expr, ...]
-Pair: TypeAlias = tuple[sp.Expr, sp.Expr]
+Row: TypeAlias = tuple[Expr, ...]
+Pair: TypeAlias = tuple[Expr, Expr]
 #: Symbols in a row, as arguments are, and what symbols stand for.
-Symbols: TypeAlias = tuple[sp.Symbol, ...]
-Names: TypeAlias = dict[sp.Symbol, sp.Expr]
+Symbols: TypeAlias = tuple[Symbol, ...]
+Names: TypeAlias = dict[Symbol, Expr]
 #: Pairs of symbols, each for the cosine and the sine of one angle.
-Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
+Circles = tuple[tuple[Symbol, Symbol], ...]
 #: Factors of a denominator, and their powers.
 Factors: TypeAlias = Mapping[PolyElement, int]
 
 
-def expanded(expression: sp.Expr) -> sp.Expr:
+def expanded(expression: Expr) -> Expr:
     """Products and powers written out, but for denominators and exponentials.
 
     1/(1 − x)² keeps its sign over an interval, 1/(1 − 2x + x²) does not; and exp(−(x − 1)²) is at
@@ -47,12 +48,12 @@ def expanded(expression: sp.Expr) -> sp.Expr:
     )
 
 
-def reached(level: sp.Expr) -> sp.Expr:
+def reached(level: Expr) -> Expr:
     """1 where a level is not negative, −1 where it is: a border belongs to one of its sides."""
     return sp.sign(2 * sp.sign(level) + 1)
 
 
-def quotients(expression: sp.Expr) -> list[sp.Pow]:
+def quotients(expression: Expr) -> list[sp.Pow]:
     """Quotients and roots in it: powers that are no products."""
     return [
         node
@@ -61,20 +62,20 @@ def quotients(expression: sp.Expr) -> list[sp.Pow]:
     ]
 
 
-def reduce_circles(polynomial: sp.Expr, circles: Circles) -> sp.Expr:
+def reduce_circles(polynomial: Expr, circles: Circles) -> Expr:
     """Normal form of a polynomial modulo cos² = 1 − sin² on each unit circle."""
     polynomial = sp.expand(polynomial)
     for cosine, sine in circles:
         if not polynomial.has(cosine):
             continue
-        even_odd = [sp.S.Zero, sp.S.Zero]
+        even_odd = [S.Zero, S.Zero]
         for (power,), coefficient in sp.Poly(polynomial, cosine).terms():
             even_odd[power % 2] += coefficient * (1 - sine**2) ** (power // 2)
         polynomial = sp.expand(even_odd[0] + cosine * even_odd[1])
     return polynomial
 
 
-def fewest_terms(polynomial: sp.Expr, cosine: sp.Symbol, sine: sp.Symbol) -> sp.Expr:
+def fewest_terms(polynomial: Expr, cosine: Symbol, sine: Symbol) -> Expr:
     """By c² + s² = 1 either square may go: whichever leaves fewer terms."""
     forms = (reduce_circles(polynomial, (pair,)) for pair in ((cosine, sine), (sine, cosine)))
     return min(forms, key=lambda form: len(sp.Add.make_args(form)))
@@ -84,13 +85,13 @@ def fewest_terms(polynomial: sp.Expr, cosine: sp.Symbol, sine: sp.Symbol) -> sp.
 class Gap:
     """A difference in symbols: what stands for functions, and for roots with their bases."""
 
-    value: sp.Expr
-    unknowns: dict[sp.Expr, sp.Dummy]
-    roots: dict[sp.Expr, sp.Dummy]
+    value: Expr
+    unknowns: dict[Expr, sp.Dummy]
+    roots: dict[Expr, sp.Dummy]
     order: int  #: the power of every root that is its base
 
 
-def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
+def gap(left: Expr, right: Expr, circles: Circles) -> Gap:
     """``left − right`` with a symbol for every function and every root.
 
     Every absolute value, sign or other function is treated as an independent unknown, and so is one
@@ -100,12 +101,12 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
     are the same, and arguments of odd and even functions that are opposite.
     """
 
-    def normal(argument: sp.Expr) -> sp.Expr:
+    def normal(argument: Expr) -> Expr:
         if argument.is_polynomial(*argument.free_symbols):
             return reduce_circles(argument, circles)
         return argument
 
-    def unknown(node: sp.Expr) -> sp.Expr:
+    def unknown(node: Expr) -> Expr:
         """Stand-in for a function, or for the case that it is one."""
         if not isinstance(node, sp.Function):
             return named(node)
@@ -119,20 +120,20 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
             times, exponent = -times, -exponent
         return named(sp.exp(exponent)) ** times
 
-    def named(node: sp.Expr) -> sp.Dummy:
+    def named(node: Expr) -> sp.Dummy:
         return unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}"))
 
     odd = sp.sign | sp.tan | sp.sinh | sp.tanh | sp.atan | sp.asin
     even = sp.Abs | sp.cosh
-    unknowns: dict[sp.Expr, sp.Dummy] = {}
+    unknowns: dict[Expr, sp.Dummy] = {}
     value = (sp.sympify(left) - sp.sympify(right)).replace(
         lambda node: isinstance(node, sp.Function | sp.Piecewise),
         unknown,
     )
     order = math.lcm(*(node.exp.q for node in value.atoms(sp.Pow) if node.exp.is_Rational))
-    roots: dict[sp.Expr, sp.Dummy] = {}
+    roots: dict[Expr, sp.Dummy] = {}
 
-    def root(node: sp.Pow) -> sp.Expr:
+    def root(node: sp.Pow) -> Expr:
         """A power of the symbol that stands for the root of a base; of 1 it is 1."""
         base = normal(node.base)
         if (power := base**node.exp).is_Rational:
@@ -143,12 +144,12 @@ def gap(left: sp.Expr, right: sp.Expr, circles: Circles) -> Gap:
     return Gap(value, unknowns, roots, order)
 
 
-def equal(left: sp.Expr, right: sp.Expr, circles: Circles) -> bool:
+def equal(left: Expr, right: Expr, circles: Circles) -> bool:
     """Whether :func:`difference` is 0, without its form."""
     return not _reduced(gap(left, right, circles), circles)[0]
 
 
-def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
+def difference(left: Expr, right: Expr, circles: Circles) -> Expr:
     """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit
     circles, with the unknowns of :func:`gap`.
     """
@@ -183,7 +184,7 @@ def _reduced(found: Gap, circles: Circles) -> tuple[PolyElement, Factors]:
     return numerator, factors
 
 
-def _quotient(value: sp.Expr, ring: PolyRing) -> tuple[PolyElement, Factors]:
+def _quotient(value: Expr, ring: PolyRing) -> tuple[PolyElement, Factors]:
     """The numerator of a value, and the factors of its denominator with their powers."""
     if value.is_Rational:
         return ring(value.p), {} if value.q == 1 else {ring(value.q): 1}
@@ -234,7 +235,7 @@ def _lowered(
     return sum(terms, ring.zero), most
 
 
-def manifestly_positive(polynomial: sp.Expr) -> bool:
+def manifestly_positive(polynomial: Expr) -> bool:
     """Whether no coefficient is negative, and one term holds none but positive symbols: sufficient
     for being positive, not necessary.
     """

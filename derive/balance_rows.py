@@ -5,6 +5,7 @@ coordinates, and symmetry.
 import itertools
 
 import sympy as sp
+from sympy import Expr
 
 from . import symmetry
 from .algebra import Row, equal, expanded
@@ -47,7 +48,7 @@ def sums(model: Mechanics) -> sp.Matrix:
 
 def without_coordinates(
     model: Mechanics, rows: Row, stiffness: sp.Matrix
-) -> dict[int, list[tuple[sp.Expr, sp.Expr]]]:
+) -> dict[int, list[tuple[Expr, Expr]]]:
     """Sums of rows in which no coordinate stands: where such a sum is not 0 nothing balances it,
     and these contacts touch in no state.
 
@@ -55,7 +56,7 @@ def without_coordinates(
     rows, behind a factor that is 1 for its combination of contacts that touch and 0 for others. K
     is singular there whatever the coordinates, and the sum is F times a vector that Kᵀ turns to 0.
     """
-    found: dict[int, list[tuple[sp.Expr, sp.Expr]]] = {}
+    found: dict[int, list[tuple[Expr, Expr]]] = {}
     F = sp.Matrix(rows)
     moving = {*model.coordinates, *model.directions, *model.turned}
     opening = [one for one in model.pushings if F.has(one)]
@@ -78,7 +79,7 @@ def without_coordinates(
     return found
 
 
-def _along_force(model: Mechanics, contact: NormalForce) -> list[sp.Expr]:
+def _along_force(model: Mechanics, contact: NormalForce) -> list[Expr]:
     """What of a contact's force stands in each row, but for the sign; nothing of a given one, and
     of one that rubs on either of two faces.
     """
@@ -94,7 +95,7 @@ def _along_force(model: Mechanics, contact: NormalForce) -> list[sp.Expr]:
     ]
 
 
-def _directions(model: Mechanics, row: sp.Expr) -> set[sp.Symbol]:
+def _directions(model: Mechanics, row: Expr) -> set[sp.Symbol]:
     """Directions and lengths of springs that a row holds."""
     return row.free_symbols & set(model.directions)
 

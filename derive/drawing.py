@@ -14,6 +14,7 @@ import textwrap
 from pathlib import Path
 
 import sympy as sp
+from sympy import Expr, S
 
 from .algebra import Pair, Symbols
 from . import pages
@@ -132,7 +133,7 @@ def _values(page: Page) -> dict[sp.Symbol, float]:
     return values | {datum.symbol: 1.0 for datum in page.units} | dict.fromkeys(page.places, 0.0)
 
 
-def _letter(expression: sp.Expr) -> str:
+def _letter(expression: Expr) -> str:
     """The symbols of a coefficient: a mass first, then by their names."""
     return " ".join(sorted(map(str, expression.free_symbols), key=lambda name: (name != "m", name)))
 
@@ -182,7 +183,7 @@ def _body(drawing: Drawing, page: Page) -> None:
     drawing.name(mass, 7j)
 
 
-def _terms(contact: Contact) -> list[sp.Expr]:
+def _terms(contact: Contact) -> list[Expr]:
     """Terms of the contact law by their powers, at a penetration of 1."""
     depth = sp.Dummy(positive=True)
     terms = sp.Add.make_args(sp.expand(sp.sympify(contact.law(depth))))
@@ -322,7 +323,7 @@ def _trolley(drawing: Drawing, page: Page, point: complex, coordinate: Coordinat
         wall(drawing, end, 18.0, -1)
 
 
-def _slopes(page: Page, energy: sp.Expr) -> list[sp.Expr]:
+def _slopes(page: Page, energy: Expr) -> list[Expr]:
     """Slopes of a potential along the coordinates; none where it does not act on a mass in the
     plane.
     """
@@ -330,7 +331,7 @@ def _slopes(page: Page, energy: sp.Expr) -> list[sp.Expr]:
     return [] if len(slopes) < 2 or slopes[:2] == [0, 0] else slopes
 
 
-def _weight(page: Page, energy: sp.Expr) -> Pair | None:
+def _weight(page: Page, energy: Expr) -> Pair | None:
     """The force on the mass of a potential that is linear in the coordinates, as gravity's is: no
     spring, but an arrow.
     """
@@ -340,7 +341,7 @@ def _weight(page: Page, energy: sp.Expr) -> Pair | None:
     return -slopes[0], -slopes[1]
 
 
-def _ratio(page: Page, energy: sp.Expr) -> sp.Expr | None:
+def _ratio(page: Page, energy: Expr) -> Expr | None:
     """∂/∂y over ∂/∂x of a potential that depends on one combination of x and y."""
     slopes = _slopes(page, energy)
     if not slopes or any(slopes[2:]):
@@ -379,14 +380,14 @@ def _forces(drawing: Drawing, page: Page) -> None:
     given = [force.components for force in page.forces if len(force.place) == 2]
     given += [force for energy, _ in page.energies if (force := _weight(page, energy))]
     if page.normal is not None and page.normal.gap is None:
-        given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Dummy(positive=True)))))
+        given.append((S.Zero, -sp.sympify(page.normal.law(sp.Dummy(positive=True)))))
     for index, components in enumerate(given):
         x, y = (float(component.subs(values)) for component in components)
         if x == y == 0:  # as that of a follower where nothing is displaced
             continue
         across = complex(x, -y) / math.hypot(x, y)
         bare = sp.Add(*components).replace(
-            lambda node: isinstance(node, sp.sin | sp.cos), lambda node: sp.S.One
+            lambda node: isinstance(node, sp.sin | sp.cos), lambda node: S.One
         )
         if index == 0:  # onto the mass, on the side that no spring leans to
             side = 1.0 if any(not _weight(page, energy) for energy, _ in page.energies) else -1.0
@@ -407,7 +408,7 @@ def _frame(drawing: Drawing, page: Page) -> None:
     """An arc around the mass where the kinetic energy has terms linear in the rates, with what they
     hold beside masses: the speed of the frame.
     """
-    energy, _ = page.inertia or (sp.S.Zero, 0)
+    energy, _ = page.inertia or (S.Zero, 0)
     still = dict.fromkeys(page.rates, 0)
     slopes = sp.Tuple(*(sp.diff(energy, rate).subs(still) for rate in page.rates))
     speeds = slopes.free_symbols - set(page.places)

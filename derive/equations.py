@@ -1,6 +1,7 @@
 """The equations of motion of a model as LaTeX, for people."""
 
 import sympy as sp
+from sympy import Symbol
 
 from . import laws
 from .mechanics import SLIP, Mechanics, NormalForce, number
@@ -14,7 +15,7 @@ def equations(model: Mechanics) -> list[str]:
     names = _names(model)
     motion = Motion(model)
     accelerations = sp.Matrix(model.coordinates).applyfunc(
-        lambda symbol: sp.Symbol(rf"\ddot{{{names[symbol]}}}")
+        lambda symbol: Symbol(rf"\ddot{{{names[symbol]}}}")
     )
     either = [contact for contact in model.contacts if contact.either_face]
     signs = {one.pushing: (1 + _sign(one)) / 2 for one in either}
@@ -38,7 +39,7 @@ def equations(model: Mechanics) -> list[str]:
         )
     for friction in model.frictions:
         if friction.along is not None:
-            law = friction.ahead.subs(SLIP, sp.Symbol("v", positive=True))
+            law = friction.ahead.subs(SLIP, Symbol("v", positive=True))
             mu, slip = names[friction.mu], _latex(laws.slip(friction), names)
             lines.append(rf"{mu}(v) = {_latex(law, names)}, \quad v = {slip} > 0")
     for contact in model.contacts:
@@ -50,7 +51,7 @@ def equations(model: Mechanics) -> list[str]:
     return lines
 
 
-def _names(model: Mechanics) -> dict[sp.Symbol, str]:
+def _names(model: Mechanics) -> dict[Symbol, str]:
     names = {entry.symbol: entry.latex for entry in model.page.coordinates}
     names |= {entry.rate: rf"\dot{{{entry.latex}}}" for entry in model.page.coordinates}
     names |= {number(datum): sp.latex(number(datum)) for datum in model.parameters}
@@ -75,9 +76,9 @@ def _names(model: Mechanics) -> dict[sp.Symbol, str]:
     return names
 
 
-def _sign(contact: NormalForce) -> sp.Symbol:
+def _sign(contact: NormalForce) -> Symbol:
     """The sign of its force, which tells the face that it presses on."""
-    return sp.Symbol(f"_sign_{contact.name}", real=True)
+    return Symbol(f"_sign_{contact.name}", real=True)
 
 
 def _below(name: str) -> str:
@@ -85,5 +86,5 @@ def _below(name: str) -> str:
     return rf"_{{\mathrm{{{name}}}}}" if name else ""
 
 
-def _latex(expression: sp.Expr, names: dict[sp.Symbol, str]) -> str:
+def _latex(expression: sp.Expr, names: dict[Symbol, str]) -> str:
     return str(sp.latex(expression, symbol_names=names))

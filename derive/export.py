@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 import sympy as sp
+from sympy import Symbol
 
 from . import drawing, folder, mechanics, motion, pages, scene, units
 from .emit import definitions, targets
@@ -126,10 +127,7 @@ def material(
     return targets.Material(
         modules=modules,
         quantities=quantities
-        | {
-            named(name): Quantity(sp.Symbol(name), "", meaning)
-            for name, meaning in meanings.items()
-        },
+        | {named(name): Quantity(Symbol(name), "", meaning) for name, meaning in meanings.items()},
         parameters=tuple(datum.becomes for datum in it.parameters),
         base_values={
             datum.becomes: datum.base for datum in it.parameters if datum.base is not None
@@ -396,6 +394,6 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
     return {language: {name: filled(language)} for language, name in named.items()}
 
 
-def _placed(parts: tuple[sp.Symbol, ...]) -> list[tuple[sp.Symbol, bool]]:
+def _placed(parts: tuple[Symbol, ...]) -> list[tuple[Symbol, bool]]:
     """Arguments that stand for a parameter, and whether each is the cosine of an angle."""
     return [(part, part is parts[-2]) if len(parts) > 1 else (part, False) for part in parts]

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
+from sympy import Expr, S
 
 from . import units
 from .algebra import quotients
@@ -27,7 +28,7 @@ Method: TypeAlias = "LagrangesMethod | KanesMethod | System"
 def page_from(
     method: Method,
     page: Page,
-    coordinates: Mapping[sp.Expr, tuple[str, str]],
+    coordinates: Mapping[Expr, tuple[str, str]],
     contact: tuple[Any, ...] | Mapping[str, Any] | None = None,
     friction: tuple[Any, ...] | Mapping[str, Any] | None = None,
 ) -> Page:
@@ -102,7 +103,7 @@ class _MethodReader:
     """Reader of a method of mechanics, in a page's symbols."""
 
     def __init__(
-        self, method: Method, page: Page, coordinates: Mapping[sp.Expr, tuple[str, str]]
+        self, method: Method, page: Page, coordinates: Mapping[Expr, tuple[str, str]]
     ) -> None:
         from sympy.physics.vector import dynamicsymbols
 
@@ -144,7 +145,7 @@ class _MethodReader:
         self.stored = -whole.subs(still)
         self.kinetic = sp.expand(whole + self.stored)
 
-    def plain(self, expression: sp.Expr) -> sp.Expr:
+    def plain(self, expression: Expr) -> Expr:
         """An expression in the page's symbols."""
         value = sp.sympify(expression)
         entries = (*self.page.units, *self.page.parameters)
@@ -156,7 +157,7 @@ class _MethodReader:
             raise self.refused(f"{value} varies in time by itself: {Limit.FORCING}")
         return value
 
-    def gradient(self, expression: sp.Expr) -> sp.Matrix:
+    def gradient(self, expression: Expr) -> sp.Matrix:
         return sp.Matrix([expression]).jacobian(self.places).T
 
     def named(
@@ -236,7 +237,7 @@ class _MethodReader:
                 )
         return forces
 
-    def on_both_sides(self, force: sp.Expr) -> sp.Expr:
+    def on_both_sides(self, force: Expr) -> Expr:
         """A force that is the same on both sides of a place, as along a pathway of length |x|,
         without their signs.
         """
@@ -251,7 +252,7 @@ class _MethodReader:
         return force
 
     def dry(
-        self, forces: sp.Matrix, normal: sp.Expr, friction: dict[str, Any]
+        self, forces: sp.Matrix, normal: Expr, friction: dict[str, Any]
     ) -> tuple[sp.Matrix, dict[str, Any]]:
         """Loads without those of friction, μ N against the sign of a speed r, a sum of rates less
         the belt's speed; and the statement of it.
@@ -270,7 +271,7 @@ class _MethodReader:
         pushed = by_side.applyfunc(lambda force: force.coeff(side))
         rate = self.rates[row] + (speed - r) / slopes[row]
         whole = sp.expand(-pushed[row].subs(self.rates[row], rate) / slopes[row])
-        law = sp.S.Zero if normal is None else whole.coeff(normal)
+        law = S.Zero if normal is None else whole.coeff(normal)
         law = sp.collect(law, sorted(law.atoms(sp.exp), key=sp.default_sort_key))
         nothing = [law - law.subs(speed, -speed), *(pushed * slopes[row] - slopes * pushed[row])]
         read = (
@@ -299,11 +300,11 @@ class _MethodReader:
             **friction,
         }
 
-    def bases(self, expression: sp.Expr) -> set[sp.Expr]:
+    def bases(self, expression: Expr) -> set[Expr]:
         """Expressions under roots and in denominators, where they move."""
         return {node.base for node in quotients(expression) if node.base.has(*self.places)}
 
-    def expanded(self, expression: sp.Expr) -> sp.Expr:
+    def expanded(self, expression: Expr) -> Expr:
         """An expression multiplied out, with its roots and quotients of coordinates kept."""
         kept = {base: sp.Dummy(positive=True) for base in self.bases(expression)}
         held = expression.replace(
@@ -312,7 +313,7 @@ class _MethodReader:
         )
         return sp.expand(held).xreplace({dummy: base for base, dummy in kept.items()})
 
-    def lines(self, forces: sp.Matrix) -> Iterator[tuple[sp.Expr, sp.Matrix, int, tuple[Any, Any]]]:
+    def lines(self, forces: sp.Matrix) -> Iterator[tuple[Expr, sp.Matrix, int, tuple[Any, Any]]]:
         """Squared lengths that forces hold, half the slopes of each, a coordinate that changes it,
         and the ends of the line.
         """
@@ -339,7 +340,7 @@ class _MethodReader:
                     sp.diff(part, coordinate): coordinate for coordinate in reversed(self.places)
                 }
                 falling = part if -1 in slopes or 1 not in slopes else -part
-                start = slopes.get(-1, slopes.get(1, sp.S.Zero))
+                start = slopes.get(-1, slopes.get(1, S.Zero))
                 ends.append((start, sp.expand(falling + start)))
             half = (self.gradient(base) / 2).applyfunc(sp.expand)
             row = next(row for row, slope in enumerate(half) if slope != 0)
@@ -397,7 +398,7 @@ class _MethodReader:
             )
             self.page.spring(stiffness, *ends, length=product / stiffness)
             forces = left[stiffness]
-        potential = sp.S.Zero
+        potential = S.Zero
         for coordinate, force in zip(self.places, forces, strict=True):
             potential -= sp.expand(
                 sp.integrate(sp.expand(force + sp.diff(potential, coordinate)), coordinate)
@@ -406,9 +407,7 @@ class _MethodReader:
             self.places, (forces + self.gradient(potential)).applyfunc(sp.expand), strict=True
         ):
             pull, square = (potential.coeff(coordinate, power) for power in (1, 2))
-            pull, square = (
-                sp.S.Zero if part.has(*self.places) else part for part in (pull, square)
-            )
+            pull, square = (S.Zero if part.has(*self.places) else part for part in (pull, square))
             if force != pull:
                 self.page.force(force - pull, along=coordinate)
             if square != 0:
@@ -417,7 +416,7 @@ class _MethodReader:
         if potential != 0:
             self.page.potential(potential)
 
-    def stiffnesses(self, product: sp.Expr) -> Iterator[sp.Expr]:
+    def stiffnesses(self, product: Expr) -> Iterator[Expr]:
         """Parts of k r, a stiffness times a length, that may be the stiffness."""
         dimensions = {
             it.symbol: units.read(it.unit) for it in (*self.page.units, *self.page.parameters)

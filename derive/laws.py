@@ -10,6 +10,7 @@ the layer.
 """
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 
 from .algebra import Pair, Row, Symbols
 from .mechanics import SLIP, FrictionForce
@@ -17,10 +18,10 @@ from .model import PageError
 
 #: The share of the static coefficient that is used where nothing slides, from −1, against the belt,
 #: to 1, with it.
-HELD = sp.Symbol("held", real=True)
+HELD = Symbol("held", real=True)
 
 
-def slip(friction: FrictionForce) -> sp.Expr:
+def slip(friction: FrictionForce) -> Expr:
     """The sliding speed: belt − d(along)/dt."""
     return friction.belt - friction.rate
 
@@ -29,10 +30,10 @@ def near(friction: FrictionForce) -> Symbols:
     """The factors of its exponentials."""
     end = friction.name and f"_on_{friction.name}"
     count = len(_layers(friction))
-    return tuple(sp.Symbol(f"near{number}{end}", real=True) for number in range(1, count + 1))
+    return tuple(Symbol(f"near{number}{end}", real=True) for number in range(1, count + 1))
 
 
-def _layers(friction: FrictionForce) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]:
+def _layers(friction: FrictionForce) -> list[tuple[Expr, Expr, Expr, Expr]]:
     """Exponentials and hyperbolic tangents of the sliding speed, in a fixed order; the limit of
     each, what it lacks, its −exponent.
     """
@@ -46,7 +47,7 @@ def _layers(friction: FrictionForce) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp
     for node in sorted(nodes, key=sp.default_sort_key):
         argument = node.args[0]
         if isinstance(node, sp.exp):
-            found.append((node, sp.S.Zero, node, -argument))
+            found.append((node, S.Zero, node, -argument))
         elif (end := _within_domains(limit(friction, argument, SLIP, sp.oo))) in (sp.oo, -sp.oo):
             far, exponent = sp.sign(end), 2 * sp.sign(end) * argument
             found.append(
@@ -55,16 +56,16 @@ def _layers(friction: FrictionForce) -> list[tuple[sp.Expr, sp.Expr, sp.Expr, sp
     return found
 
 
-def _within_domains(value: sp.Expr) -> sp.Expr:
+def _within_domains(value: Expr) -> Expr:
     """A value of which only the sign is asked, with parameters away from 0 where that is the end of
     their domain.
     """
     return value.xreplace(
-        {it: sp.Symbol(it.name, positive=True) for it in value.free_symbols if it.is_nonnegative}
+        {it: Symbol(it.name, positive=True) for it in value.free_symbols if it.is_nonnegative}
     )
 
 
-def limit(friction: FrictionForce, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.Expr:
+def limit(friction: FrictionForce, law: Expr, speed: Symbol, end: Expr) -> Expr:
     """The limit of the friction law, or of a part of it, at an end of the sliding speed."""
     try:
         return sp.limit(law, speed, end)
@@ -86,7 +87,7 @@ def layers(friction: FrictionForce) -> Row:
     )
 
 
-def smooth_friction(friction: FrictionForce, felt: bool = False) -> sp.Expr:
+def smooth_friction(friction: FrictionForce, felt: bool = False) -> Expr:
     """μ without the absolute value and the sign that kink it, for either SIDE; its exponentials
     with their NEAR unless all are felt.
     """
@@ -113,7 +114,7 @@ def static_coefficients(friction: FrictionForce) -> Pair:
     assert holds is not None
     found = []
     for side, sign in ((friction.ahead, 1), (friction.behind, -1)):
-        begins = sign * limit(friction, side, SLIP, sp.S.Zero)
+        begins = sign * limit(friction, side, SLIP, S.Zero)
         more = sp.simplify(holds - begins)
         found.append(
             holds
@@ -125,18 +126,18 @@ def static_coefficients(friction: FrictionForce) -> Pair:
     return found[0], found[1]
 
 
-def friction_held(friction: FrictionForce) -> sp.Expr:
+def friction_held(friction: FrictionForce) -> Expr:
     """μ where a share of the static coefficient is used, in which it is linear."""
     ahead, behind = static_coefficients(friction)
     return (ahead + behind) / 2 * HELD + (ahead - behind) / 2
 
 
-def friction_at_speed(friction: FrictionForce) -> sp.Expr:
+def friction_at_speed(friction: FrictionForce) -> Expr:
     """μ at the belt's speed: what holds a motion that has come to rest."""
     return friction.ahead.subs(SLIP, friction.still)
 
 
-def slope_at_rest(friction: FrictionForce) -> sp.Expr:
+def slope_at_rest(friction: FrictionForce) -> Expr:
     """dμ/dv at steady sliding."""
     return sp.factor_terms(sp.diff(friction.ahead, SLIP).subs(SLIP, friction.still))
 
@@ -147,21 +148,21 @@ def slope_by_sizes(friction: FrictionForce) -> tuple[tuple[Pair, ...], ...]:
     Where exponentials are too small for floats the slope is, too, but its sign is not lost over the
     largest of them.
     """
-    terms: dict[sp.Expr, sp.Expr] = {}
+    terms: dict[Expr, Expr] = {}
     for term in sp.Add.make_args(sp.expand(slope_at_rest(friction))):
         coefficient, power = term.as_independent(sp.exp)
         power = sp.powsimp(power)
         coefficient, exponent = (
-            (coefficient, power.args[0]) if isinstance(power, sp.exp) else (term, sp.S.Zero)
+            (coefficient, power.args[0]) if isinstance(power, sp.exp) else (term, S.Zero)
         )
-        terms[exponent] = terms.get(exponent, sp.S.Zero) + coefficient
+        terms[exponent] = terms.get(exponent, S.Zero) + coefficient
     ordered = sorted(terms, key=sp.default_sort_key)
     return tuple(
         tuple((sp.factor_terms(terms[a]), sp.expand(a - top)) for a in ordered) for top in ordered
     )
 
 
-def friction_at_rest(friction: FrictionForce) -> sp.Expr:
+def friction_at_rest(friction: FrictionForce) -> Expr:
     """Friction coefficient of the statics: the limit of the law that the page names, or the law at
     the belt's speed.
     """

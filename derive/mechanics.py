@@ -21,43 +21,44 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 
 from .algebra import Circles, Names, Pair, Row, Symbols, expanded, fewest_terms, quotients
 from .model import Contact, Datum, Element, Page, PageError, Point, expression_of, speed_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
-PUSHING = sp.Symbol("pushing", real=True)
+PUSHING = Symbol("pushing", real=True)
 #: Sign of the sliding speed: 1 where the belt is ahead, −1 where the mass is.
-SIDE = sp.Symbol("side", real=True)
+SIDE = Symbol("side", real=True)
 #: The friction coefficient, where a function takes it as a number.
-MU = sp.Symbol("mu", real=True)
+MU = Symbol("mu", real=True)
 #: Penetration, positive, of a law that is no polynomial.
-DEPTH = sp.Symbol("_depth", positive=True)
+DEPTH = Symbol("_depth", positive=True)
 #: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that
 #: holds.
 STUCK, FRICTION = sp.symbols("_stuck _friction", real=True)
 #: A sliding speed, positive.
-SLIP = sp.Symbol("_slip", positive=True)
+SLIP = Symbol("_slip", positive=True)
 
 
 @dataclass(frozen=True)
 class Line:
     """A straight line between two points, with the symbols of its direction and length."""
 
-    dx: sp.Expr
-    dy: sp.Expr
-    rest: sp.Expr  #: undeformed length of the spring along it, 0 for a damper alone
-    c: sp.Symbol
-    s: sp.Symbol
-    l: sp.Symbol
+    dx: Expr
+    dy: Expr
+    rest: Expr  #: undeformed length of the spring along it, 0 for a damper alone
+    c: Symbol
+    s: Symbol
+    l: Symbol
     line: int
 
     @property
-    def length(self) -> sp.Expr:
+    def length(self) -> Expr:
         """Length of a line, by its vector."""
         return sp.sqrt(self.dx**2 + self.dy**2)
 
-    def slopes(self, dx: sp.Expr, dy: sp.Expr) -> Names:
+    def slopes(self, dx: Expr, dy: Expr) -> Names:
         """Changes of direction and length when the vector changes by (dx, dy)."""
         turn = self.s * dx - self.c * dy
         return {
@@ -74,42 +75,42 @@ class Turning:
     """
 
     line: Line
-    stiffness: sp.Expr
-    rest: sp.Expr  #: the inclination at rest, in angles
-    cosine_of_rest: sp.Expr
-    sine_of_rest: sp.Expr
-    phi: sp.Symbol
-    way: sp.Symbol  #: where φ is continued beyond π (1) or beyond −π (−1)
+    stiffness: Expr
+    rest: Expr  #: the inclination at rest, in angles
+    cosine_of_rest: Expr
+    sine_of_rest: Expr
+    phi: Symbol
+    way: Symbol  #: where φ is continued beyond π (1) or beyond −π (−1)
 
     @property
-    def cosine(self) -> sp.Expr:
+    def cosine(self) -> Expr:
         """cos φ."""
         return self.line.c * self.cosine_of_rest + self.line.s * self.sine_of_rest
 
     @property
-    def sine(self) -> sp.Expr:
+    def sine(self) -> Expr:
         """sin φ."""
         return self.line.s * self.cosine_of_rest - self.line.c * self.sine_of_rest
 
     @property
-    def energy(self) -> sp.Expr:
+    def energy(self) -> Expr:
         """k φ²/2."""
         return self.stiffness * self.phi**2 / 2
 
     @property
-    def least(self) -> sp.Expr:
+    def least(self) -> Expr:
         """φ by its cosine and sine."""
         return sp.atan2(self.sine, self.cosine)
 
     @property
-    def continued(self) -> sp.Expr:
+    def continued(self) -> Expr:
         """φ on its way: from −π/2 to 3π/2, or from −3π/2 to π/2, smooth across the ray on which the
         least turning jumps.
         """
         return self.way * (sp.pi / 2 - sp.atan2(self.cosine, self.way * self.sine))
 
     @property
-    def border(self) -> sp.Expr:
+    def border(self) -> Expr:
         """Positive from −0.93 to π, times the way: where a motion changes it. The two ways share
         the border ±π.
         """
@@ -122,9 +123,9 @@ class Angle:
     θ₀)²/2.
     """
 
-    symbol: sp.Symbol
-    c: sp.Symbol
-    s: sp.Symbol
+    symbol: Symbol
+    c: Symbol
+    s: Symbol
     alone: bool
 
     @property
@@ -133,9 +134,9 @@ class Angle:
         return (self.symbol, self.c, self.s) if self.alone else (self.c, self.s)
 
 
-def of_contact(symbol: sp.Symbol, name: str, mark: str = "") -> sp.Symbol:
+def of_contact(symbol: Symbol, name: str, mark: str = "") -> Symbol:
     """The symbol of the contact of that name, or of the only one, which has none, behind a mark."""
-    return sp.Symbol(f"{mark}{symbol}{name and '_'}{name}", **symbol.assumptions0)
+    return Symbol(f"{mark}{symbol}{name and '_'}{name}", **symbol.assumptions0)
 
 
 @dataclass(frozen=True)
@@ -148,10 +149,10 @@ class NormalForce:
     """
 
     name: str  #: empty of the only contact
-    gap: sp.Expr | None
+    gap: Expr | None
     unilateral: bool  #: whether it opens
     either_face: bool  #: whether it rubs on either of two faces
-    law: sp.Expr  #: in the penetration
+    law: Expr  #: in the penetration
     #: Whether the law stands in coordinates, else in the penetration: see :func:`_in_coordinates`.
     in_coordinates: bool
     line: int
@@ -159,12 +160,12 @@ class NormalForce:
     mark: str = ""
 
     @property
-    def pushing(self) -> sp.Symbol:
+    def pushing(self) -> Symbol:
         """PUSHING of this contact."""
         return of_contact(PUSHING, self.name, self.mark)
 
     @property
-    def depth(self) -> sp.Symbol:
+    def depth(self) -> Symbol:
         """DEPTH of this contact."""
         return of_contact(DEPTH, self.name)
 
@@ -174,37 +175,37 @@ class NormalForce:
         return bool(self.law.is_polynomial(self.depth))
 
     @cached_property
-    def push(self) -> sp.Expr:
+    def push(self) -> Expr:
         """The force on the contact's side, in coordinates or in the penetration."""
         if self.gap is not None and self.in_coordinates:
             return expanded(self.law.subs(self.depth, -self.gap))
         return self.law
 
     @cached_property
-    def force(self) -> sp.Expr:
+    def force(self) -> Expr:
         """The force, with PUSHING."""
         return self.pushing * self.push if self.unilateral else self.push
 
     @property
-    def rubbing(self) -> sp.Expr:
+    def rubbing(self) -> Expr:
         """The force with which it rubs, with PUSHING."""
         return (2 * self.pushing - 1) * self.push if self.either_face else self.force
 
     @cached_property
-    def border(self) -> sp.Expr | None:
+    def border(self) -> Expr | None:
         """Not positive where PUSHING is 1, not negative where it is 0; None of one regime."""
         if self.either_face:
             return -self.push if self.gap is None else -self.push.subs(self.depth, -self.gap)
         return self.gap if self.unilateral else None
 
     @cached_property
-    def energy(self) -> sp.Expr:
+    def energy(self) -> Expr:
         """The integral of the law over the penetration, from 0, in the penetration."""
         energy = sp.integrate(self.law, self.depth)
         return energy - energy.subs(self.depth, 0)
 
     @cached_property
-    def penetration(self) -> sp.Expr:
+    def penetration(self) -> Expr:
         """Expression for DEPTH: the penetration, and in lift-off, where the law is multiplied by 0,
         a tiny one at which it is finite.
 
@@ -212,7 +213,7 @@ class NormalForce:
         digits of a shallow penetration.
         """
         if self.gap is None:
-            return sp.S.Zero
+            return S.Zero
         if not self.unilateral:
             return -self.gap
         # Penetration in lift-off: small, so that no exponential of it is infinite, and
@@ -226,15 +227,15 @@ class FrictionForce:
     """Friction on a contact: μ times its normal force along a displacement."""
 
     normal: NormalForce
-    along: sp.Expr | None  #: the displacement that it opposes; None where there is no friction
-    rate: sp.Expr  #: d(along)/dt
-    belt: sp.Expr
-    still: sp.Expr  #: the belt's speed at the phase 0 of a clock that it follows
+    along: Expr | None  #: the displacement that it opposes; None where there is no friction
+    rate: Expr  #: d(along)/dt
+    belt: Expr
+    still: Expr  #: the belt's speed at the phase 0 of a clock that it follows
     #: The law for the belt ahead and for the mass ahead, in the positive sliding speed.
-    ahead: sp.Expr
-    behind: sp.Expr
-    holds: sp.Expr | None
-    at_rest: sp.Expr | None
+    ahead: Expr
+    behind: Expr
+    holds: Expr | None
+    at_rest: Expr | None
     line: int
 
     @property
@@ -243,22 +244,22 @@ class FrictionForce:
         return self.normal.name
 
     @property
-    def mu(self) -> sp.Symbol:
+    def mu(self) -> Symbol:
         """MU of this friction."""
         return of_contact(MU, self.name and f"on_{self.name}", self.normal.mark)
 
     @property
-    def side(self) -> sp.Symbol:
+    def side(self) -> Symbol:
         """SIDE of this friction."""
         return of_contact(SIDE, self.name and f"on_{self.name}", self.normal.mark)
 
     @property
-    def stuck(self) -> sp.Symbol:
+    def stuck(self) -> Symbol:
         """STUCK of this friction."""
         return of_contact(STUCK, self.name)
 
     @property
-    def unknown(self) -> sp.Symbol:
+    def unknown(self) -> Symbol:
         """FRICTION of this friction."""
         return of_contact(FRICTION, self.name)
 
@@ -284,20 +285,20 @@ class Mechanics:
     angles: tuple[Angle, ...]
     lines: tuple[Line, ...]
     torsions: tuple[Turning, ...]
-    kinetic: sp.Expr  #: the part of it that is quadratic in the rates
-    linear: sp.Expr  #: the part that is linear in them, as in a frame that turns
-    still: sp.Expr  #: the part without them, which stands in the potential with the other sign
+    kinetic: Expr  #: the part of it that is quadratic in the rates
+    linear: Expr  #: the part that is linear in them, as in a frame that turns
+    still: Expr  #: the part without them, which stands in the potential with the other sign
     #: In coordinates, lengths and turnings, without the contact and the applied forces.
-    potential: sp.Expr
+    potential: Expr
     stiffnesses: Row  #: of the spring along every line, 0 where there is none
     applied: Row  #: generalized applied forces
     #: Half of the power that the dampers take, in rates, directions and lengths.
-    dissipation: sp.Expr
+    dissipation: Expr
     contacts: tuple[NormalForce, ...]  #: of a page without one a force that is 0
     frictions: tuple[FrictionForce, ...]  #: of a page without one a friction along nothing
-    clock: sp.Symbol | None  #: the coordinate that grows at a given rate
-    speed: sp.Expr  #: that rate; 0 without
-    scaled: Callable[[sp.Expr], sp.Expr]  #: makes an expression of the page dimensionless
+    clock: Symbol | None  #: the coordinate that grows at a given rate
+    speed: Expr  #: that rate; 0 without
+    scaled: Callable[[Expr], Expr]  #: makes an expression of the page dimensionless
 
     @property
     def holds(self) -> bool:
@@ -312,7 +313,7 @@ class Mechanics:
         """Symbols of all parameters, angles as their parts."""
         return tuple(symbol for datum in self.parameters for symbol in self.parts(number(datum)))
 
-    def parts(self, symbol: sp.Symbol) -> Symbols:
+    def parts(self, symbol: Symbol) -> Symbols:
         """A parameter as arguments of functions: an angle as its cosine and sine."""
         return next((angle.parts for angle in self.angles if angle.symbol == symbol), (symbol,))
 
@@ -329,7 +330,7 @@ class Mechanics:
     # ---------------------------------------------------------------------------------------------
     # the chain rule
 
-    def partial(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    def partial(self, expression: Expr, symbol: Symbol) -> Expr:
         """∂/∂symbol with directions and lengths held; an angle by its cosine and sine."""
         for angle in self.angles:
             if angle.symbol == symbol:
@@ -339,7 +340,7 @@ class Mechanics:
                 return turned + sp.diff(expression, symbol)
         return sp.diff(expression, symbol)
 
-    def derivative(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    def derivative(self, expression: Expr, symbol: Symbol) -> Expr:
         """d/dsymbol, by a coordinate or a parameter, with directions, lengths, turnings and the
         penetration following.
         """
@@ -359,7 +360,7 @@ class Mechanics:
                 total -= sp.diff(expression, contact.depth) * self.partial(contact.gap, symbol)
         return total
 
-    def tidy(self, expression: sp.Expr) -> sp.Expr:
+    def tidy(self, expression: Expr) -> Expr:
         """In the fewest terms: by c² + s² = 1, either square of every direction may go; common
         factors stand outside.
 
@@ -396,7 +397,7 @@ class Mechanics:
         lines = ((line.c, line.s) for line in self.lines)
         return turned, (*lines, *((turned[c], turned[s]) for c, s in pairs))
 
-    def _quotients(self, expression: sp.Expr) -> set[sp.Expr]:
+    def _quotients(self, expression: Expr) -> set[Expr]:
         """Quotients and roots of what has a direction or an angle: no polynomials in its cosine and
         sine, as 1/(1 + cos² v²) is none.
         """
@@ -439,11 +440,11 @@ class Mechanics:
         return self._residuals(expanded(self.potential - self.elastic_energy - torsions))
 
     @property
-    def elastic_energy(self) -> sp.Expr:
+    def elastic_energy(self) -> Expr:
         """The energy of the springs along lines, up to a constant."""
         return sp.Add(*map(elastic, self.lines, self.stiffnesses))
 
-    def _residuals(self, potential: sp.Expr) -> Row:
+    def _residuals(self, potential: Expr) -> Row:
         rows = []
         for symbol, force in zip(self.coordinates, self.applied, strict=True):
             if symbol == self.clock:
@@ -469,7 +470,7 @@ class Mechanics:
         )
 
     @property
-    def moved(self) -> tuple[tuple[sp.Symbol, sp.Symbol, sp.Expr], ...]:
+    def moved(self) -> tuple[tuple[Symbol, Symbol, Expr], ...]:
         """Each coordinate but the clock, its rate and the applied force."""
         each = zip(self.coordinates, self.rates, self.applied, strict=True)
         return tuple(one for one in each if one[0] != self.clock)
@@ -479,7 +480,7 @@ class Mechanics:
         """M of the kinetic energy q′ᵀ M q′/2."""
         M = sp.hessian(self.kinetic, self.rates)
         if self.clock is not None:
-            M[-1, -1] = sp.S.One
+            M[-1, -1] = S.One
         return M
 
     @cached_property
@@ -502,14 +503,14 @@ def waves(expression: sp.Basic) -> list[Pair]:
     ]
 
 
-def number(datum: Datum) -> sp.Symbol:
+def number(datum: Datum) -> Symbol:
     """The dimensionless quantity that a parameter becomes."""
     assumptions = {
         name: True
         for name in ("positive", "nonnegative", "real")
         if datum.symbol.assumptions0.get(name)
     }
-    return sp.Symbol(datum.becomes, **assumptions)
+    return Symbol(datum.becomes, **assumptions)
 
 
 def of(page: Page, units: bool = False) -> Mechanics:
@@ -543,7 +544,7 @@ def of(page: Page, units: bool = False) -> Mechanics:
         contacts=tuple(contacts.values()),
         frictions=_frictions(page, scaled, contacts),
         clock=page.timer and page.timer.symbol,
-        speed=sp.S.Zero if page.timer is None else scaled(page.timer.speed),
+        speed=S.Zero if page.timer is None else scaled(page.timer.speed),
         scaled=scaled,
         # The last, since it is known only now which angles stand by themselves.
         angles=tuple(
@@ -559,32 +560,32 @@ class _Scaled:
 
     def __init__(self, page: Page, units: bool) -> None:
         numbers = {datum.symbol: number(datum) for datum in page.parameters} | dict.fromkeys(
-            (u.symbol for u in page.units), sp.S.One
+            (u.symbol for u in page.units), S.One
         )
-        self.numbers: Mapping[sp.Expr, sp.Expr] = {} if units else numbers
-        self.turned: dict[sp.Expr, sp.Expr] = {}
-        self.angles: dict[sp.Symbol, tuple[sp.Symbol, sp.Symbol]] = {}
+        self.numbers: Mapping[Expr, Expr] = {} if units else numbers
+        self.turned: dict[Expr, Expr] = {}
+        self.angles: dict[Symbol, tuple[Symbol, Symbol]] = {}
         #: Angles that were found by themselves.
         self.alone: set[sp.Basic] = set()
         for datum in page.parameters:
             if datum.unit == "rad":
-                cosine, sine = (sp.Symbol(name, real=True) for name in datum.cosine_and_sine)
+                cosine, sine = (Symbol(name, real=True) for name in datum.cosine_and_sine)
                 self.turned |= {sp.cos(datum.symbol): cosine, sp.sin(datum.symbol): sine}
                 self.angles[number(datum)] = cosine, sine
         for friction in page.frictions:
             for way in (1, -1):  # of laws, which are asked for later
                 self(expression_of(friction.law(way * DEPTH)))
 
-    def __call__(self, expression: sp.Expr) -> sp.Expr:
+    def __call__(self, expression: Expr) -> Expr:
         value = sp.expand_trig(expression) if expression.has(sp.cos, sp.sin) else expression
         value = value.subs(self.turned).subs(self.numbers, simultaneous=True)
         self.alone |= value.free_symbols & self.angles.keys()
         return value
 
 
-def _by_rates(page: Page, energy: sp.Expr) -> Row:
+def _by_rates(page: Page, energy: Expr) -> Row:
     """The kinetic energy without its parts linear in the rates and without rates, and these."""
-    at_rest = dict.fromkeys(page.rates, sp.S.Zero)
+    at_rest = dict.fromkeys(page.rates, S.Zero)
     still = energy.subs(at_rest)
     linear = sp.Add(*(sp.diff(energy, rate).subs(at_rest) * rate for rate in page.rates))
     if still == 0 == linear:
@@ -593,7 +594,7 @@ def _by_rates(page: Page, energy: sp.Expr) -> Row:
     return expanded(energy - linear - still), linear, still
 
 
-def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:
+def elastic(line: Line, stiffness: Expr) -> Expr:
     """The energy k (l − r)²/2 as k (dx² + dy²)/2 − k r l, up to a constant: its forces are linear
     in coordinates and direction.
     """
@@ -602,15 +603,15 @@ def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:
 
 def _lines(
     page: Page, scaled: _Scaled
-) -> tuple[tuple[Line, ...], Row, tuple[Turning, ...], sp.Expr, sp.Expr]:
+) -> tuple[tuple[Line, ...], Row, tuple[Turning, ...], Expr, Expr]:
     """Lines of springs and dampers, each once; stiffness along each; turnings; energy of springs;
     half the power of the dampers.
     """
     found: list[Line] = []
-    along: dict[Line, sp.Expr] = {}
-    energy = dissipation = sp.S.Zero
+    along: dict[Line, Expr] = {}
+    energy = dissipation = S.Zero
 
-    def line_of(ends: tuple[Point, Point], rest: sp.Expr | None, line: int) -> Line:
+    def line_of(ends: tuple[Point, Point], rest: Expr | None, line: int) -> Line:
         """The line between two points; that of a spring with this undeformed length, for a damper
         that of any.
         """
@@ -621,8 +622,8 @@ def _lines(
                 return earlier
         count = len(found) + 1
         c, s = sp.symbols(f"c{count} s{count}", real=True)
-        length = sp.Symbol(f"l{count}", positive=True)
-        found.append(Line(*vector, sp.S.Zero if rest is None else rest, c, s, length, line))
+        length = Symbol(f"l{count}", positive=True)
+        found.append(Line(*vector, S.Zero if rest is None else rest, c, s, length, line))
         return found[-1]
 
     for spring in page.springs:
@@ -632,7 +633,7 @@ def _lines(
         else:
             line = line_of(spring.ends, scaled(spring.rest), spring.line)
             energy += elastic(line, stiffness)
-            along[line] = along.get(line, sp.S.Zero) + stiffness
+            along[line] = along.get(line, S.Zero) + stiffness
     torsions = tuple(
         _turning(torsion, line_of(torsion.ends, None, torsion.line), count, scaled)
         for count, torsion in enumerate(page.torsions, 1)
@@ -649,7 +650,7 @@ def _lines(
         dissipation += coefficient * speed**2 / 2
     return (
         tuple(found),
-        tuple(along.get(line, sp.S.Zero) for line in found),
+        tuple(along.get(line, S.Zero) for line in found),
         torsions,
         energy,
         dissipation,
@@ -674,13 +675,13 @@ def _turning(torsion: Element, line: Line, count: int, scaled: _Scaled) -> Turni
 
 def _applied(page: Page, scaled: _Scaled) -> Row:
     """Generalized forces by virtual work."""
-    forces = [sp.S.Zero] * len(page.places)
+    forces = [S.Zero] * len(page.places)
     for force in page.forces:
         for component, where in zip(force.components, force.place, strict=True):
             for row, symbol in enumerate(page.places):
                 forces[row] += scaled(component) * sp.diff(scaled(where), symbol)
     return tuple(
-        sp.S.Zero if page.timer and symbol == page.timer.symbol else expanded(force)
+        S.Zero if page.timer and symbol == page.timer.symbol else expanded(force)
         for symbol, force in zip(page.places, forces, strict=True)
     )
 
@@ -688,7 +689,7 @@ def _applied(page: Page, scaled: _Scaled) -> Row:
 def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
     """The normal force of every contact of the page; of a page without one, of None, 0."""
     if not page.contacts:
-        return {None: NormalForce("", None, False, False, sp.S.Zero, False, 0)}
+        return {None: NormalForce("", None, False, False, S.Zero, False, 0)}
     found: dict[Contact | None, NormalForce] = {}
     own = {datum.becomes for datum in page.parameters} | set(map(str, page.places))
     mark = "_" if own & {str(PUSHING), str(MU), str(SIDE)} else ""
@@ -705,7 +706,7 @@ def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
     return found
 
 
-def _in_coordinates(page: Page, gap: sp.Expr | None, law: sp.Expr, depth: sp.Symbol) -> bool:
+def _in_coordinates(page: Page, gap: Expr | None, law: Expr, depth: Symbol) -> bool:
     """Whether a contact law stands in coordinates, else in the penetration.
 
     In the penetration stand laws that are no polynomials, of a gap that bends, and powers of one
@@ -723,7 +724,7 @@ def _frictions(
     page: Page, scaled: _Scaled, contacts: Mapping[Contact | None, NormalForce]
 ) -> tuple[FrictionForce, ...]:
     """All friction of the page; of a page without one that along nothing."""
-    first, zero = next(iter(contacts.values())), sp.S.Zero
+    first, zero = next(iter(contacts.values())), S.Zero
     if not page.frictions:
         return (FrictionForce(first, None, zero, zero, zero, zero, zero, None, None, 0),)
     found = []

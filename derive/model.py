@@ -18,6 +18,7 @@ from dataclasses import dataclass, field
 from typing import Any, cast
 
 import sympy as sp
+from sympy import Expr, Symbol
 from sympy import Abs, atan, cos, cosh, exp, log, pi, sign, sin, sinh, sqrt, tanh
 
 from .algebra import Pair, Row, Symbols
@@ -66,7 +67,7 @@ WRITTEN = tuple(function for name, function in FUNCTIONS.items() if name not in 
 #: A point of the plane: two lengths.
 Point = Pair
 #: A law: a force or a friction coefficient for a penetration or a sliding speed.
-Law = Callable[[sp.Expr], sp.Expr]
+Law = Callable[[Expr], Expr]
 
 
 class PageError(ArithmeticError):
@@ -90,7 +91,7 @@ class Datum:
     number named ``becomes``.
     """
 
-    symbol: sp.Symbol
+    symbol: Symbol
     unit: str
     meaning: str
     domain: str
@@ -117,15 +118,15 @@ class Datum:
 class Coordinate:
     """A coordinate of the motion and its rate."""
 
-    symbol: sp.Symbol
-    rate: sp.Symbol
+    symbol: Symbol
+    rate: Symbol
     unit: str
     meaning: str
     latex: str
     line: int
 
 
-def acceleration_of(coordinate: sp.Symbol) -> str:
+def acceleration_of(coordinate: Symbol) -> str:
     """Name of the acceleration of a coordinate in code: that of s would be a word of Python."""
     return "as_" if str(coordinate) == "s" else f"a{coordinate}"
 
@@ -134,8 +135,8 @@ def acceleration_of(coordinate: sp.Symbol) -> str:
 class Clock:
     """A coordinate that grows at a given rate."""
 
-    symbol: sp.Symbol
-    speed: sp.Expr
+    symbol: Symbol
+    speed: Expr
     line: int
 
 
@@ -146,10 +147,10 @@ class Element:
     """
 
     what: str  #: spring, torsion spring or damper
-    strength: sp.Expr  #: stiffness or coefficient
+    strength: Expr  #: stiffness or coefficient
     ends: tuple[Point, Point] | None
-    along: sp.Expr | None
-    rest: sp.Expr  #: undeformed length of a spring, inclination at rest of a torsion spring
+    along: Expr | None
+    rest: Expr  #: undeformed length of a spring, inclination at rest of a torsion spring
     line: int
 
     @property
@@ -175,7 +176,7 @@ class Contact:
     pulls; other contact never opens. Of several each has a ``name``.
     """
 
-    gap: sp.Expr | None
+    gap: Expr | None
     law: Law
     unilateral: bool
     line: int
@@ -191,16 +192,16 @@ class Friction:
     that of the contact ``on``, or of the only one.
     """
 
-    along: sp.Expr
-    belt: sp.Expr
+    along: Expr
+    belt: Expr
     law: Law
-    at_rest: sp.Expr | None
+    at_rest: Expr | None
     line: int
-    holds: sp.Expr | None = None
+    holds: Expr | None = None
     on: Contact | None = None
 
 
-def expression_of(value: object) -> sp.Expr:
+def expression_of(value: object) -> Expr:
     """A number or an expression, as an expression; decimals in it as the fractions that are
     written.
     """
@@ -224,9 +225,9 @@ def expression_of(value: object) -> sp.Expr:
     return sp.nsimplify(expression, rational=True) if expression.atoms(sp.Float) else expression
 
 
-def speed_of(symbol: sp.Symbol) -> sp.Symbol:
+def speed_of(symbol: Symbol) -> Symbol:
     """The rate of a coordinate: ``vx`` for ``x``."""
-    return sp.Symbol(f"v{symbol.name}", real=True)
+    return Symbol(f"v{symbol.name}", real=True)
 
 
 @dataclass
@@ -247,8 +248,8 @@ class Page:
     torsions: list[Element] = field(default_factory=list)
     dampers: list[Element] = field(default_factory=list)
     forces: list[Force] = field(default_factory=list)
-    energies: list[tuple[sp.Expr, int]] = field(default_factory=list)
-    inertia: tuple[sp.Expr, int] | None = None
+    energies: list[tuple[Expr, int]] = field(default_factory=list)
+    inertia: tuple[Expr, int] | None = None
     contacts: list[Contact] = field(default_factory=list)
     frictions: list[Friction] = field(default_factory=list)
     timer: Clock | None = None
@@ -286,10 +287,10 @@ class Page:
     # ---------------------------------------------------------------------------------------------
     # quantities
 
-    def unit(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:
+    def unit(self, name: str, unit: str, meaning: str, latex: str = "") -> Symbol:
         """A positive quantity that becomes 1: a unit of measure of the dimensionless model."""
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
-        symbol = sp.Symbol(name, positive=True)
+        symbol = Symbol(name, positive=True)
         return self._entered(
             self.units, Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), _line())
         )
@@ -304,7 +305,7 @@ class Page:
         becomes: str = "",
         latex: str = "",
         role: str = "",
-    ) -> sp.Symbol:
+    ) -> Symbol:
         """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless
         value unless changed.
 
@@ -321,10 +322,10 @@ class Page:
             raise refused(f"the role {role!r} of {name} is not one of {', '.join(roles)}")
         if role and (other := next((it for it in self.parameters if it.role == role), None)):
             raise refused(f"{other.symbol} and {name} are both the {role}; give it to one of them")
-        symbol = sp.Symbol(name, **_assumptions(domain))
+        symbol = Symbol(name, **_assumptions(domain))
         if base is not None and (
             isinstance(base, bool)
-            or not isinstance(base, int | float | sp.Expr)
+            or not isinstance(base, int | float | Expr)
             or not sp.sympify(base).is_number
         ):
             raise refused(
@@ -354,10 +355,10 @@ class Page:
             Datum(symbol, unit, meaning, domain, letter, _line(), becomes or name, number, role),
         )
 
-    def coordinate(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:
+    def coordinate(self, name: str, unit: str, meaning: str, latex: str = "") -> Symbol:
         """A coordinate: a length, or another quantity that says where the model is."""
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
-        symbol = sp.Symbol(name, real=True)
+        symbol = Symbol(name, real=True)
         letter = latex or sp.latex(symbol)
         entered = self._entered(
             self.coordinates, Coordinate(symbol, speed_of(symbol), unit, meaning, letter, _line())
@@ -367,7 +368,7 @@ class Page:
         self.coordinates.sort(key=lambda it: it.symbol == clock)
         return entered
 
-    def clock(self, speed: sp.Expr, name: str = "phase") -> sp.Symbol:
+    def clock(self, speed: Expr, name: str = "phase") -> Symbol:
         """The phase ``speed`` t of what varies in time, an angle: in forces, ends of springs, gaps,
         normal forces and belt speeds by its cosine and sine, in whole multiples.
         """
@@ -390,14 +391,14 @@ class Page:
         self.timer = Clock(symbol, rate, _line())
         return symbol
 
-    def rate(self, of: sp.Expr) -> sp.Expr:
+    def rate(self, of: Expr) -> Expr:
         """Time derivative of a coordinate, or of an expression in coordinates."""
         return sp.Add(*(sp.diff(expression_of(of), it.symbol) * it.rate for it in self.coordinates))
 
     # ---------------------------------------------------------------------------------------------
     # energies and forces
 
-    def kinetic(self, energy: sp.Expr) -> None:
+    def kinetic(self, energy: Expr) -> None:
         """Kinetic energy: terms quadratic and linear in the rates, and without them, as in a frame
         that turns.
         """
@@ -408,16 +409,16 @@ class Page:
             )
         self.inertia = expression_of(energy), _line()
 
-    def potential(self, energy: sp.Expr) -> None:
+    def potential(self, energy: Expr) -> None:
         """Potential energy, beside that of the springs."""
         self.energies.append((expression_of(energy), _line()))
 
     def spring(
         self,
-        stiffness: sp.Expr,
+        stiffness: Expr,
         *ends: Point,
-        length: sp.Expr | int = 0,
-        along: sp.Expr | None = None,
+        length: Expr | int = 0,
+        along: Expr | None = None,
     ) -> None:
         """A spring: straight between two ``ends``, of undeformed ``length``; or along a
         coordinate.
@@ -430,7 +431,7 @@ class Page:
                 )
         self.springs.append(_element("spring", stiffness, ends, along, length))
 
-    def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
+    def torsion(self, stiffness: Expr, *ends: Point, rest: Expr) -> None:
         """A torsion spring: it resists the turning φ of the line from the first end to the second,
         from the inclination ``rest``.
 
@@ -439,14 +440,12 @@ class Page:
         """
         self.torsions.append(_element("torsion spring", stiffness, ends, None, rest))
 
-    def damper(self, coefficient: sp.Expr, *ends: Point, along: sp.Expr | None = None) -> None:
+    def damper(self, coefficient: Expr, *ends: Point, along: Expr | None = None) -> None:
         """A viscous damper: straight between two ``ends``, or along a coordinate."""
         self._check_speeds(expression_of(coefficient), "the coefficient", Limit.NONLINEAR_DAMPER)
         self.dampers.append(_element("damper", coefficient, ends, along, 0))
 
-    def force(
-        self, *components: sp.Expr, at: Point | None = None, along: sp.Expr | None = None
-    ) -> None:
+    def force(self, *components: Expr, at: Point | None = None, along: Expr | None = None) -> None:
         """An applied force: two components at a point, or one along a coordinate."""
         if (at is None) == (along is None) or len(components) != (1 if at is None else 2):
             raise refused(
@@ -463,9 +462,7 @@ class Page:
     # ---------------------------------------------------------------------------------------------
     # laws
 
-    def contact(
-        self, gap: sp.Expr, law: Law, unilateral: bool = True, *, name: str = ""
-    ) -> Contact:
+    def contact(self, gap: Expr, law: Law, unilateral: bool = True, *, name: str = "") -> Contact:
         """A normal force as a ``law`` of the penetration −gap; where the gap is positive there is
         none, if ``unilateral``, and the law is ≥ 0 for all parameters of their domains. One that is
         not never opens, as in a slot: where N is negative the mass is pressed on the opposite face,
@@ -478,7 +475,7 @@ class Page:
         self._check_speeds(distance, "the gap")
         return self._pressed(Contact(distance, law, unilateral, _line(), name))
 
-    def normal_force(self, force: sp.Expr, unilateral: bool = True, *, name: str = "") -> Contact:
+    def normal_force(self, force: Expr, unilateral: bool = True, *, name: str = "") -> Contact:
         """A given normal force, in the place of a contact law: N ≥ 0 for all parameters of their
         domains and at all places; of any sign if not ``unilateral``, and then friction is that of
         the size of N.
@@ -494,13 +491,13 @@ class Page:
 
     def friction(
         self,
-        along: sp.Expr,
-        belt: sp.Expr,
+        along: Expr,
+        belt: Expr,
         law: Law | None = None,
-        at_rest: sp.Expr | None = None,
+        at_rest: Expr | None = None,
         *,
         slip: Law | None = None,
-        holds: sp.Expr | None = None,
+        holds: Expr | None = None,
         on: Contact | None = None,
     ) -> None:
         """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``, 0 at
@@ -571,7 +568,7 @@ class Page:
             )
 
     def _check_speeds(
-        self, expression: sp.Expr, what: str, limit: object = Limit.CONTACT_DAMPING
+        self, expression: Expr, what: str, limit: object = Limit.CONTACT_DAMPING
     ) -> None:
         """The normal force follows from the place; the coefficient of a damper holds no speed
         either.
@@ -580,11 +577,11 @@ class Page:
         if held:
             raise refused(f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
 
-    def _moving(self, expression: sp.Expr) -> str:
+    def _moving(self, expression: Expr) -> str:
         """The coordinates and rates that an expression holds."""
         return ", ".join(sorted(map(str, expression.free_symbols & {*self.places, *self.rates})))
 
-    def _entered(self, entries: list[Any], entry: Datum | Coordinate) -> sp.Symbol:
+    def _entered(self, entries: list[Any], entry: Datum | Coordinate) -> Symbol:
         """The symbol of a quantity, which is entered once."""
         if str(entry.symbol) in (
             str(other.symbol) for other in (*self.units, *self.parameters, *self.coordinates)
@@ -629,8 +626,8 @@ def _needed(law: Law, kind: str, of: str) -> list[str]:
     ]
 
 
-def _along(along: sp.Expr | None) -> sp.Expr:
-    if not isinstance(along, sp.Expr):
+def _along(along: Expr | None) -> Expr:
+    if not isinstance(along, Expr):
         raise refused(
             f"along = {along!r} is no coordinate; give the coordinate itself, as along=x "
             "without quotation marks"
@@ -640,10 +637,10 @@ def _along(along: sp.Expr | None) -> sp.Expr:
 
 def _element(
     what: str,
-    strength: sp.Expr,
+    strength: Expr,
     ends: tuple[Point, ...],
-    along: sp.Expr | None,
-    rest: sp.Expr | int,
+    along: Expr | None,
+    rest: Expr | int,
 ) -> Element:
     way = None if along is None else _along(along)
     if (len(ends), along is None) not in ((2, True), (0, False)):

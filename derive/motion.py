@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 
 from . import laws
 from .algebra import Names, Row, Symbols, equal, expanded, reached
@@ -42,7 +43,7 @@ class Motion:
         """Derivatives of the displacement that a friction opposes."""
         return tuple(sp.diff(friction.along, symbol) for symbol in self.model.coordinates)
 
-    def slip(self, friction: FrictionForce) -> sp.Expr:
+    def slip(self, friction: FrictionForce) -> Expr:
         """The sliding speed of a friction, among the borders."""
         return self.borders[len(self.model.contacts) + self.model.frictions.index(friction)]
 
@@ -71,11 +72,11 @@ class Motion:
         symbols = entries.copy()
         for i, j in itertools.product(*map(range, entries.shape)):
             if not entries[i, j].is_number and len(self._coupled(i)) > 1:
-                symbols[i, j] = sp.Symbol(f"_{name}_{i + 1}{j + 1}", real=True)
+                symbols[i, j] = Symbol(f"_{name}_{i + 1}{j + 1}", real=True)
         pairs = zip(symbols, entries, strict=True)
         return symbols, {symbol: entry for symbol, entry in pairs if symbol != entry}
 
-    def held(self, friction: FrictionForce, stuck: Row, slipping: Row) -> sp.Expr:
+    def held(self, friction: FrictionForce, stuck: Row, slipping: Row) -> Expr:
         """The solution f of mobility f = stuck for one friction where it holds, the others hold or
         have the values ``slipping``: by Cramer's rule.
         """
@@ -84,9 +85,9 @@ class Motion:
         mobility, _ = self._in_symbols("mobility", self.mobility)
         system, right = sp.zeros(len(places)), sp.zeros(len(places), 1)
         for row, index in enumerate(places):
-            share = sp.S.One if index == own else self.holding[index].stuck
+            share = S.One if index == own else self.holding[index].stuck
             for column, other in enumerate(places):
-                none = sp.S.One if row == column else sp.S.Zero
+                none = S.One if row == column else S.Zero
                 system[row, column] = none + share * (mobility[index, other] - none)
             right[row] = share * stuck[index] + (1 - share) * slipping[index]
         whole = system.det(method="berkowitz")
@@ -96,12 +97,12 @@ class Motion:
     @cached_property
     def free(self) -> tuple[Row, Names]:
         """Rates of the sliding speeds without the frictions that hold."""
-        free = dict.fromkeys((it.unknown for it in self.holding), sp.S.Zero)
+        free = dict.fromkeys((it.unknown for it in self.holding), S.Zero)
         rates = [self.rate(self.slip(it), self.accelerations).subs(free) for it in self.holding]
         symbols, names = self._in_symbols("free", sp.Matrix(rates))
         return tuple(symbols), names
 
-    def constraint(self, friction: FrictionForce) -> sp.Expr:
+    def constraint(self, friction: FrictionForce) -> Expr:
         """The force that keeps the sliding speed from changing while the other frictions hold or
         slip: the constraint force of sticking.
         """
@@ -125,7 +126,7 @@ class Motion:
         sticking = {it.stuck: 1 - it.side**2 for it in self.holding}
         return {**self.inverted, **sticking, **mobility, **self.free[1], **forces}
 
-    def margins(self, friction: FrictionForce, force: sp.Expr) -> Row:
+    def margins(self, friction: FrictionForce, force: Expr) -> Row:
         """Distances of a force of friction from its limit with the belt, and from that against it:
         positive while friction holds.
         """
@@ -135,7 +136,7 @@ class Motion:
         )
         return ahead - force, behind + force
 
-    def side(self, friction: FrictionForce) -> sp.Expr:
+    def side(self, friction: FrictionForce) -> Expr:
         """The sign of the sliding speed; where nothing slides 1, or of friction that holds that of
         the mode in which the motion goes on, while others at rest hold.
         """
@@ -170,7 +171,7 @@ class Motion:
         rows = zip(it.residuals, it.resistance, self.centrifugal, strict=True)
         return tuple(-static - damped - turned for static, damped, turned in rows)
 
-    def balance(self, *normal: sp.Expr) -> Row:
+    def balance(self, *normal: Expr) -> Row:
         """M q″ less all forces, of which those of the contacts are ``normal``, in MU and the
         symbols of the accelerations.
         """
@@ -181,7 +182,7 @@ class Motion:
         ):
             row = inertia - pull
             for contact, force in zip(it.contacts, normal, strict=True):
-                share = sp.S.Zero if contact.gap is None else sp.diff(contact.gap, symbol)
+                share = S.Zero if contact.gap is None else sp.diff(contact.gap, symbol)
                 for friction in it.frictions:
                     if friction.normal is contact and friction.along is not None:
                         share += friction.mu * sp.diff(friction.along, symbol)
@@ -224,14 +225,14 @@ class Motion:
         """Symbols of the entries of the inverse of M."""
         n = len(self.model.coordinates)
         return sp.Matrix(
-            n, n, lambda i, j: sp.Symbol(f"_inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True)
+            n, n, lambda i, j: Symbol(f"_inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True)
         )
 
     @cached_property
     def named(self) -> Symbols:
         """Symbols of the accelerations."""
         return tuple(
-            sp.Symbol(acceleration_of(symbol), real=True) for symbol in self.model.coordinates
+            Symbol(acceleration_of(symbol), real=True) for symbol in self.model.coordinates
         )
 
     @cached_property
@@ -247,7 +248,7 @@ class Motion:
         """
         if not self.is_coupled:
             return {}
-        determinant = sp.Symbol("_determinant", positive=True)
+        determinant = Symbol("_determinant", positive=True)
         M, tidy = self.model.mass, self.model.tidy
         entries = zip(self.inverse, M.adjugate(), strict=True)
         return {
@@ -255,7 +256,7 @@ class Motion:
             **{symbol: tidy(entry) / determinant for symbol, entry in entries},
         }
 
-    def slopes(self, symbol: sp.Symbol, turns: Row | None = None) -> Row:
+    def slopes(self, symbol: Symbol, turns: Row | None = None) -> Row:
         """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂forces
         − ∂M q″; ``turns`` are those of the frictions.
         """
@@ -269,7 +270,7 @@ class Motion:
         pulls = sp.Matrix([self.derivative(row, symbol, turns) for row in self.forces])
         return tuple(self.inverse * (pulls - changes))
 
-    def turns(self, symbol: sp.Symbol) -> Row:
+    def turns(self, symbol: Symbol) -> Row:
         """Derivatives of μ of every friction, or of the force of one that holds: of several by
         their names where they are not 0.
         """
@@ -281,8 +282,8 @@ class Motion:
             for it, slope in zip(self.model.frictions, slopes, strict=True)
         )
 
-    def _turn(self, friction: FrictionForce, symbol: sp.Symbol) -> sp.Symbol:
-        return sp.Symbol(f"_turn_{friction.name}_{symbol}", real=True)
+    def _turn(self, friction: FrictionForce, symbol: Symbol) -> Symbol:
+        return Symbol(f"_turn_{friction.name}_{symbol}", real=True)
 
     def turned(self, symbols: Symbols) -> Names:
         """Derivatives of several frictions, by their names."""
@@ -294,7 +295,7 @@ class Motion:
             for it in self.model.frictions
         }
 
-    def friction_slope(self, friction: FrictionForce, symbol: sp.Symbol) -> sp.Expr:
+    def friction_slope(self, friction: FrictionForce, symbol: Symbol) -> Expr:
         """The derivative of μ; or that of a force that holds, which keeps the sliding speed from
         changing.
         """
@@ -304,10 +305,10 @@ class Motion:
         slipping = self.model.derivative(mu * friction.normal.rubbing, symbol)
         return (1 - friction.stuck) * slipping + friction.stuck * self.held_slope(friction, symbol)
 
-    def held_slope(self, friction: FrictionForce, symbol: sp.Symbol) -> sp.Expr:
+    def held_slope(self, friction: FrictionForce, symbol: Symbol) -> Expr:
         """The derivative of the force that keeps a sliding speed from changing."""
         still = tuple(
-            sp.S.Zero
+            S.Zero
             if it in self.holding
             else self.model.derivative(self.coefficients[it.mu], symbol)
             for it in self.model.frictions
@@ -324,7 +325,7 @@ class Motion:
         )
         return self.held(friction, changes, slipping)
 
-    def derivative(self, expression: sp.Expr, symbol: sp.Symbol, turns: Row) -> sp.Expr:
+    def derivative(self, expression: Expr, symbol: Symbol, turns: Row) -> Expr:
         """By a coordinate, a rate or a parameter, with ``turns`` for those of μ, or of the forces
         that hold.
         """
@@ -339,7 +340,7 @@ class Motion:
     # energy
 
     @cached_property
-    def stored(self) -> sp.Expr:
+    def stored(self) -> Expr:
         """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the
         contact's.
         """
@@ -349,7 +350,7 @@ class Motion:
         return it.kinetic + it.potential + at_rest - self.work + self._stored_in_contacts
 
     @cached_property
-    def energy(self) -> sp.Expr:
+    def energy(self) -> Expr:
         """The same with the springs' as k (l − r)²/2, which loses no digits where they are hardly
         deformed: l² is dx² + dy².
         """
@@ -360,16 +361,16 @@ class Motion:
         return it.kinetic + without + strained - self.work + self._stored_in_contacts
 
     @cached_property
-    def strain_energy(self) -> sp.Expr:
+    def strain_energy(self) -> Expr:
         """Energy of springs, torsion springs, contact and the page's potentials, without the
         applied forces.
         """
         return self.energy - self.model.kinetic + self.work
 
     @cached_property
-    def _stored_in_contacts(self) -> sp.Expr:
+    def _stored_in_contacts(self) -> Expr:
         """The energy of all contacts, each on its own side, with PUSHING."""
-        stored = sp.S.Zero
+        stored = S.Zero
         for contact in self.model.contacts:
             if contact.gap is not None:
                 energy = contact.energy
@@ -379,45 +380,43 @@ class Motion:
         return stored
 
     @cached_property
-    def work(self) -> sp.Expr:
+    def work(self) -> Expr:
         """A potential of the applied forces: the sum over coordinates of what is not counted
         yet.
         """
         it = self.model
-        total = sp.S.Zero
+        total = S.Zero
         for symbol, _, force in it.moved:
             integral = sp.integrate(expanded(force - sp.diff(total, symbol)), symbol)
             # What has none in one form for all parameters, as sin(η b) for η = 0 too, is power.
-            total += sp.S.Zero if integral.has(sp.Piecewise, sp.Integral) else integral
+            total += S.Zero if integral.has(sp.Piecewise, sp.Integral) else integral
         return expanded(total)
 
     @cached_property
-    def applied_power(self) -> sp.Expr:
+    def applied_power(self) -> Expr:
         """Power of applied forces that have no potential; zero for those that have one."""
         work = self.work
         powers = ((force - sp.diff(work, q)) * rate for q, rate, force in self.model.moved)
         return expanded(sp.Add(*powers))
 
     @cached_property
-    def clock_power(self) -> sp.Expr:
+    def clock_power(self) -> Expr:
         """Rate at which the clock changes what is stored, by ends, gaps and forces that follow
         it.
         """
         it = self.model
-        return (
-            sp.S.Zero if it.clock is None else it.derivative(self.stored, it.clock) * it.rates[-1]
-        )
+        return S.Zero if it.clock is None else it.derivative(self.stored, it.clock) * it.rates[-1]
 
-    def friction_force(self, friction: FrictionForce) -> sp.Expr:
+    def friction_force(self, friction: FrictionForce) -> Expr:
         """In μ, or what it holds."""
         if friction.along is None:
-            return sp.S.Zero
+            return S.Zero
         return (
             friction.unknown if friction in self.holding else friction.mu * friction.normal.rubbing
         )
 
     @cached_property
-    def damper_power(self) -> sp.Expr:
+    def damper_power(self) -> Expr:
         """Of all dampers: never positive, but where the clock moves an end of one."""
         it = self.model
         if it.clock is None:
@@ -425,7 +424,7 @@ class Motion:
         return -sp.Add(*(sp.diff(it.dissipation, rate) * rate for _, rate, _ in it.moved))
 
     @cached_property
-    def outputs(self) -> dict[str, sp.Expr]:
+    def outputs(self) -> dict[str, Expr]:
         """Forces, energy and power in a smooth regime, by name; in μ, or the friction that
         holds.
         """
@@ -460,7 +459,7 @@ class Motion:
         state.
         """
         it = self.model
-        change = sp.S.Zero
+        change = S.Zero
         for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
             if symbol != it.clock:
                 change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
@@ -479,9 +478,9 @@ class Motion:
         """
         it = self.model
         return (
-            *(sp.S.One if contact.border is None else contact.border for contact in it.contacts),
+            *(S.One if contact.border is None else contact.border for contact in it.contacts),
             *(
-                laws.slip(friction) if friction.along is not None else sp.S.One
+                laws.slip(friction) if friction.along is not None else S.One
                 for friction in it.frictions
             ),
         )
@@ -495,7 +494,7 @@ class Motion:
             for border in self.borders
         )
 
-    def rate(self, expression: sp.Expr, accelerations: Symbols) -> sp.Expr:
+    def rate(self, expression: Expr, accelerations: Symbols) -> Expr:
         """d/dt of an expression in coordinates and rates."""
         it = self.model
         changes = zip((*it.coordinates, *it.rates), (*it.rates, *accelerations), strict=True)
@@ -519,7 +518,7 @@ def _slopes(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
         rows = motion.slip(it), *motion.margins(it, it.unknown)
         turns = {
             symbol: tuple(
-                motion.held_slope(it, symbol) if one is it else sp.S.Zero
+                motion.held_slope(it, symbol) if one is it else S.Zero
                 for one in motion.model.frictions
             )
             for symbol in symbols
@@ -756,12 +755,12 @@ def _everywhere(motion: Motion, moving: Symbols, shorthands: Names) -> tuple[Fun
     """The kinked right-hand side."""
     model, signs = motion.model, Names()
     for contact, border in zip(model.contacts, motion.borders, strict=False):
-        below = sp.Symbol(f"_below{contact.name and '_'}{contact.name}", real=True)
+        below = Symbol(f"_below{contact.name and '_'}{contact.name}", real=True)
         # A law with a root has no slope at its border, which is then lift-off's.
         signs[below] = 1 + reached(-border) if contact.polynomial else 1 - reached(border)
-        signs[contact.pushing] = sp.S.One if contact.border is None else below / 2
+        signs[contact.pushing] = S.One if contact.border is None else below / 2
     signs |= {friction.side: motion.side(friction) for friction in model.frictions}
-    felt = {factor: sp.S.One for it in model.frictions for factor in laws.near(it)}
+    felt = {factor: S.One for it in model.frictions for factor in laws.near(it)}
     touches = all(contact.polynomial for contact in model.contacts)
     return (
         of_page(

@@ -7,6 +7,7 @@ Each error names the line of the page, what was expected there, and what still w
 from collections.abc import Iterator
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 
 from . import laws, signs, symmetry, units
 from .limits import Limit
@@ -33,7 +34,7 @@ def check_units(page: Page) -> None:
             )
 
 
-def _check_dimension(it: PageExpression, dimensions: dict[sp.Symbol, Dimension]) -> None:
+def _check_dimension(it: PageExpression, dimensions: dict[Symbol, Dimension]) -> None:
     unknown = sorted(str(symbol) for symbol in it.value.free_symbols if symbol not in dimensions)
     if unknown:
         time = f": {Limit.FORCING}" if {"t", "time"} & set(unknown) else ""
@@ -65,8 +66,8 @@ def _check_dimension(it: PageExpression, dimensions: dict[sp.Symbol, Dimension])
         )
 
 
-def _dimensions(page: Page) -> dict[sp.Symbol, Dimension]:
-    dimensions: dict[sp.Symbol, Dimension] = {}
+def _dimensions(page: Page) -> dict[Symbol, Dimension]:
+    dimensions: dict[Symbol, Dimension] = {}
     for entry in (*page.units, *page.parameters, *page.coordinates):
         try:
             dimensions[entry.symbol] = units.read(entry.unit)
@@ -77,7 +78,7 @@ def _dimensions(page: Page) -> dict[sp.Symbol, Dimension]:
     return dimensions
 
 
-def groups(page: Page) -> dict[str, sp.Expr]:
+def groups(page: Page) -> dict[str, Expr]:
     """Every dimensionless parameter as its quantity over the product of units of measure that has
     its dimension.
     """
@@ -113,7 +114,7 @@ def groups(page: Page) -> dict[str, sp.Expr]:
     return found
 
 
-def scale(page: Page, dimension: Dimension) -> sp.Expr | None:
+def scale(page: Page, dimension: Dimension) -> Expr | None:
     """The product of units of measure that has a dimension."""
     dimensions = _dimensions(page)
     powers = units.powers(dimension, tuple(dimensions[unit.symbol] for unit in page.units))
@@ -187,7 +188,7 @@ def _check_inertia(model: Mechanics) -> None:
     energy, line = model.page.inertia
     M = model.mass.subs(dict(_bases(model)))
     places = [
-        dict.fromkeys(model.coordinates, sp.S.Zero),
+        dict.fromkeys(model.coordinates, S.Zero),
         {q: sp.Rational(3 + i, 7) for i, q in enumerate(model.coordinates)},
     ]
     minors = [
@@ -235,7 +236,7 @@ def _check_pushes(model: Mechanics, contact: NormalForce, what: str, limit: Limi
 
 
 def _check_friction(model: Mechanics, sliding: FrictionForce) -> None:
-    written = next((it.belt for it in model.page.frictions if it.line == sliding.line), sp.S.Zero)
+    written = next((it.belt for it in model.page.frictions if it.line == sliding.line), S.Zero)
     if sliding.belt == sliding.still and not signs.is_nonnegative(model, sliding.belt):
         raise PageError(
             sliding.line,
@@ -251,7 +252,7 @@ def _check_friction(model: Mechanics, sliding: FrictionForce) -> None:
             "is >= 0",
         )
     for side, value in (("ahead", sliding.ahead), ("behind", -sliding.behind)):
-        at_zero = laws.limit(sliding, value, SLIP, sp.S.Zero)
+        at_zero = laws.limit(sliding, value, SLIP, S.Zero)
         if sliding.holds is not None and _negative(model, at_zero, SLIP):
             law = at_zero if side == "ahead" else -at_zero
             raise PageError(
@@ -295,7 +296,7 @@ def _check_independent(model: Mechanics) -> None:
             )
 
 
-def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
+def _negative(model: Mechanics, law: Expr, variable: Symbol) -> str:
     """Place where a law is negative at the base values, or 1 where there is none, in words; empty
     if no place that was tried shows it.
     """
@@ -314,9 +315,9 @@ def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
     return ""
 
 
-def _bases(model: Mechanics) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+def _bases(model: Mechanics) -> Iterator[tuple[Symbol, Expr]]:
     for datum in model.parameters:
-        base = sp.S.One if datum.base is None else sp.Rational(str(datum.base))
+        base = S.One if datum.base is None else sp.Rational(str(datum.base))
         parts = model.parts(number(datum))
         yield from zip(
             reversed(parts),

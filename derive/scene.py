@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import TypeAlias
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 
 from . import mechanics
 from .algebra import expanded
@@ -29,7 +30,7 @@ Plain: TypeAlias = dict[str, object]
 class RigidBody:
     """A body by its coordinates: along the belt, across it, and the angle that turns it."""
 
-    parts: dict[str, sp.Symbol] = field(default_factory=dict)
+    parts: dict[str, Symbol] = field(default_factory=dict)
     #: 1 where the angle turns it counter-clockwise, −1 where it does clockwise.
     sense: int = 1
 
@@ -60,19 +61,19 @@ class Scene:
         """Every friction that is one."""
         return [one for one in self.model.frictions if one.along is not None]
 
-    def _at_rest(self, expression: sp.Expr | None, *by: sp.Symbol) -> sp.Expr:
+    def _at_rest(self, expression: Expr | None, *by: Symbol) -> Expr:
         """The value or a derivative at the origin."""
-        value = sp.S.Zero if expression is None else sp.sympify(expression)
+        value = S.Zero if expression is None else sp.sympify(expression)
         value = value.diff(*by) if by else value
         return expanded(value.subs(dict.fromkeys(self.model.coordinates, 0)))
 
-    def _takes(self, expression: sp.Expr | None) -> list[sp.Symbol]:
+    def _takes(self, expression: Expr | None) -> list[Symbol]:
         """Coordinates of an expression, in their order."""
         symbols = set() if expression is None else sp.sympify(expression).free_symbols
         return [it for it in self.model.coordinates if it in symbols and it != self.model.clock]
 
     @cached_property
-    def kinds(self) -> dict[sp.Symbol, str]:
+    def kinds(self) -> dict[Symbol, str]:
         """Of each coordinate whether it is ``"along"`` the belt, ``"across"`` it or an
         ``"angle"``.
         """
@@ -118,14 +119,14 @@ class Scene:
             one.sense = self._sense(one)
         return found
 
-    def _groups(self) -> Iterator[list[sp.Symbol]]:
+    def _groups(self) -> Iterator[list[Symbol]]:
         for element in self.page.elements:
             for end in element.ends or ():
                 yield self._takes(sp.Tuple(*end))
         for contact in self.model.contacts:
             yield [*self._takes(self._along(contact)), *self._takes(contact.gap)]
 
-    def _body_of(self, symbols: list[sp.Symbol]) -> list[int]:
+    def _body_of(self, symbols: list[Symbol]) -> list[int]:
         """Numbers of the bodies that coordinates move, each once."""
         owners = (
             index
@@ -138,9 +139,9 @@ class Scene:
     # ---------------------------------------------------------------------------------------------
     # contacts
 
-    def _along(self, contact: NormalForce) -> sp.Expr:
+    def _along(self, contact: NormalForce) -> Expr:
         """The displacement that friction opposes at a contact, 0 without."""
-        return next((it.along for it in self.sliding if it.normal == contact), sp.S.Zero)
+        return next((it.along for it in self.sliding if it.normal == contact), S.Zero)
 
     def _outward(self, contact: NormalForce) -> tuple[int, int]:
         """The direction from the first body to what it touches: down, where nothing else is
@@ -153,7 +154,7 @@ class Scene:
                 return (way, 0) if self.kinds[symbol] == "along" else (0, way)
         return 0, -1
 
-    def _number(self, expression: sp.Expr) -> float:
+    def _number(self, expression: Expr) -> float:
         """At the base values, any parameter without one at 1."""
         base = {
             mechanics.number(it): it.base for it in self.model.parameters if it.base is not None
@@ -161,7 +162,7 @@ class Scene:
         parts = {it: 1.0 for it in expression.free_symbols if it not in base}
         return float(expression.subs(base | parts))
 
-    def _turned(self, contact: NormalForce, angle: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+    def _turned(self, contact: NormalForce, angle: Symbol) -> tuple[Expr, Expr]:
         """Velocity of the contact by the angle at the origin."""
         gap, along = (self._at_rest(it, angle) for it in (contact.gap, self._along(contact)))
         x, y = self._outward(contact)
@@ -177,11 +178,11 @@ class Scene:
                 return 1 if side > 0 else -1
         return 1
 
-    def _arm(self, contact: NormalForce, owners: list[int]) -> tuple[sp.Expr, sp.Expr]:
+    def _arm(self, contact: NormalForce, owners: list[int]) -> tuple[Expr, Expr]:
         """From the centre of its body to a contact, at the origin."""
         body = self.bodies[owners[0]] if owners else RigidBody()
         if "angle" not in body.parts:
-            return sp.S.Zero, sp.S.Zero
+            return S.Zero, S.Zero
         across, up = self._turned(contact, body.parts["angle"])
         return body.sense * up, -body.sense * across
 
@@ -252,7 +253,7 @@ class Scene:
         and then both ends of every straight spring.
         """
         arms = [self._arm(it, self._owners(it)) for it in self.model.contacts]
-        scaled: Callable[[sp.Expr], sp.Expr] = self.model.scaled
+        scaled: Callable[[Expr], Expr] = self.model.scaled
         ends = [
             tuple(scaled(sp.sympify(part)) for part in end)
             for it in self._straight()

@@ -7,17 +7,18 @@ import math
 import random
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 
 from .emit.quantities import Interval, interval
 from .mechanics import DEPTH, Angle, Mechanics, number
 
 #: A pair of bounds.
-_Ends = tuple[sp.Expr, sp.Expr]
+_Ends = tuple[Expr, Expr]
 #: Places at which floats look for a witness.
 _TRIALS = 2000
 
 
-def is_nonnegative(model: Mechanics, expression: sp.Expr) -> bool:
+def is_nonnegative(model: Mechanics, expression: Expr) -> bool:
     """Whether an expression is proved to be ≥ 0.
 
     In what it is affine it is least at an end of the range, so that the ends of all these together
@@ -40,14 +41,14 @@ def is_nonnegative(model: Mechanics, expression: sp.Expr) -> bool:
     )
 
 
-def _is_nonnegative(expression: sp.Expr) -> bool:
+def _is_nonnegative(expression: Expr) -> bool:
     forms = (expression, sp.factor_terms(sp.expand(expression)))
     return any(bool(form.is_nonnegative) for form in forms) or _is_nonnegative_polynomial(
         expression
     )
 
 
-def _is_nonnegative_polynomial(expression: sp.Expr) -> bool:
+def _is_nonnegative_polynomial(expression: Expr) -> bool:
     """Whether an expression is a polynomial of one quantity, with numbers as coefficients, that is
     nowhere negative: it changes its sign at roots of odd multiplicity only.
     """
@@ -67,12 +68,12 @@ def _is_nonnegative_polynomial(expression: sp.Expr) -> bool:
     return roots == 0 and bool(sp.LC(expression, symbol) > 0)
 
 
-def _bounded(model: Mechanics, expression: sp.Expr) -> dict[sp.Expr, _Ends]:
+def _bounded(model: Mechanics, expression: Expr) -> dict[Expr, _Ends]:
     """Bounds of sines and cosines, of hyperbolic tangents and of parameters whose domain has two
     ends.
     """
     waves = sorted(expression.atoms(sp.sin, sp.cos, sp.tanh), key=sp.default_sort_key)
-    found: dict[sp.Expr, _Ends] = dict.fromkeys(waves, (sp.S.NegativeOne, sp.S.One))
+    found: dict[Expr, _Ends] = dict.fromkeys(waves, (S.NegativeOne, S.One))
     angles = {angle.symbol: angle for angle in model.angles}
     for datum in model.parameters:
         symbol, allowed = number(datum), interval(datum.domain)
@@ -88,16 +89,16 @@ def _bounded(model: Mechanics, expression: sp.Expr) -> dict[sp.Expr, _Ends]:
     return {atom: ends for atom, ends in found.items() if expression.has(atom)}
 
 
-def _cosine(low: sp.Expr, high: sp.Expr) -> _Ends:
+def _cosine(low: Expr, high: Expr) -> _Ends:
     """Least and largest cosine over a range."""
     if sp.oo in (high, -low):
-        return sp.S.NegativeOne, sp.S.One
+        return S.NegativeOne, S.One
     inside = range(int(sp.ceiling(low / sp.pi)), int(sp.floor(high / sp.pi)) + 1)
-    values = [sp.cos(low), sp.cos(high), *((-1) ** turn * sp.S.One for turn in inside)]
+    values = [sp.cos(low), sp.cos(high), *((-1) ** turn * S.One for turn in inside)]
     return sp.Min(*values), sp.Max(*values)
 
 
-def witness(model: Mechanics, expression: sp.Expr) -> str:
+def witness(model: Mechanics, expression: Expr) -> str:
     """Place where an expression is negative, in words; empty if no place that was tried shows it.
 
     Floats propose a place, exact numbers confirm it.
@@ -132,15 +133,13 @@ def witness(model: Mechanics, expression: sp.Expr) -> str:
     return ""
 
 
-def _shown(symbol: sp.Symbol) -> str:
+def _shown(symbol: Symbol) -> str:
     return "depth" if symbol.name.startswith(DEPTH.name) else symbol.name
 
 
-def _placed(
-    expression: sp.Expr, angles: dict[sp.Symbol, Angle], values: dict[sp.Symbol, sp.Expr]
-) -> sp.Expr:
+def _placed(expression: Expr, angles: dict[Symbol, Angle], values: dict[Symbol, Expr]) -> Expr:
     """An expression with numbers in the place of symbols, of angles in that of their parts."""
-    positions: dict[sp.Symbol, sp.Expr] = {}
+    positions: dict[Symbol, Expr] = {}
     for symbol, value in values.items():
         angle = angles.get(symbol)
         positions |= {angle.c: sp.cos(value), angle.s: sp.sin(value)} if angle else {}

@@ -9,6 +9,7 @@ import itertools
 from collections.abc import Iterator
 
 import sympy as sp
+from sympy import Expr, Symbol
 
 from .emit.python.algebra import KNOWN
 from .mechanics import DEPTH, SLIP, Mechanics, NormalForce
@@ -30,7 +31,7 @@ def check(model: Mechanics) -> None:
         _check_contact(model, said, contact)
 
 
-def _angles(value: sp.Expr, turning: set[sp.Symbol]) -> Iterator[str]:
+def _angles(value: Expr, turning: set[Symbol]) -> Iterator[str]:
     for node in sorted(value.atoms(sp.cos, sp.sin), key=sp.default_sort_key):
         if not node.args[0].free_symbols & turning:
             yield (
@@ -39,7 +40,7 @@ def _angles(value: sp.Expr, turning: set[sp.Symbol]) -> Iterator[str]:
             )
 
 
-def _kinks(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
+def _kinks(value: Expr, moving: set[Symbol]) -> Iterator[str]:
     # Functions with a kink or a step, of which a sum of smooth forces has none.
     kinked = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor, sp.ceiling)
     for node in sorted(value.atoms(*kinked), key=sp.default_sort_key):
@@ -51,7 +52,7 @@ def _kinks(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
             )
 
 
-def _unknown(value: sp.Expr) -> Iterator[str]:
+def _unknown(value: Expr) -> Iterator[str]:
     """Parts that are neither algebra nor a function that every number type has."""
     if value.has(sp.I, sp.oo, sp.nan, sp.zoo):
         yield f"is {value}, which is no real number; write one that is"
@@ -73,11 +74,11 @@ def _unknown(value: sp.Expr) -> Iterator[str]:
             )
 
 
-def _domains(value: sp.Expr, moving: set[sp.Symbol]) -> Iterator[str]:
+def _domains(value: Expr, moving: set[Symbol]) -> Iterator[str]:
     """Roots of what is not negative, and in friction of what is positive, for a step may end behind
     its border; logarithms of that.
     """
-    border = {symbol: sp.Symbol(symbol.name, nonnegative=True) for symbol in (DEPTH, SLIP)}
+    border = {symbol: Symbol(symbol.name, nonnegative=True) for symbol in (DEPTH, SLIP)}
     closed = value.xreplace(border)
     varying = moving | set(border.values())
     for node in sorted(closed.atoms(sp.Pow, sp.log), key=sp.default_sort_key):

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 
 from . import reserved, units
 from .emit.quantities import interval
@@ -249,7 +250,7 @@ def _check_elements(page: Page) -> None:
 
 
 def _check_along(
-    along: sp.Expr, what: str, line: int, moving: set[sp.Symbol], rates: set[sp.Symbol]
+    along: Expr, what: str, line: int, moving: set[Symbol], rates: set[Symbol]
 ) -> None:
     if along.free_symbols & rates:
         raise PageError(line, f"{what} is {along}, a speed; give the coordinate itself, as along=x")
@@ -259,13 +260,13 @@ def _check_along(
         )
 
 
-def _is_negative(page: Page, value: sp.Expr) -> bool:
+def _is_negative(page: Page, value: Expr) -> bool:
     """By its form, or at the base values, with 1 for what has none."""
     if value.is_nonnegative:
         return False
-    bases = {entry.symbol: sp.S.One for entry in page.units}
+    bases = {entry.symbol: S.One for entry in page.units}
     bases |= {
-        entry.symbol: sp.S.One if entry.base is None else sp.Float(entry.base)
+        entry.symbol: S.One if entry.base is None else sp.Float(entry.base)
         for entry in page.parameters
     }
     at_base = value.subs(bases)
@@ -274,7 +275,7 @@ def _is_negative(page: Page, value: sp.Expr) -> bool:
     )
 
 
-def _negative_place(page: Page, value: sp.Expr) -> str:
+def _negative_place(page: Page, value: Expr) -> str:
     """Place among ends, base values and places inside of all domains where an expression is
     negative, in words; empty if nowhere.
     """
@@ -283,7 +284,7 @@ def _negative_place(page: Page, value: sp.Expr) -> str:
         entry.symbol for entry in (*page.units, *data)
     }:
         return ""
-    units = {entry.symbol: sp.S.One for entry in page.units}
+    units = {entry.symbol: S.One for entry in page.units}
     # Places at which the sign of a coefficient is looked at, and where a range without an
     # end is ended for it.
     for numbers in itertools.islice(itertools.product(*map(_places, data)), 2000):
@@ -397,11 +398,11 @@ class PageExpression:
     any where that is None.
     """
 
-    value: sp.Expr
+    value: Expr
     what: str
     line: int
     dimension: Dimension | None
-    per: sp.Expr = sp.S.One
+    per: Expr = S.One
 
 
 def statements(page: Page) -> Iterator[PageExpression]:
@@ -419,7 +420,7 @@ def statements(page: Page) -> Iterator[PageExpression]:
                 "the undeformed length of this spring",
                 line,
                 dimension,
-                1 / (along or sp.S.One),
+                1 / (along or S.One),
             )
         for function in (sp.cos, sp.sin) if kind == "torsion spring" else ():
             yield PageExpression(
@@ -433,7 +434,7 @@ def statements(page: Page) -> Iterator[PageExpression]:
             f"the {element.quality} of this {kind}",
             line,
             dimension,
-            (along or sp.S.One) ** 2,
+            (along or S.One) ** 2,
         )
     for energy, line in page.energies:
         yield PageExpression(energy, "this potential energy", line, units.ENERGY)
@@ -448,10 +449,10 @@ def statements(page: Page) -> Iterator[PageExpression]:
             yield PageExpression(
                 position, "the place of this force", force.line, None if alone else units.LENGTH
             )
-            work = (units.ENERGY, position) if alone else (units.FORCE, sp.S.One)
+            work = (units.ENERGY, position) if alone else (units.FORCE, S.One)
             yield PageExpression(component, "this force", force.line, *work)
     for contact in page.contacts:
-        yield PageExpression(contact.gap or sp.S.Zero, "the gap", contact.line, units.LENGTH)
+        yield PageExpression(contact.gap or S.Zero, "the gap", contact.line, units.LENGTH)
         what = "the normal force" if contact.gap is None else "the contact law"
         yield PageExpression(expression_of(contact.law(DEPTH)), what, contact.line, units.FORCE)
     for it in page.frictions:
@@ -463,5 +464,5 @@ def statements(page: Page) -> Iterator[PageExpression]:
             yield PageExpression(
                 expression_of(it.law(sign * SLIP)), "the friction law", it.line, units.NONE
             )
-        yield PageExpression(it.at_rest or sp.S.Zero, "at_rest", it.line, units.NONE)
-        yield PageExpression(it.holds or sp.S.Zero, "what friction holds", it.line, units.NONE)
+        yield PageExpression(it.at_rest or S.Zero, "at_rest", it.line, units.NONE)
+        yield PageExpression(it.holds or S.Zero, "what friction holds", it.line, units.NONE)

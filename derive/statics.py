@@ -5,6 +5,7 @@ second derivatives.
 from functools import partial
 
 import sympy as sp
+from sympy import Matrix
 
 from .algebra import Row, Symbols, expanded
 from . import laws, balance_rows, symmetry
@@ -77,10 +78,10 @@ def module(model: Mechanics) -> Module:
     shorthands = {**model.depths, **{line.l: line.length for line in model.lines}}
     mirror = symmetry.mirror(model)
     function = partial(of_page, shorthands=shorthands)
-    K, T, F = sp.Matrix(jacobian(model)), balance_rows.sums(model), sp.Matrix(model.residuals)
+    K, T, F = Matrix(jacobian(model)), balance_rows.sums(model), Matrix(model.residuals)
     summed = tuple(map(expanded, T * F))
     constant = not T.has(*model.coordinates)
-    changes = sp.Matrix.hstack(*(T.diff(symbol) * F for symbol in model.coordinates))
+    changes = Matrix.hstack(*(T.diff(symbol) * F for symbol in model.coordinates))
     slopes = (T * K + changes).applyfunc(model.tidy)
     alone = balance_rows.without_coordinates(model, summed, slopes)
     cancelled = []

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 
 from .algebra import Symbols, expanded
 from .mechanics import Line, Mechanics, NormalForce, number
@@ -63,7 +64,7 @@ class Reflection:
     has to be 0.
     """
 
-    centres: Mapping[sp.Symbol, sp.Expr]
+    centres: Mapping[Symbol, Expr]
     zero: tuple[tuple[str, ...], ...]
 
     def takes(self, line: Line, other: Line) -> bool:
@@ -73,14 +74,12 @@ class Reflection:
         images = {symbol: self.image(symbol) for symbol in self.centres}
         return bool(self.centres) and _lies(line, images, other, (-1, 1))
 
-    def image(self, symbol: sp.Symbol) -> sp.Expr:
+    def image(self, symbol: Symbol) -> Expr:
         """Place where a mirror takes a coordinate."""
         return self.centres[symbol] - symbol if symbol in self.centres else symbol
 
 
-def _lies(
-    line: Line, images: Mapping[sp.Symbol, sp.Expr], other: Line, ways: tuple[int, int]
-) -> bool:
+def _lies(line: Line, images: Mapping[Symbol, Expr], other: Line, ways: Sequence[int]) -> bool:
     """Whether the image of a line lies where another one does, along the belt and across it in
     these ways.
     """
@@ -107,13 +106,13 @@ def _about(model: Mechanics, turned: Symbols) -> Iterator[Reflection]:
     another one's image there.
     """
     for centre in _centres(model, turned):
-        centres = {**dict.fromkeys(turned, sp.S.Zero), turned[0]: centre}
+        centres = {**dict.fromkeys(turned, S.Zero), turned[0]: centre}
         sets = _zero(model, _remainders(model, Reflection(centres, ())))
         if sets:
             yield Reflection(centres, sets)
 
 
-def _centres(model: Mechanics, turned: Symbols) -> list[sp.Expr]:
+def _centres(model: Mechanics, turned: Symbols) -> list[Expr]:
     """Doubled centres of the first coordinate that put the first line that it moves in the mirrored
     place of itself or another.
     """
@@ -125,16 +124,16 @@ def _centres(model: Mechanics, turned: Symbols) -> list[sp.Expr]:
         if slope != 0 and sp.diff(slope, turned[0]) == 0 and not dx.has(*others):
             moved.append((slope, dx.subs(turned[0], 0)))
     if not moved:
-        return [sp.S.Zero]
+        return [S.Zero]
     slope, at_zero = moved[0]
     alike = [other for same, other in moved if sp.expand(same - slope) == 0]
     return list(dict.fromkeys(sp.expand(-(at_zero + other) / slope) for other in alike))
 
 
-def _remainders(model: Mechanics, one: Reflection) -> list[sp.Expr]:
+def _remainders(model: Mechanics, one: Reflection) -> list[Expr]:
     """Expressions in parameters that vanish where the forces follow."""
     images = {symbol: one.image(symbol) for symbol in model.coordinates}
-    changes: dict[sp.Expr, sp.Expr] = dict(images)
+    changes: dict[Expr, Expr] = dict(images)
     for line in model.lines:
         image_of = next((other for other in (line, *model.lines) if one.takes(line, other)), None)
         if image_of is not None:
@@ -147,33 +146,33 @@ def _remainders(model: Mechanics, one: Reflection) -> list[sp.Expr]:
         # A mirrored line that is at rest upright is turned the other way; of another nothing is
         # known.
         odd = one.takes(torsion.line, torsion.line) and torsion.cosine_of_rest == 0
-        image = sp.Symbol(f"{torsion.phi}_image", real=True)
+        image = Symbol(f"{torsion.phi}_image", real=True)
         changes[torsion.phi] = -torsion.phi if odd else image
     rows = []
     gaps = [contact.gap for contact in model.contacts if contact.gap is not None]
     if any(sp.expand(gap.subs(images, simultaneous=True) - gap) != 0 for gap in gaps):
-        return [sp.S.One]
+        return [S.One]
     for symbol, row in zip(model.coordinates, model.residuals, strict=True):
         image = row.subs(changes, simultaneous=True)
         rows.append(image + row if symbol in one.centres else image - row)
     return _coefficients(model, rows)
 
 
-def _coefficients(model: Mechanics, terms: list[sp.Expr]) -> list[sp.Expr]:
+def _coefficients(model: Mechanics, terms: list[Expr]) -> list[Expr]:
     """Expressions in parameters and friction coefficients that stand before what moves: all of them
     vanish where the terms do.
     """
     moving = {part for term in terms for part in term.free_symbols}
     moving -= {*model.arguments, *model.coefficients}
-    found: dict[tuple[int, sp.Expr], sp.Expr] = {}
+    found: dict[tuple[int, Expr], Expr] = {}
     for place, term in enumerate(map(expanded, terms)):
         for part in sp.Add.make_args(term):
             factor, rest = part.as_independent(*moving, as_Add=False)
-            found[place, rest] = found.get((place, rest), sp.S.Zero) + factor
+            found[place, rest] = found.get((place, rest), S.Zero) + factor
     return [term for term in found.values() if expanded(term) != 0]
 
 
-def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...], ...]:
+def _zero(model: Mechanics, remainders: list[Expr]) -> tuple[tuple[str, ...], ...]:
     """The smallest sets of parameters that may be 0 and make all of them vanish."""
     used = {part for term in remainders for part in term.free_symbols}
     allowed = [
@@ -193,8 +192,8 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
     return ()
 
 
-def _at_zero(model: Mechanics, chosen: Symbols) -> dict[sp.Symbol, int]:
-    values: dict[sp.Symbol, int] = {}
+def _at_zero(model: Mechanics, chosen: Symbols) -> dict[Symbol, int]:
+    values: dict[Symbol, int] = {}
     for symbol in chosen:
         parts = model.parts(symbol)
         values |= dict.fromkeys(parts, 0) | ({parts[-2]: 1} if len(parts) > 1 else {})
@@ -255,9 +254,7 @@ def _involutions(model: Mechanics) -> Iterator[tuple[tuple[int, ...], tuple[int,
                 yield places, signs
 
 
-def _images(
-    model: Mechanics, places: Sequence[int], signs: Sequence[int]
-) -> dict[sp.Expr, sp.Expr]:
+def _images(model: Mechanics, places: Sequence[int], signs: Sequence[int]) -> dict[Expr, Expr]:
     moved = model.coordinates
     return {moved[k]: signs[k] * moved[place] for k, place in enumerate(places)}
 
@@ -277,7 +274,7 @@ def _contact_images(
             return False
         if (one.gap is None) != (other.gap is None) or one.unilateral != other.unilateral:
             return False
-        image = sp.S.Zero if one.gap is None else one.gap.subs(images, simultaneous=True)
+        image = S.Zero if one.gap is None else one.gap.subs(images, simultaneous=True)
         return one.either_face == other.either_face and expanded(image - (other.gap or 0)) == 0
 
     for order in itertools.permutations(range(len(contacts))):
@@ -289,7 +286,7 @@ def _contact_images(
 
 def _exchanged(
     model: Mechanics, places: Sequence[int], signs: Sequence[int], contacts: Sequence[int]
-) -> list[sp.Expr]:
+) -> list[Expr]:
     """Expressions that vanish where all forces follow; 1 where something is known not to."""
     images = _images(model, places, signs)
     changes = dict(images)
@@ -304,18 +301,18 @@ def _exchanged(
             None,
         )
         if same is None:
-            return [sp.S.One]
+            return [S.One]
         there, across, up = same
         changes |= {line.c: across * there.c, line.s: up * there.s, line.l: there.l}
     if model.torsions:
-        return [sp.S.One]
-    terms = list[sp.Expr]()
+        return [S.One]
+    terms = list[Expr]()
     by_contact = {model.contacts.index(it.normal): it for it in model.frictions}
     for k, other in enumerate(contacts):
         one, image = model.contacts[k], model.contacts[other]
         changes |= {one.depth: image.depth, one.pushing: image.pushing}
         if (k in by_contact) != (other in by_contact):
-            return [sp.S.One]
+            return [S.One]
         if k in by_contact:
             rubs, rubbed = by_contact[k], by_contact[other]
             changes[rubs.mu] = rubbed.mu
@@ -329,12 +326,12 @@ def _exchanged(
 
 
 def _equations(
-    model: Mechanics, terms: list[sp.Expr]
+    model: Mechanics, terms: list[Expr]
 ) -> tuple[tuple[tuple[str, str | float], ...], ...]:
     """The smallest sets of equations of parameters that make all of them vanish."""
     # Most equations that have to hold.
     most = 4
-    open_: list[tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], list[sp.Expr]]] = [((), terms)]
+    open_: list[tuple[tuple[tuple[Symbol, Expr], ...], list[Expr]]] = [((), terms)]
     for _ in range(most + 1):
         done = {frozenset(said) for said, left in open_ if not left}
         if done:
@@ -348,12 +345,12 @@ def _equations(
     return ()
 
 
-def _plain(equation: tuple[sp.Symbol, sp.Expr]) -> tuple[str, str | float]:
+def _plain(equation: tuple[Symbol, Expr]) -> tuple[str, str | float]:
     symbol, value = equation
     return str(symbol), float(value) if value.is_number else str(value)
 
 
-def _solutions(model: Mechanics, term: sp.Expr) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+def _solutions(model: Mechanics, term: Expr) -> Iterator[tuple[Symbol, Expr]]:
     """Parameters that are 0, a number or another one where a factor of the term vanishes."""
     numbers = {number(datum) for datum in model.parameters}
     factors = sp.factor_list(term)[1] if term.is_polynomial(*term.free_symbols) else ()

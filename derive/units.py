@@ -13,6 +13,7 @@ from functools import cache
 from typing import TypeAlias
 
 import sympy as sp
+from sympy import Expr, Matrix, Symbol
 
 #: Exponents of kilogram, metre and second.
 Dimension: TypeAlias = tuple[Fraction, Fraction, Fraction]
@@ -74,7 +75,7 @@ def spelled(dimension: Dimension) -> str:
     return " ".join(parts) or "a number without a unit"
 
 
-def of(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
+def of(expression: Expr, dimensions: Mapping[Symbol, Dimension]) -> Dimension | None:
     """The dimension of an expression, None for zero, which has any.
 
     Raises
@@ -84,7 +85,7 @@ def of(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimens
         number.
     """
     match expression:
-        case sp.Symbol():
+        case Symbol():
             return dimensions[expression]
         case sp.Add() | sp.Max() | sp.Min():
             return _of_sum(expression, expression.args, dimensions)
@@ -121,9 +122,9 @@ def of(expression: sp.Expr, dimensions: Mapping[sp.Symbol, Dimension]) -> Dimens
 
 
 def _of_sum(
-    expression: sp.Expr, terms: Iterable[sp.Expr], dimensions: Mapping[sp.Symbol, Dimension]
+    expression: Expr, terms: Iterable[Expr], dimensions: Mapping[Symbol, Dimension]
 ) -> Dimension | None:
-    found: dict[Dimension, sp.Expr] = {}
+    found: dict[Dimension, Expr] = {}
     for term in terms:
         dimension = of(term, dimensions)
         if dimension is not None:
@@ -142,7 +143,7 @@ def powers(dimension: Dimension, units: tuple[Dimension, ...]) -> tuple[Fraction
     if not units:
         return () if dimension == NONE else None
     try:
-        found, free = sp.Matrix(units).T.gauss_jordan_solve(sp.Matrix(dimension))
+        found, free = Matrix(units).T.gauss_jordan_solve(Matrix(dimension))
     except ValueError:
         return None
     return None if free else tuple(Fraction(int(it.p), int(it.q)) for it in found)

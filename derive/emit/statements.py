@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import sympy as sp
+from sympy import Expr, Symbol
 
 from ..algebra import Names, Row
 from .definitions import flat
@@ -18,12 +19,12 @@ from .function import Function, Results
 class Body:
     """Assignments in order, then the results, nested as in the function."""
 
-    assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    assignments: tuple[tuple[Symbol, Expr], ...]
     results: Results
-    powers: frozenset[sp.Symbol] = frozenset()  #: names that stand for a whole power of another
+    powers: frozenset[Symbol] = frozenset()  #: names that stand for a whole power of another
 
     @cached_property
-    def negated(self) -> Mapping[sp.Symbol, sp.Expr]:
+    def negated(self) -> Mapping[Symbol, Expr]:
         """Names for minus another, which turn a sign where they stand; not those of which a power
         is taken.
         """
@@ -36,13 +37,13 @@ class Body:
         }
 
     @cached_property
-    def _computed(self) -> list[sp.Expr]:
+    def _computed(self) -> list[Expr]:
         """Computed expressions, with signs turned."""
         values = (value for symbol, value in self.assignments if symbol not in self.negated)
         return [value.xreplace(self.negated) for value in (*values, *flat(self.results))]
 
     @cached_property
-    def inlined(self) -> Mapping[sp.Symbol, sp.Expr]:
+    def inlined(self) -> Mapping[Symbol, Expr]:
         """Expressions that need no statement of their own: a power used in one place, printed
         there, a second name, a name for minus another.
         """
@@ -60,7 +61,7 @@ class Body:
         return sum(int(sp.count_ops(value)) for value in self._computed)
 
     @property
-    def statements(self) -> list[tuple[sp.Symbol, sp.Expr]]:
+    def statements(self) -> list[tuple[Symbol, Expr]]:
         """The assignments that are printed."""
         return [(symbol, value) for symbol, value in self.assignments if symbol not in self.inlined]
 
@@ -96,8 +97,8 @@ def straight_line(function: Function) -> Body:
     }
     for symbol in definitions:
         base, _, exponent = str(symbol).rpartition("_")
-        if (of := sp.Symbol(base, real=True)) in second:
-            second[symbol] = sp.Symbol(powers.free(f"{second[of]}_{exponent}"), real=True)
+        if (of := Symbol(base, real=True)) in second:
+            second[symbol] = Symbol(powers.free(f"{second[of]}_{exponent}"), real=True)
     available = {
         second.get(symbol, symbol): expression.xreplace(second)
         for symbol, expression in available.items()
@@ -116,7 +117,7 @@ def straight_line(function: Function) -> Body:
     return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), frozenset(whole))
 
 
-def _needed(leaves: Row, function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:
+def _needed(leaves: Row, function: Function) -> list[tuple[Symbol, Expr]]:
     """The shorthands that the results use; each comes after the shorthands that it uses itself."""
     ordered: Names = {}
     shorthands = {
@@ -147,19 +148,19 @@ class _Powers:
         self.definitions: Names = {}
         self.taken = taken
 
-    def replace(self, expression: sp.Expr) -> sp.Expr:
+    def replace(self, expression: Expr) -> Expr:
         return sp.sympify(expression).replace(
             lambda node: isinstance(node, sp.Pow) and node.exp.is_Rational and abs(node.exp.p) > 1,
             self._named,
         )
 
-    def rest(self, expression: sp.Expr) -> sp.Expr:
+    def rest(self, expression: Expr) -> Expr:
         """The same, but for a whole that is a square of a name."""
         if isinstance(expression, sp.Pow) and expression.exp == 2 and expression.base.is_Symbol:
             return expression
         return self.replace(expression)
 
-    def _named(self, node: sp.Pow) -> sp.Expr:
+    def _named(self, node: sp.Pow) -> Expr:
         power = (
             self._power(node.base, abs(int(node.exp)))
             if node.exp.is_Integer
@@ -167,15 +168,15 @@ class _Powers:
         )
         return power if node.exp > 0 else 1 / power
 
-    def _root_power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+    def _root_power(self, base: Expr, exponent: sp.Rational) -> Expr:
         value = sp.Pow(base, sp.Rational(1, exponent.q))
         root = self._once("root", value)
         whole, part = divmod(exponent.p, exponent.q)
         return (self._power(base, whole) if whole else sp.S.One) * self._power(root, part)
 
-    def _once(self, stem: str, value: sp.Expr) -> sp.Symbol:
+    def _once(self, stem: str, value: Expr) -> Symbol:
         """The name of a value that may have one already."""
-        new = sp.Symbol(self.free(f"{stem}{len(self.definitions)}"), real=True)
+        new = Symbol(self.free(f"{stem}{len(self.definitions)}"), real=True)
         symbol = next(
             (symbol for symbol, definition in self.definitions.items() if definition == value), new
         )
@@ -187,14 +188,14 @@ class _Powers:
             name += "_"
         return name
 
-    def _power(self, base: sp.Expr, exponent: int) -> sp.Expr:
+    def _power(self, base: Expr, exponent: int) -> Expr:
         if exponent == 1:
             return base
         if not base.is_Symbol:
             base = self._once("base", base)
         # Always with the same assumptions: SymPy takes symbols of one name and different
         # assumptions for different symbols.
-        symbol = sp.Symbol(self.free(f"{base}_{exponent}"), real=True)
+        symbol = Symbol(self.free(f"{base}_{exponent}"), real=True)
         if symbol not in self.definitions:
             low, high = exponent // 2, exponent - exponent // 2
             halves = self._power(base, low), self._power(base, high)
@@ -202,7 +203,7 @@ class _Powers:
         return symbol
 
 
-def _place(root: sp.Expr, available: Names, ordered: Names) -> None:
+def _place(root: Expr, available: Names, ordered: Names) -> None:
     """Put what an expression needs in its order, and the value of a symbol after what that
     needs.
     """
@@ -215,7 +216,7 @@ def _place(root: sp.Expr, available: Names, ordered: Names) -> None:
         ordered[root] = whole
 
 
-def _refill(shape: Results, leaves: Iterator[sp.Expr]) -> Results:
+def _refill(shape: Results, leaves: Iterator[Expr]) -> Results:
     if isinstance(shape, tuple):
         return tuple(_refill(item, leaves) for item in shape)
     return next(leaves)

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
+from sympy import Expr, Symbol
 
 from . import nomenclature as nm
 from .catalogue import Function
@@ -96,7 +97,7 @@ def follow(function: Function, arguments: tuple[Counted, ...]) -> tuple[Counted,
     return tuple(_follow(expression, values) for expression in flat(body.results))
 
 
-def _follow(expression: sp.Expr, values: Mapping[sp.Symbol, Counted]) -> Counted:
+def _follow(expression: Expr, values: Mapping[Symbol, Counted]) -> Counted:
     if expression.is_Symbol:
         return values[expression]
     if expression.is_Rational:
@@ -139,13 +140,13 @@ def counts(source: Source, functions: Mapping[str, Function]) -> dict[str, float
     kernel: dict[str, Any] = {"__name__": f"{__package__}.kernel", "__package__": __package__}
     # our own file, as every import is
     exec(compile(source.text, "the kernel", "exec"), kernel)  # noqa: S102
-    exact = {symbol: Counted(sp.Symbol(f"{symbol}_size")) for symbol in (*nm.PARAMETERS, nm.nbar)}
+    exact = {symbol: Counted(Symbol(f"{symbol}_size")) for symbol in (*nm.PARAMETERS, nm.nbar)}
     # Units that cos θ₀ and sin θ₀ are off by: one in the last place.
-    angle0 = tuple(Counted(sp.Symbol(f"{name}0_size"), 2) for name in ("cos", "sin"))
+    angle0 = tuple(Counted(Symbol(f"{name}0_size"), 2) for name in ("cos", "sin"))
     # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of
     # cos θ and sin θ are relative.
-    at = kernel["direction"](Counted(sp.Symbol("t")))
-    c, s = Counted(sp.Symbol("c"), at.cosine.count), Counted(sp.Symbol("s"), at.sine.count)
+    at = kernel["direction"](Counted(Symbol("t")))
+    c, s = Counted(Symbol("c"), at.cosine.count), Counted(Symbol("s"), at.sine.count)
 
     # The common factor of a balance changes no root: only the product with it rounds.
     coefficients = follow(functions["f_coefficients"], (*angle0, *exact.values()))
@@ -170,7 +171,7 @@ def counts(source: Source, functions: Mapping[str, Function]) -> dict[str, float
     # rounding.
     # Where ``uncertainty`` ω of the stability stands for u: it is at least 8 u.
     omega = sp.Rational(8)
-    vague = [Counted(sp.Symbol(name), omega) for name in ("c", "s", "L")]
+    vague = [Counted(Symbol(name), omega) for name in ("c", "s", "L")]
     stiffness = follow(
         functions["stiffness"],
         (*vague, *(exact[symbol] for symbol in (nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar))),
@@ -193,7 +194,7 @@ def counts(source: Source, functions: Mapping[str, Function]) -> dict[str, float
     return {**rounded, "COUNT_THETA": 16.0}
 
 
-def _covers(size: sp.Expr, wanted: sp.Expr) -> None:
+def _covers(size: Expr, wanted: Expr) -> None:
     """The size that the kernel computes is at least that of the statements, term by term."""
     surplus = sp.expand(size - wanted)
     if surplus != 0 and any(coefficient < 0 for coefficient in sp.Poly(surplus).coeffs()):

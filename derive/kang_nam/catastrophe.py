@@ -5,6 +5,7 @@
 from functools import cache
 
 import sympy as sp
+from sympy import Expr
 
 from ..algebra import Names, Pair, Row
 from . import unit_circles, elimination, stability
@@ -28,7 +29,7 @@ third = sp.expand(rotate_derivative(curvature))
 
 
 @cache
-def surface() -> sp.Expr:
+def surface() -> Expr:
     """M(θ, θ₀) = μ₀ n̄ on the equilibrium surface: f is linear in M."""
     f = elimination.f_in_parameters()
     surface = surface_in_coefficients().subs(elimination.f_coefficients())
@@ -40,7 +41,7 @@ def surface() -> sp.Expr:
     return surface
 
 
-def surface_in_coefficients() -> sp.Expr:
+def surface_in_coefficients() -> Expr:
     """The same, with a and b kept as symbols."""
     arranged = fa * s * c + fb * c + q * alpha * c0 * s
     return arranged / (s * (kappa - sigma * (s0 - s)))
@@ -127,7 +128,7 @@ def fold_quadratic() -> Row:
     return _coefficients_in_M(sp.cancel((p * B * across.subs(s0, sine0)).subs(alpha, 0)))
 
 
-def _coefficients_in_M(condition: sp.Expr) -> Row:
+def _coefficients_in_M(condition: Expr) -> Row:
     numerator, denominator = sp.fraction(sp.together(condition))
     require(not denominator.free_symbols, "the fold condition, a polynomial in M")
     return tuple(value / denominator for value in ascending(numerator, M))
@@ -159,7 +160,7 @@ def fold_conic() -> Row:
     return conic
 
 
-def fold_events(conic: Row) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def fold_events(conic: Row) -> tuple[Expr, Expr, Expr]:
     """Quantities that vanish where two folds of one θ meet, where one has θ₀ = 0 or π, and where
     one has no friction.
 
@@ -212,7 +213,7 @@ def fold_cubics() -> tuple[Row, Row]:
 
 
 @cache
-def cusp_friction() -> sp.Expr:
+def cusp_friction() -> Expr:
     """m on a cusp: f″ = 0 on the fold."""
     condition = reduce_circles(curvature.subs(fold_relations()))
     (friction,) = sp.solve(condition, fm)

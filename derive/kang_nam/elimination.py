@@ -9,6 +9,7 @@ the sign of cos θ; solving the second row for L keeps it and leaves one trigono
 from functools import cache
 
 import sympy as sp
+from sympy import Symbol
 
 from ..algebra import Names, Row
 from . import equilibrium
@@ -120,9 +121,9 @@ def resolvent_cubic() -> Row:
     determinant is zero. The cubic has the discriminant of the quartic in t (see :func:`identities`)
     and needs no division by b.
     """
-    ell = sp.Symbol("ell")
+    ell = Symbol("ell")
     conic = f_form + ell * (c**2 + s**2 - 1)
-    homogeneous = sp.Symbol("h")
+    homogeneous = Symbol("h")
     form = sp.expand(
         sp.cancel(
             homogeneous**2 * conic.subs({c: c / homogeneous, s: s / homogeneous}, simultaneous=True)
@@ -141,7 +142,7 @@ def identities() -> dict[str, bool]:
     """Relation between the two eliminations: statements, and whether exact algebra confirms
     each.
     """
-    t, ell = tt, sp.Symbol("ell")
+    t, ell = tt, Symbol("ell")
     in_t = sp.Poly(polynomial(quartic_in_t(), t), t)
     cubic = sp.Poly(polynomial(resolvent_cubic(), ell), ell)
     length, f = state()[L], f_in_parameters()

@@ -8,6 +8,7 @@ steady sliding; that it equals μ₀ (1 − exp(−d V)) exactly is the row ``eq
 from functools import cache
 
 import sympy as sp
+from sympy import Expr
 
 from ..algebra import Names, Pair
 from . import mechanics, unit_circles
@@ -27,12 +28,12 @@ SHORTHANDS: Names = {
 POLES = {symbol: SHORTHANDS[symbol] for symbol in (p, q)}
 
 
-def equal(left: sp.Expr, right: sp.Expr) -> bool:
+def equal(left: Expr, right: Expr) -> bool:
     """Whether two expressions are the same function of θ and θ₀, with p and q spelled out."""
     return unit_circles.equal(left.subs(POLES), right.subs(POLES))
 
 
-def spell_out(expression: sp.Expr) -> sp.Expr:
+def spell_out(expression: Expr) -> Expr:
     """Replace every shorthand by what it stands for, until only parameters and the state are
     left.
     """

@@ -8,6 +8,7 @@ Candidates are the cusps, the points at which the curve of folds turns back in �
 from functools import cache
 
 import sympy as sp
+from sympy import Expr
 
 from . import catastrophe, unit_circles, elimination, equilibrium, theorem
 from .nomenclature import B, L, M, alpha, c, c0, fa, fb, fd, fm, kappa, mu0, p, q, s, s0, sigma, y
@@ -34,7 +35,7 @@ PARTS = {
 
 
 @cache
-def turning_line() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def turning_line() -> tuple[Expr, Expr, Expr]:
     """w, l₀ and l₁ of w cos θ cos θ₀ = l₀ + l₁ sin θ₀: f = f_θ₀ = 0, friction eliminated."""
     f = elimination.f_in_parameters()
     without, with_friction = f.subs(M, 0), sp.diff(f, M)
@@ -81,7 +82,7 @@ def turning_quadratics() -> tuple[Row, Row]:
     return slope, circle
 
 
-def minors(one: Row, two: Row) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def minors(one: Row, two: Row) -> tuple[Expr, Expr, Expr]:
     """O, U and V of two quadratics: their resultant is O² − U V, and where it is 0, −O/U is the
     common root.
     """

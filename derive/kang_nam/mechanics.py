@@ -9,6 +9,7 @@ these forces: where a changed page takes away what they rest on, the derivation 
 from functools import cache
 
 import sympy as sp
+from sympy import Expr, Symbol
 
 from .. import laws, pages
 from ..algebra import Pair
@@ -75,13 +76,13 @@ def _require(model: Mechanics) -> None:
             )
 
 
-def symbol_of(datum: Datum) -> sp.Symbol:
+def symbol_of(datum: Datum) -> Symbol:
     """The number that a quantity of the page becomes, in the nomenclature where it is there."""
     entry = nm.quantities().get(datum.becomes)
     return number(datum) if entry is None else entry.symbol
 
 
-def further_parameters() -> tuple[sp.Symbol, ...]:
+def further_parameters() -> tuple[Symbol, ...]:
     """Numbers of the page that the published model does not have."""
     return tuple(symbol for symbol in map(symbol_of, page().parameters) if symbol not in PUBLISHED)
 
@@ -101,16 +102,16 @@ def quantities() -> dict[str, Quantity]:
     return found
 
 
-def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
+def in_article(model: Mechanics, expression: Expr) -> Expr:
     """An expression of the general way in the article's symbols: in x, y, and L for the length of
     the inclined spring.
     """
-    names: dict[sp.Basic, sp.Expr] = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
+    names: dict[sp.Basic, Expr] = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
     names |= {number(datum): symbol_of(datum) for datum in page().parameters}
     symbols = {*model.coordinates, *model.rates}
     symbols |= {part for angle in model.angles for part in (angle.c, angle.s)}
     names |= {symbol: nm.quantities()[str(symbol)].symbol for symbol in symbols}
-    directions: dict[sp.Basic, sp.Expr] = {}
+    directions: dict[sp.Basic, Expr] = {}
     for line in model.lines:
         directions |= {line.c: line.dx / nm.L, line.s: line.dy / nm.L, line.l: nm.L}
     return sp.sympify(expression).subs(directions, simultaneous=True).subs(names, simultaneous=True)
@@ -121,13 +122,13 @@ def in_article(model: Mechanics, expression: sp.Expr) -> sp.Expr:
 
 
 @cache
-def spring_length() -> sp.Expr:
+def spring_length() -> Expr:
     """Distance over L_0 from the spring's anchor to the mass at (x, y): (4)–(6)."""
     (line,) = of_page().lines
     return in_article(of_page(), line.length)
 
 
-def replace_length(expression: sp.Expr) -> sp.Expr:
+def replace_length(expression: Expr) -> Expr:
     """Write the symbol L for the square root of (6) wherever it stands."""
     square = sp.expand(spring_length() ** 2)
 
@@ -165,7 +166,7 @@ def motion() -> Pair:
 
 
 @cache
-def contact_law() -> sp.Expr:
+def contact_law() -> Expr:
     """n(y), (11), below the gap and above it: the belt pushes when the mass dips below it and never
     pulls. Less its slope is n̄, (29).
     """
@@ -178,14 +179,14 @@ def contact_law() -> sp.Expr:
 
 
 @cache
-def contact_family() -> sp.Expr:
+def contact_family() -> Expr:
     """n as one expression for contact (n̄ = 1) and lift-off (n̄ = 0)."""
     (pushing, _), (apart, _) = contact_law().args
     return nm.nbar * pushing + (1 - nm.nbar) * apart
 
 
 @cache
-def friction() -> sp.Expr:
+def friction() -> Expr:
     """μ at the dimensionless sliding speed V − x', (10)."""
     sliding = page().sliding
     assert sliding is not None
@@ -193,7 +194,7 @@ def friction() -> sp.Expr:
     return in_article(of_page(), of_page().scaled(law))
 
 
-def smooth_friction(side: sp.Expr) -> sp.Expr:
+def smooth_friction(side: Expr) -> Expr:
     """(10) where sgn(V − x') = ``side``, without the absolute value and the sign that kink it at V
     = x'.
     """

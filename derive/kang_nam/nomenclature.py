@@ -9,18 +9,19 @@ sin θ, ``c0`` and ``s0`` for cos θ₀ and sin θ₀; the relation between the 
 from collections.abc import Mapping
 
 import sympy as sp
+from sympy import Symbol
 
 from ..emit.quantities import Quantity
 
-_QUANTITIES: dict[sp.Symbol, Quantity] = {}
+_QUANTITIES: dict[Symbol, Quantity] = {}
 
 
 def _define(
     code: str, article: str, meaning: str, unit: str = "1", domain: str = "real", scale: str = ""
-) -> sp.Symbol:
+) -> Symbol:
     # Positive is all that SymPy must know to simplify the square root in the spring length. A proof
     # that relies on other signs states them itself.
-    symbol = sp.Symbol(code, real=True, positive=True if domain == "> 0" else None)
+    symbol = Symbol(code, real=True, positive=True if domain == "> 0" else None)
     return _enter(Quantity(symbol, article, meaning, unit, domain, scale))
 
 
@@ -31,20 +32,20 @@ def _scaled(
     scale: str,
     remark: str = "",
     domain: str = "real",
-) -> sp.Symbol:
+) -> Symbol:
     """A quantity over its scale; the remark says more about its values."""
     over = f", times {scale[3:-1]}" if scale.startswith("1/(") else f" over {scale}"
     said = f", {remark}" if remark else ""
     return _define(code, article, f"{measured}{over}{said}", "1", domain, scale)
 
 
-def _local(code: str, meaning: str) -> sp.Symbol:
+def _local(code: str, meaning: str) -> Symbol:
     """A symbol of the emitted code only, of which nothing is assumed."""
-    symbol = sp.Symbol(code)
+    symbol = Symbol(code)
     return _enter(Quantity(symbol, sp.latex(symbol), meaning))
 
 
-def _enter(entry: Quantity) -> sp.Symbol:
+def _enter(entry: Quantity) -> Symbol:
     if any(str(entry.symbol) == str(other) for other in _QUANTITIES):
         raise ValueError(
             f"{entry.symbol} stands in the nomenclature twice; give the second quantity "

@@ -7,6 +7,7 @@ equations of the article's page.
 """
 
 import sympy as sp
+from sympy import Expr
 
 from ..algebra import Row
 from .. import algebra, laws, linearization, pages, statics
@@ -47,7 +48,7 @@ def _page(name: str) -> Mechanics:
     return pages.read(pages.SHIPPED / f"{name}.py").mechanics
 
 
-def _polar(expression: sp.Expr) -> sp.Expr:
+def _polar(expression: Expr) -> Expr:
     """x and y by the direction and the length of the spring, (4) and (5)."""
     return sp.expand(expression.subs(equilibrium.displacement(), simultaneous=True))
 
@@ -76,7 +77,7 @@ def _in_direction() -> bool:
     it = objects.derivation(mechanics.page(), mechanics.of_page(), "scaled")
     D, b = equilibrium.matrix_form()
     directions = {sp.cos(nm.theta0): nm.c0, sp.sin(nm.theta0): nm.s0}
-    pairs: list[tuple[sp.Expr, sp.Expr]] = []
+    pairs: list[tuple[Expr, Expr]] = []
     for side, case in ((CONTACT, equilibrium.CONTACT), (LIFT_OFF, equilibrium.LIFTOFF)):
         ours_D, ours_b, length = objects.balance_in_direction(it, side)
         ours = (*ours_D.subs(length, nm.L), *ours_b)

@@ -5,6 +5,7 @@ damping it leaves out.
 from functools import cache
 
 import sympy as sp
+from sympy import Expr
 
 from ..algebra import Names, Pair, Row
 from . import unit_circles, elimination, equilibrium, mechanics
@@ -22,7 +23,7 @@ from .unit_circles import (
 lam = sp.Symbol("lambda")
 
 
-def _gradient(expression: sp.Expr) -> Pair:
+def _gradient(expression: Expr) -> Pair:
     """∂/∂x and ∂/∂y of an expression in x, y and L(x, y), at the state (c, s, L)."""
     length = mechanics.spring_length()
     polar = equilibrium.displacement()
@@ -53,12 +54,12 @@ def damping() -> sp.Matrix:
     return sp.simplify(forces.jacobian([vx, vy]).subs(mechanics.AT_REST))
 
 
-def characteristic(K: sp.Matrix, C: sp.Matrix) -> sp.Expr:
+def characteristic(K: sp.Matrix, C: sp.Matrix) -> Expr:
     """det(λ² I + λ C + K): (27) where C = 0."""
     return sp.expand((lam**2 * sp.eye(2) + lam * C + K).det())
 
 
-def flutter_discriminant(K: sp.Matrix) -> sp.Expr:
+def flutter_discriminant(K: sp.Matrix) -> Expr:
     """(K₁₁ − K₂₂)² + 4 K₁₂ K₂₁, the discriminant of (27) in λ²: negative is flutter."""
     return (K[0, 0] - K[1, 1]) ** 2 + 4 * K[0, 1] * K[1, 0]
 
@@ -78,7 +79,7 @@ def trace_identity() -> bool:
 
 
 @cache
-def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
+def reference_lines() -> tuple[Expr, Expr, Expr, Expr]:
     """u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, the two balances in contact at
     given θ and μ₀.
     """
@@ -119,7 +120,7 @@ def flutter_quadratic() -> Row:
 
 
 @cache
-def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+def flutter_elimination() -> tuple[Expr, Expr, Expr]:
     """X, Y and Z in u1, w1, u2, w2 and e0, e1, e2: X² = Y Z is the resultant, in L, of the
     discriminant and of the unit circle.
 
@@ -138,7 +139,7 @@ def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
 
 @cache
-def flutter_without_alpha() -> sp.Expr:
+def flutter_without_alpha() -> Expr:
     """The same for α = 0: cos θ₀ is free, the second balance is itself the second condition, and
     the resultant is a square.
     """
@@ -201,7 +202,7 @@ def flutter_crossing() -> tuple[Pair, Names]:
 
 
 @cache
-def flutter_friction() -> sp.Expr:
+def flutter_friction() -> Expr:
     """M at which an equilibrium with spring length L in direction θ is an onset: the discriminant
     is linear in M.
     """
@@ -233,7 +234,7 @@ def flutter_cubic() -> Row:
     )
 
 
-def in_contact(force: sp.Expr) -> sp.Expr:
+def in_contact(force: Expr) -> Expr:
     """A balance in contact, with B for β + 1 and M for μ₀."""
     return force.subs(mu0 * nbar, M).subs(equilibrium.CONTACT).subs({mu0: M, beta: B - 1})
 

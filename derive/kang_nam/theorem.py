@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy import Expr, Symbol
 
 from . import catastrophe, elimination, equilibrium, stability
 from . import nomenclature as nm
@@ -42,11 +43,11 @@ threshold, excess = sp.symbols("s_star excess", positive=True)
 ON_ARC = {s0: threshold + excess, kappa: sigma * excess}
 
 
-def in_contact(expression: sp.Expr) -> sp.Expr:
+def in_contact(expression: Expr) -> Expr:
     return equilibrium.spell_out(expression.subs(elimination.f_coefficients())).subs(POSITIVE)
 
 
-def _length_fraction() -> tuple[sp.Expr, sp.Expr]:
+def _length_fraction() -> tuple[Expr, Expr]:
     """Numerator and denominator of L(θ)."""
     numerator, denominator = map(in_contact, sp.fraction(sp.together(elimination.state()[nm.L])))
     return numerator, denominator
@@ -59,8 +60,8 @@ def _changes(signs: Iterable[int]) -> int:
 
 def _quartic() -> tuple[Step, ...]:
     quartic = elimination.quartic_in_t()
-    friction = sp.Symbol("mu_0", positive=True)
-    t = sp.Symbol("t", positive=True)
+    friction = Symbol("mu_0", positive=True)
+    t = Symbol("t", positive=True)
     sine = sp.expand_trig(sp.sin(2 * sp.atan(t)))
     _, across = equilibrium.balance()
     return (
@@ -108,7 +109,7 @@ def _quartic() -> tuple[Step, ...]:
 def _threshold_below_zero() -> tuple[Step, ...]:
     """s* ≤ 0: the equilibria in contact are exactly the roots with t > 0."""
     s, u = sp.symbols("s u", positive=True)
-    depth = sp.Symbol("depth", nonnegative=True)  # −s* = κ/σ − s₀
+    depth = Symbol("depth", nonnegative=True)  # −s* = κ/σ − s₀
     numerator, denominator = _length_fraction()
     penetration = in_contact(-nm.q * elimination.state()[nm.y])  # −q y(θ), positive in contact
     # s = −u: L > 0 asks numerator < 0, contact asks penetration > 0, yet the first exceeds the
@@ -136,7 +137,7 @@ def _threshold_below_zero() -> tuple[Step, ...]:
 def _threshold_above_zero() -> tuple[Step, ...]:
     """s* > 0: f has opposite signs at the two ends of the arc s > s*, where y = 0."""
     stretch, surplus = sp.symbols("stretch surplus", positive=True)
-    level = sp.Symbol("level", nonnegative=True)  # cos² θ₀
+    level = Symbol("level", nonnegative=True)  # cos² θ₀
     numerator, denominator = (
         part.subs(nm.s, threshold).subs(ON_ARC) for part in _length_fraction()
     )

@@ -5,43 +5,44 @@ nomenclature.
 from collections.abc import Iterable
 
 import sympy as sp
+from sympy import Expr
 
 from ..algebra import Row
 from .. import algebra
 from .nomenclature import UNIT_CIRCLES, c, c0, s, s0, tt
 
 
-def reduce_circles(polynomial: sp.Expr) -> sp.Expr:
+def reduce_circles(polynomial: Expr) -> Expr:
     """Normal form of a polynomial modulo cos² = 1 − sin² for θ and θ₀."""
     return algebra.reduce_circles(polynomial, UNIT_CIRCLES)
 
 
-def equal(left: sp.Expr, right: sp.Expr) -> bool:
+def equal(left: Expr, right: Expr) -> bool:
     """Whether two expressions are the same function of θ and θ₀."""
     return algebra.equal(left, right, UNIT_CIRCLES)
 
 
-def rotate_derivative(expression: sp.Expr) -> sp.Expr:
+def rotate_derivative(expression: Expr) -> Expr:
     """d/dθ of an expression in ``c`` and ``s``: dc = −s dθ, ds = c dθ."""
     return sp.diff(expression, s) * c - sp.diff(expression, c) * s
 
 
-def by_inclination(expression: sp.Expr) -> sp.Expr:
+def by_inclination(expression: Expr) -> Expr:
     """d/dθ₀ of an expression in ``c0`` and ``s0``."""
     return sp.diff(expression, s0) * c0 - sp.diff(expression, c0) * s0
 
 
-def ascending(polynomial: sp.Expr, variable: sp.Symbol) -> Row:
+def ascending(polynomial: Expr, variable: sp.Symbol) -> Row:
     """Coefficients of a polynomial, lowest power first."""
     return tuple(reversed(sp.Poly(polynomial, variable).all_coeffs()))
 
 
-def polynomial(coefficients: Iterable[sp.Expr], variable: sp.Expr) -> sp.Expr:
+def polynomial(coefficients: Iterable[Expr], variable: Expr) -> Expr:
     """The polynomial with these coefficients, lowest power first."""
     return sp.Add(*(value * variable**power for power, value in enumerate(coefficients)))
 
 
-def in_half_angle(expression: sp.Expr, power: int) -> Row:
+def in_half_angle(expression: Expr, power: int) -> Row:
     """Coefficients in t = tan(θ/2), lowest power first, of (1 + t²)^power times an expression in
     ``c`` and ``s``.
     """

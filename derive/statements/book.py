@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 
 import sympy as sp
+from sympy import Expr
 
 from ..pages import PageModel
 from .derivatives import Slope, expressions, of_value
@@ -22,7 +23,7 @@ from .papers import Paper, Statement
 from .repair import Values, evaluated, stem
 from .samples import numeric
 from .tree import Argument, Equation, Node, Unread, Vocabulary
-from .tree import printed, read_sympy, symbols, to_sympy
+from .tree import minus, printed, read_sympy, symbols, to_sympy
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class Book:
     #: derivatives that are printed, by name
     slopes: dict[str, Slope] = field(default_factory=dict)
     #: what is counted in bound energies, by form and name
-    meant: dict[tuple[str, str], sp.Expr] = field(default_factory=dict)
+    meant: dict[tuple[str, str], Expr] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
 
     def objects(self, it: Derivation) -> Iterator[tuple[str, Object]]:
@@ -56,9 +57,9 @@ class Book:
                 with suppress(NoObject, ArithmeticError):
                     yield name, derived(it, statement.about)
 
-    def values(self, it: Derivation) -> dict[str, sp.Expr]:
+    def values(self, it: Derivation) -> dict[str, Expr]:
         """Bound names, and those of the entries of matrices, as derived."""
-        found: dict[str, sp.Expr] = {}
+        found: dict[str, Expr] = {}
         for name, held in self.objects(it):
             if held.shape is None:
                 found[name] = _meant(name, held, it, self)
@@ -129,7 +130,7 @@ def by_name(equation: Equation) -> Equation:
     """The value of a name of which a multiple is printed, as in 2 T = m v²."""
     left, right = equation.left, equation.right
     if left.kind == "neg" and left.args[0].kind == "symbol":
-        return replace(equation, left=left.args[0], right=Node("neg", (right,), at=right.at))
+        return replace(equation, left=left.args[0], right=minus(right))
     if left.kind == "mul" and [it.kind for it in left.args] == ["number", "symbol"]:
         value = Node("div", (right, left.args[0]), at=right.at)
         return replace(equation, left=left.args[1], right=value)
@@ -219,7 +220,7 @@ def _slope(it: Derivation, book: Book, of: str, by: str) -> str:
     return own.name
 
 
-def _is_fixed(value: sp.Expr, it: Derivation) -> bool:
+def _is_fixed(value: Expr, it: Derivation) -> bool:
     """Whether a value is constant in time, a parameter or made of these; lengths of lines, phases
     and names that the page has not are none.
     """
@@ -235,7 +236,7 @@ def in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tupl
 
 
 def _arguments(
-    statement: Statement, it: Derivation, book: Book, names: Mapping[str, sp.Expr]
+    statement: Statement, it: Derivation, book: Book, names: Mapping[str, Expr]
 ) -> dict[str, Callable[[Node], Argument | None]]:
     """Of names that are printed as functions, what an expression is to them: the argument with
     which a definition is printed, or of a friction coefficient the sliding speed.
@@ -246,7 +247,7 @@ def _arguments(
     def as_printed(argument: Node, inside: Node) -> Argument | None:
         return Argument() if printed(inside) == printed(argument) else None
 
-    def as_speed(speed: sp.Expr, is_odd: bool, inside: Node) -> Argument | None:
+    def as_speed(speed: Expr, is_odd: bool, inside: Node) -> Argument | None:
         value = to_sympy(inside, names) if symbols(inside) <= names.keys() else sp.nan
         for sign in (1, -1) if is_odd else (1,):
             for at_rest in (False, True):
@@ -266,7 +267,7 @@ def _arguments(
 
 def _expressions(
     it: Derivation, book: Book, more: Mapping[str, Slope] | None = None
-) -> dict[str, sp.Expr]:
+) -> dict[str, Expr]:
     """What names of the page, of objects, definitions and derivatives are, in names of the page."""
     known = {**it.names, **book.values(it)}
     return expressions(known, book.defined, {**book.slopes, **(more or {})}, it)
@@ -283,7 +284,7 @@ def _in_lambda(tree: Node) -> Node:
     return replace(tree, args=tuple(map(_in_lambda, tree.args)))
 
 
-def _meant(name: str, held: Object, it: Derivation, book: Book) -> sp.Expr:
+def _meant(name: str, held: Object, it: Derivation, book: Book) -> Expr:
     """The value that a name is bound to; of those that it may mean the one that is printed."""
     key = it.form, name
     if key not in book.meant:
@@ -320,7 +321,7 @@ def named(
     values: dict[str, Values],
     it: Derivation,
     book: Book,
-) -> tuple[dict[str, sp.Expr], dict[str, Node]]:
+) -> tuple[dict[str, Expr], dict[str, Node]]:
     """What names of objects and of definitions in equations are; of the first the values are added
     to those at samples.
     """

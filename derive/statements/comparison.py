@@ -10,6 +10,7 @@ from typing import TypeAlias
 
 import numpy as np
 import sympy as sp
+from sympy import Expr, S, Symbol
 from sympy.core.relational import Relational
 
 from .. import algebra
@@ -27,7 +28,7 @@ class Convention:
     """Coordinates of the print as sign · coordinate of the page + shift."""
 
     sign: int = 1
-    shift: sp.Expr = field(default_factory=lambda: sp.S.Zero)
+    shift: Expr = field(default_factory=lambda: S.Zero)
 
     def said(self, name: str) -> str:
         """Convention in words."""
@@ -43,7 +44,7 @@ class Component:
     """One printed side, and what it ought to be: values, and the same exactly."""
 
     tree: Node
-    targets: tuple[tuple[Values, sp.Expr], ...]
+    targets: tuple[tuple[Values, Expr], ...]
     left: str = ""
 
     @property
@@ -65,7 +66,7 @@ class Comparison:
     conventions: Conventions = field(default_factory=dict)
 
     @cached_property
-    def signs(self) -> dict[sp.Symbol, int]:
+    def signs(self) -> dict[Symbol, int]:
         """Signs of the coordinates, rates and accelerations that have conventions."""
         it = self.item.it
         return {
@@ -76,7 +77,7 @@ class Comparison:
         }
 
     @cached_property
-    def converted(self) -> dict[str, sp.Expr]:
+    def converted(self) -> dict[str, Expr]:
         """Names of the print that stand for something else than on the page, and for what."""
         found = {str(symbol): sign * symbol for symbol, sign in self.signs.items()}
         for name, convention in self.conventions.items():
@@ -95,10 +96,10 @@ class Comparison:
         return values
 
     @cached_property
-    def names(self) -> dict[str, sp.Expr]:
+    def names(self) -> dict[str, Expr]:
         """Names of the print in the page's symbols; geometry stays in names."""
         it = self.item.it
-        names = it.names | {name: sp.Symbol(name) for name in it.geometry}
+        names = it.names | {name: Symbol(name) for name in it.geometry}
         names |= self.converted
         slopes = self.item.slopes
         names |= {name: it for name, it in self.item.bound.items() if name not in slopes}
@@ -106,7 +107,7 @@ class Comparison:
         steady = self.item.held.steady
         return expressions(names, self.item.defined, slopes, it, steady=steady, signs=signs)
 
-    def exactly(self, tree: Node) -> sp.Expr:
+    def exactly(self, tree: Node) -> Expr:
         """A tree of the print in the page's symbols."""
         return to_sympy(tree, self.names)
 
@@ -127,7 +128,7 @@ class Comparison:
                 pairs = zip(item.readings or (target,), meant, strict=True)
                 found.append(Component(tree, tuple(pairs), left))
                 continue
-            tried = [sp.S.One, sp.S.NegativeOne]
+            tried = [S.One, S.NegativeOne]
             own = evaluated(tree, self.values)
             plain = any(same(own, sign * target) for sign in (1, -1))
             if factors and not plain and held.factor in ("parameters", "monomial"):
@@ -150,14 +151,14 @@ class Comparison:
             case _:
                 return 1
 
-    def _factors(self, tree: Node, entry: sp.Expr) -> list[sp.Expr]:
+    def _factors(self, tree: Node, entry: Expr) -> list[Expr]:
         """Factors of parameters by which terms of the print are derived ones, by votes."""
         it = self.item.it
         model = it.model
         forces = (*it.normals, *it.coefficients)
         states = (*model.coordinates, *model.rates, *it.accelerations, LAMBDA, *forces)
 
-        def apart(expression: sp.Expr) -> list[Pair]:
+        def apart(expression: Expr) -> list[Pair]:
             """Factors of parameters, and what else stands in each term."""
             # Terms of either side of a residual, by whose ratios its factor is
             # found.
@@ -165,7 +166,7 @@ class Comparison:
             return [term.as_independent(*states, as_Add=False) for term in terms]
 
         ours = apart(it.expanded(entry))
-        votes: dict[sp.Expr, int] = {}
+        votes: dict[Expr, int] = {}
         for factor, state in apart(self.exactly(tree)):
             for own, same_state in ours:
                 if state == same_state and own != 0:
@@ -197,7 +198,7 @@ class Comparison:
         is_constant = self.item.held.factor == "constant"
         return (same_but_for_constant if is_constant else same)(own, target)
 
-    def proved(self, tree: Node, entry: sp.Expr) -> bool:
+    def proved(self, tree: Node, entry: Expr) -> bool:
         """Whether a tree is the derived expression, by exact algebra."""
         if self._is_short(tree, entry):
             return True
@@ -209,7 +210,7 @@ class Comparison:
         sides = it.sides if held.side == BOTH else (held.side,)
         return all(self._vanishes(gap, side) for side in sides)
 
-    def _is_short(self, tree: Node, entry: sp.Expr) -> bool:
+    def _is_short(self, tree: Node, entry: Expr) -> bool:
         """Whether a tree is the derived expression in shorthands, whatever they stand for."""
         held = self.item.held
         if held.short is None or entry not in (held.entries[0], -held.entries[0]):
@@ -219,7 +220,7 @@ class Comparison:
         entry = held.short[0] if entry == held.entries[0] else -held.short[0]
         return is_zero(to_sympy(tree, known) - entry)
 
-    def _vanishes(self, gap: sp.Expr, side: str) -> bool:
+    def _vanishes(self, gap: Expr, side: str) -> bool:
         """Whether a difference is 0 on a side of the contacts: as it stands, or by the laws."""
         it = self.item.it
         touching = [it.pushing(contact, side) for contact in it.model.contacts]
@@ -232,7 +233,7 @@ class Comparison:
             is_zero(self._on_side(it.expanded(one), side)) for one in named
         )
 
-    def _on_side(self, value: sp.Expr, side: str) -> sp.Expr:
+    def _on_side(self, value: Expr, side: str) -> Expr:
         """A value with sizes and signs of the gaps, and relations to 0, as they are on a side; of
         sliding speeds where every belt is ahead.
         """
@@ -246,7 +247,7 @@ class Comparison:
         return value
 
 
-def _with_sign(value: sp.Expr, gap: sp.Expr, side: int) -> sp.Expr:
+def _with_sign(value: Expr, gap: Expr, side: int) -> Expr:
     """A value with the size and the sign of a gap, and its relations to 0, where its sign is
     known.
     """
@@ -278,22 +279,22 @@ def _is_new(item: Item, left: Node) -> bool:
     return left.kind == "symbol" and not known
 
 
-def is_zero(expression: sp.Expr) -> bool:
+def is_zero(expression: Expr) -> bool:
     """Whether an expression is 0 on all unit circles."""
     plain, names, circles = _on_circles(expression)
-    return not plain.has(sp.Piecewise) and algebra.equal(plain.xreplace(names), sp.S.Zero, circles)
+    return not plain.has(sp.Piecewise) and algebra.equal(plain.xreplace(names), S.Zero, circles)
 
 
-def normal_form(expression: sp.Expr) -> sp.Expr:
+def normal_form(expression: Expr) -> Expr:
     """An expression modulo sin² + cos² = 1 of every angle: 0 exactly where it is 0."""
     plain, names, circles = _on_circles(expression)
     if plain.has(sp.Piecewise):  # a choice that is not made is compared with nothing
         return plain
-    gap = algebra.difference(plain.xreplace(names), sp.S.Zero, circles)
+    gap = algebra.difference(plain.xreplace(names), S.Zero, circles)
     return gap.xreplace({dummy: node for node, dummy in names.items()})
 
 
-def _on_circles(plain: sp.Expr) -> tuple[sp.Expr, Mapping[sp.Expr, sp.Expr], algebra.Circles]:
+def _on_circles(plain: Expr) -> tuple[Expr, Mapping[Expr, Expr], algebra.Circles]:
     """An expression in cosines and sines of angles, and what stands for these."""
     if plain.has(sp.tan, sp.cot):
         plain = plain.replace(sp.cot, lambda angle: sp.cos(angle) / sp.sin(angle))
@@ -301,7 +302,7 @@ def _on_circles(plain: sp.Expr) -> tuple[sp.Expr, Mapping[sp.Expr, sp.Expr], alg
     plain = sp.expand_trig(plain)
     angles = sorted({node.args[0] for node in plain.atoms(sp.cos, sp.sin)}, key=sp.default_sort_key)
     circles = tuple((sp.Dummy("c", real=True), sp.Dummy("s", real=True)) for _ in angles)
-    names: dict[sp.Expr, sp.Expr] = {}
+    names: dict[Expr, Expr] = {}
     for angle, (cosine, sine) in zip(angles, circles, strict=True):
         names |= {sp.cos(angle): cosine, sp.sin(angle): sine}
     return plain, names, circles

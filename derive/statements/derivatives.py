@@ -9,6 +9,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy import Expr
 
 from .. import laws
 from ..mechanics import SLIP, FrictionForce
@@ -56,14 +57,14 @@ class Slope:
 
 
 def expressions(
-    known: Mapping[str, sp.Expr],
+    known: Mapping[str, Expr],
     defined: Mapping[str, Node],
     slopes: Mapping[str, Slope],
     it: Derivation,
     *,
     steady: bool = False,
     signs: Mapping[str, int] | None = None,
-) -> dict[str, sp.Expr]:
+) -> dict[str, Expr]:
     """Known names, and those of definitions and derivatives that stand on these and each other,
     but for derivatives that there are not: by a name that the page has in its other form alone.
 
@@ -90,7 +91,7 @@ def expressions(
             return found
 
 
-def of_value(value: sp.Expr, by: str, it: Derivation) -> sp.Expr:
+def of_value(value: Expr, by: str, it: Derivation) -> Expr:
     """The derivative of a value in coordinates, rates and parameters; by t along the motion.
 
     Raises
@@ -113,7 +114,7 @@ def of_value(value: sp.Expr, by: str, it: Derivation) -> sp.Expr:
     return sp.diff(value, symbol)
 
 
-def _of_law(friction: FrictionForce, order: int, it: Derivation, at_rest: bool) -> sp.Expr:
+def _of_law(friction: FrictionForce, order: int, it: Derivation, at_rest: bool) -> Expr:
     """The friction law or a derivative of it by the sliding speed."""
     ahead, behind = sp.diff(friction.ahead, SLIP, order), sp.diff(friction.behind, SLIP, order)
     if at_rest:

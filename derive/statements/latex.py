@@ -19,7 +19,8 @@ from .matrices import Matrix, Value, determinant, identity, inverse, named, nega
 from .matrices import paired, product, quotient, shape_of, total
 from .names import AT_REST, Name, Names, moved
 from .roots import without_signs
-from .tree import ONE, ZERO, Argument, Equation, Node, Unread, Vocabulary, printed, read_sympy
+from .tree import ONE, ZERO, Argument, Equation, Node, Unread, Vocabulary, leaf, printed
+from .tree import read_sympy
 
 #: Functions by their print, and what SymPy calls them.
 FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs", "Heaviside"}}
@@ -152,14 +153,14 @@ class _LatexReader:
         """A name or an expression in the page's names; a prime is a rate."""
 
         def unprimed(found: re.Match[str]) -> str:
-            node = Node("symbol", value=found[1])
+            node = leaf(found[1])
             for _ in found[2]:
                 node = self.names.rate(node)
             return node.value
 
         plain = re.sub(r"(\w+?)('+)", unprimed, text.strip())
         if re.fullmatch(r"\w+", plain):
-            return Node("symbol", value=plain)
+            return leaf(plain)
         try:
             return read_sympy(plain, Vocabulary(self.names.symbols, (), {}))[0].left
         except Unread as error:
@@ -187,7 +188,7 @@ class _LatexReader:
         multiple = self.only_name(items[1:]) if named and items[0].text.isdigit() else None
         if multiple is not None:
             at = (items[1].at[0], items[-1].at[1])
-            node = self.names.known(multiple, at) or Node("symbol", value=multiple.spelled, at=at)
+            node = self.names.known(multiple, at) or leaf(multiple.spelled, at)
             factor = Node("number", value=items[0].text, at=items[0].at)
             return _over(product([factor, node]), items)
         here = Cursor(items)
@@ -199,7 +200,7 @@ class _LatexReader:
             if is_function and known is not None:
                 is_function = self.is_named_law(known, here.item)
             if here.item is None or is_function:
-                return self.matrix(known or Node("symbol", value=name.spelled, at=at))
+                return self.matrix(known or leaf(name.spelled, at))
         value = self.expression(items)
         return node_of(value) if {*shape_of(value)} == {1} else value
 

@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .tree import ONE, ZERO, Equation, Node, Unread
+from .tree import ONE, ZERO, Equation, Node, Unread, joined, leaf, minus
 
 #: Entries of a printed matrix, or of a vector with one column.
 Matrix: TypeAlias = npt.NDArray[np.object_]
@@ -26,7 +26,7 @@ def named(node: Node, shape: Shape) -> Matrix:
     """The matrix that a name stands for, by the names of its entries."""
     found = np.empty(shape, object)
     for i, j in np.ndindex(shape):
-        found[i, j] = Node("symbol", (), entry_name(node.value, shape, i, j), node.at)
+        found[i, j] = leaf(entry_name(node.value, shape, i, j), node.at)
     return found
 
 
@@ -78,7 +78,7 @@ def quotient(above: Value, below: Node) -> Value:
 def negative(value: Value) -> Value:
     """A value with a minus before it."""
     if isinstance(value, Node):
-        return Node("neg", (value,), at=value.at)
+        return minus(value)
     return _each(lambda it: it if it is ZERO else negative(it), value)
 
 
@@ -91,7 +91,7 @@ def total(terms: Sequence[Value], place: int) -> Value:
         raise Unread("terms of different shapes", place)
     if shape:
         return _each(lambda *cells: total(cells, place), *terms)
-    return _joined("add", [it for it in terms if it is not ZERO] or [ZERO])
+    return _whole("add", [it for it in terms if it is not ZERO] or [ZERO])
 
 
 def product(values: Sequence[Value]) -> Value:
@@ -99,7 +99,7 @@ def product(values: Sequence[Value]) -> Value:
     *before, last = values
     if all(isinstance(it, Node) for it in values):
         rest = [it for it in values if it is not ONE] or [ONE]
-        return ZERO if any(it is ZERO for it in values) else _joined("mul", rest)
+        return ZERO if any(it is ZERO for it in values) else _whole("mul", rest)
     if not before:
         return last
     one = product(before)
@@ -112,9 +112,8 @@ def product(values: Sequence[Value]) -> Value:
     return np.array(cells).reshape(len(one), -1)
 
 
-def _joined(kind: str, parts: Sequence[Value]) -> Value:
-    nodes = tuple(map(node_of, parts))
-    return Node(kind, nodes) if nodes[1:] else nodes[0]
+def _whole(kind: str, parts: Sequence[Value]) -> Value:
+    return joined(kind, [*map(node_of, parts)])
 
 
 def determinant(matrix: Matrix) -> Node:

@@ -11,8 +11,8 @@ import sympy as sp
 
 from ..model import acceleration_of
 from .lexer import Tokens
-from .tree import FUNCTIONS, Node, Unread, Vocabulary, printed, read_sympy, renamed, to_sympy
-from .tree import with_part
+from .tree import FUNCTIONS, Node, Unread, Vocabulary, joined, leaf, printed, read_sympy, renamed
+from .tree import to_sympy, with_part
 
 
 #: Words for the columns of all coordinates, of their rates and of their accelerations.
@@ -114,7 +114,7 @@ class Names:
         if len(found) > 1:
             raise Unread(f"{name.spelled} is two names of the page", at[0], (found[0], found[1]))
         if found:
-            return Node("symbol", value=found[0], at=at)
+            return leaf(found[0], at)
         return Node("number", value="pi", at=at) if name == Name("pi") else None
 
     def function_of(self, node: Node) -> str | None:
@@ -144,7 +144,7 @@ class Names:
             case "mul":
                 moving = [place for place, it in enumerate(node.args) if self._moves(it)]
                 terms = [with_part(node, (place,), self.rate(node.args[place])) for place in moving]
-                return terms[0] if len(terms) == 1 else Node("add", tuple(terms), at=node.at)
+                return joined("add", terms, node.at)
             case "div" if not self._moves(node.args[1]):
                 return replace(node, args=(self.rate(node.args[0]), node.args[1]))
             case "div" | "pow" | "call" if node.value in ("", *FUNCTIONS):
@@ -157,7 +157,7 @@ class Names:
         names = {str(symbol): symbol for symbol in places}
         operands = dict(zip(names, node.args, strict=True))
         pairs = zip(names, node.args, strict=True)
-        plain = tuple(it if it.kind == "number" else Node("symbol", value=one) for one, it in pairs)
+        plain = tuple(it if it.kind == "number" else leaf(one) for one, it in pairs)
         value = to_sympy(replace(node, args=plain), names)
         terms = []
         for symbol, operand in zip(places, node.args, strict=True):
@@ -165,7 +165,7 @@ class Names:
                 text = str(sp.diff(value, symbol))
                 slope = read_sympy(text, Vocabulary(frozenset(names), (), {}))[0].left
                 terms.append(Node("mul", (renamed(slope, operands), self.rate(operand))))
-        return terms[0] if len(terms) == 1 else Node("add", tuple(terms))
+        return joined("add", terms)
 
     def _moves(self, node: Node) -> bool:
         if node.kind != "symbol":

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import TypeAlias, TypeVar, cast
 
 import sympy as sp
+from sympy import Expr, S, Symbol
 from sympy.solvers.solveset import NonlinearError
 
 from .. import laws, linearization, mechanics, physical_checks, statics, units
@@ -19,7 +20,7 @@ from ..motion import Motion
 from ..units import Dimension
 
 #: Normal force, frequency parameter of the characteristic polynomial, time.
-NORMAL, LAMBDA, TIME = sp.Symbol("N", real=True), sp.Symbol("lam"), sp.Symbol("t", real=True)
+NORMAL, LAMBDA, TIME = Symbol("N", real=True), Symbol("lam"), Symbol("t", real=True)
 
 #: Sides on which a statement is meant: all contacts touch, none of those that can open, or either.
 CONTACT, LIFT_OFF, BOTH = "contact", "lift-off", "both"
@@ -37,7 +38,7 @@ class NoObject(LookupError):
 class Reading:
     """One of the values that a name may mean, and what is counted in it."""
 
-    entry: sp.Expr
+    entry: Expr
     said: str
 
 
@@ -66,7 +67,7 @@ class Object:
     readings: tuple[Reading, ...] = ()
     shape: tuple[int, int] | None = None
     #: the one entry in shorthands, and what these stand for
-    short: tuple[sp.Expr, Mapping[sp.Symbol, sp.Expr]] | None = None
+    short: tuple[Expr, Mapping[Symbol, Expr]] | None = None
 
     @property
     def is_value(self) -> bool:
@@ -107,15 +108,15 @@ class Derivation:
         return cast(T, found)
 
     @cached_property
-    def plain(self) -> dict[sp.Expr, sp.Expr]:
+    def plain(self) -> dict[Expr, Expr]:
         """Expressions for directions, lengths, turnings and angles of the general derivation."""
         found = dict(self._angles)
         for line, (length, turn, dx, dy) in zip(self.model.lines, self._lines, strict=True):
             named, size = self.geometry.keys(), sp.sqrt(dx**2 + dy**2)
-            found[line.l] = sp.Symbol(length) if length in named else size
+            found[line.l] = Symbol(length) if length in named else size
             is_named = turn in named
-            found[line.c] = sp.cos(sp.Symbol(turn)) if is_named else dx / size
-            found[line.s] = sp.sin(sp.Symbol(turn)) if is_named else dy / size
+            found[line.c] = sp.cos(Symbol(turn)) if is_named else dx / size
+            found[line.s] = sp.sin(Symbol(turn)) if is_named else dy / size
         for torsion in self.model.torsions:
             found[torsion.phi] = torsion.least.subs(found)
         return found
@@ -131,7 +132,7 @@ class Derivation:
                 found[f"contact of {', '.join(some)} alone"] = never | {*some}
         return found | {CONTACT: never | {*opening}}
 
-    def pushing(self, contact: NormalForce, side: str) -> sp.Expr:
+    def pushing(self, contact: NormalForce, side: str) -> Expr:
         """1 where a contact touches on a side, else 0; a symbol where it may do either."""
         if side == BOTH and contact.unilateral:
             return of_contact(PUSHING, contact.name)
@@ -151,22 +152,22 @@ class Derivation:
             raise NoObject(f"{name!r} is no contact of the page; name {offered}")
         return found[name]
 
-    def spelled(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
+    def spelled(self, expression: Expr, side: str = CONTACT) -> Expr:
         """In coordinates, parameters, lengths and inclinations, on a side of the contact."""
         rubs = zip(self.model.frictions, self.coefficients, strict=True)
         known = {friction.mu: symbol for friction, symbol in rubs}
         for contact in self.model.contacts:
-            known[contact.depth] = sp.S.Zero if contact.gap is None else -contact.gap
+            known[contact.depth] = S.Zero if contact.gap is None else -contact.gap
             known[contact.pushing] = self.pushing(contact, side)
         return sp.sympify(expression).xreplace(known).xreplace(self.plain)
 
-    def steady(self, expression: sp.Expr, side: str = CONTACT) -> sp.Expr:
+    def steady(self, expression: Expr, side: str = CONTACT) -> Expr:
         """The same, with the friction at steady sliding."""
         return self.spelled(expression, side).xreplace(self.at_rest)
 
-    def expanded(self, expression: sp.Expr) -> sp.Expr:
+    def expanded(self, expression: Expr) -> Expr:
         """With lengths and inclinations of lines in coordinates."""
-        return expression.xreplace({sp.Symbol(name): it for name, it in self.geometry.items()})
+        return expression.xreplace({Symbol(name): it for name, it in self.geometry.items()})
 
     @cached_property
     def motion(self) -> Motion:
@@ -174,12 +175,12 @@ class Derivation:
         return Motion(self.model)
 
     @cached_property
-    def accelerations(self) -> tuple[sp.Symbol, ...]:
+    def accelerations(self) -> tuple[Symbol, ...]:
         """Symbols of the accelerations."""
         return self.motion.named
 
     @cached_property
-    def parameters(self) -> dict[str, sp.Symbol]:
+    def parameters(self) -> dict[str, Symbol]:
         """Parameters by name; with units the page's quantities."""
         if self.scaled:
             return {datum.becomes: number(datum) for datum in self.page.parameters}
@@ -188,15 +189,15 @@ class Derivation:
         }
 
     @cached_property
-    def _angles(self) -> dict[sp.Expr, sp.Expr]:
+    def _angles(self) -> dict[Expr, Expr]:
         """Cosines and sines of the page's angles for their symbols."""
-        found: dict[sp.Expr, sp.Expr] = {}
+        found: dict[Expr, Expr] = {}
         for angle in self.model.angles:
             found |= {angle.c: sp.cos(angle.symbol), angle.s: sp.sin(angle.symbol)}
         return found
 
     @cached_property
-    def _lines(self) -> list[tuple[str, str, sp.Expr, sp.Expr]]:
+    def _lines(self) -> list[tuple[str, str, Expr, Expr]]:
         """Names of the length and the inclination of every line, and its vector."""
         found = []
         for index, line in enumerate(self.model.lines, 1):
@@ -206,54 +207,54 @@ class Derivation:
         return found
 
     @cached_property
-    def geometry(self) -> dict[str, sp.Expr]:
+    def geometry(self) -> dict[str, Expr]:
         """Length L and inclination theta of every line, numbered where there are several."""
-        found: dict[str, sp.Expr] = {}
+        found: dict[str, Expr] = {}
         for length, angle, dx, dy in self._lines:
             found |= {length: sp.sqrt(dx**2 + dy**2), angle: sp.atan2(dy, dx)}
         taken = self.parameters.keys() | set(map(str, self.model.coordinates))
         return {name: value for name, value in found.items() if name not in taken}
 
     @cached_property
-    def normals(self) -> dict[sp.Symbol, sp.Expr]:
+    def normals(self) -> dict[Symbol, Expr]:
         """The normal force of every contact, by its symbol in a print: its law where it touches."""
         return {of_contact(NORMAL, it.name): self.spelled(it.force) for it in self.model.contacts}
 
     @cached_property
-    def coefficients(self) -> tuple[sp.Symbol, ...]:
+    def coefficients(self) -> tuple[Symbol, ...]:
         """Symbols of the friction coefficients in a print."""
         return tuple(of_contact(MU, it.name) for it in self.model.frictions)
 
     @cached_property
-    def friction(self) -> dict[sp.Symbol, sp.Expr]:
+    def friction(self) -> dict[Symbol, Expr]:
         """The friction coefficients of a motion; 0 of a page without friction."""
         slides = [(it.law, it.belt - self.page.rate(it.along)) for it in self.page.frictions]
         values = [self._in_form(law(speed)) for law, speed in slides]
-        return dict(zip(self.coefficients, values or [sp.S.Zero], strict=True))
+        return dict(zip(self.coefficients, values or [S.Zero], strict=True))
 
     @cached_property
-    def speeds(self) -> list[sp.Expr]:
+    def speeds(self) -> list[Expr]:
         """The sliding speed of every friction: that of the belt less that of what slides on it."""
         frictions = self.page.frictions
         return [self._in_form(it.belt - self.page.rate(it.along)) for it in frictions]
 
-    def _in_form(self, value: sp.Expr) -> sp.Expr:
+    def _in_form(self, value: Expr) -> Expr:
         """An expression of the page in this form."""
         return self.spelled(self.model.scaled(expression_of(value)))
 
     @cached_property
-    def at_rest(self) -> dict[sp.Symbol, sp.Expr]:
+    def at_rest(self) -> dict[Symbol, Expr]:
         """The friction coefficients at steady sliding, as the page's statics takes them."""
         values = (self.spelled(laws.friction_at_rest(it)) for it in self.model.frictions)
         return dict(zip(self.coefficients, values, strict=True))
 
     @cached_property
-    def switches(self) -> tuple[sp.Symbol, ...]:
+    def switches(self) -> tuple[Symbol, ...]:
         """PUSHING of every contact in a print."""
         return tuple(of_contact(PUSHING, it.name) for it in self.model.contacts)
 
     @cached_property
-    def names(self) -> dict[str, sp.Expr]:
+    def names(self) -> dict[str, Expr]:
         """Meanings of all names of a print."""
         symbols = (*self.model.coordinates, *self.model.rates, *self.accelerations)
         symbols = (*self.coefficients, *self.normals, *self.switches, LAMBDA, TIME, *symbols)
@@ -307,14 +308,14 @@ class Derivation:
         """Name of a quantity of the page in this form."""
         return datum.becomes if self.scaled else str(datum.symbol)
 
-    def measured(self, length: sp.Expr) -> sp.Expr:
+    def measured(self, length: Expr) -> Expr:
         """A quantity of the page in this form."""
         if length not in self._measured:
             self._measured[length] = length if length.is_number else self.model.scaled(length)
         return self._measured[length]
 
     @cached_property
-    def _measured(self) -> dict[sp.Expr, sp.Expr]:
+    def _measured(self) -> dict[Expr, Expr]:
         return {}
 
     def places(self, name: str) -> tuple[int, ...]:
@@ -335,7 +336,7 @@ class Derivation:
 
 def _motion(it: Derivation, name: str, side: str) -> Object:
     normals = zip(it.normals, it.model.contacts, strict=True)
-    forces = (sp.S.Zero if it.pushing(one, side) == 0 else symbol for symbol, one in normals)
+    forces = (S.Zero if it.pushing(one, side) == 0 else symbol for symbol, one in normals)
     rows = tuple(it.spelled(row, side) for row in it.motion.balance(*forces))
     return Object(rows, "motion.Motion.balance", "covector", it.places(name), "parameters")
 
@@ -384,7 +385,7 @@ def _energy(it: Derivation, name: str, side: str) -> Object:
     )
 
 
-def _potentials_of_forces(it: Derivation) -> list[sp.Expr]:
+def _potentials_of_forces(it: Derivation) -> list[Expr]:
     """Potentials of the applied forces that are constant: weights and pushes."""
     moving = {*it.page.places, *it.page.rates}
     found = []
@@ -474,7 +475,7 @@ def _threshold(it: Derivation, name: str, side: str) -> Object:
     if K.applyfunc(it.expanded).has(*it.model.coordinates):
         raise NoObject("the threshold depends on the state; only those of linear forces are judged")
     A = it.model.mass.inv() * K
-    flutter = sp.S.One
+    flutter = S.One
     if A.rows == 2:
         flutter = sp.numer(sp.together((A[0, 0] - A[1, 1]) ** 2 + 4 * A[0, 1] * A[1, 0]))
     choice = flutter if name in ("", "flutter") and A.rows == 2 else K.det()
@@ -486,7 +487,7 @@ def _scale(it: Derivation, name: str, side: str) -> Object:
     groups = physical_checks.groups(it.page)
     named = {"time": units.TIME, "length": units.LENGTH, "force": units.FORCE}
     measured = {str(it): it for it in (*it.model.coordinates, *it.normals)}
-    measured |= {name: sp.Symbol(name) for name in it.geometry} | {"time": TIME}
+    measured |= {name: Symbol(name) for name in it.geometry} | {"time": TIME}
     by, names = "physical_checks.groups", frozenset({name})
     scale = physical_checks.scale(it.page, named.get(name) or it.kinds.get(name, units.NONE))
     if name in groups:
@@ -520,7 +521,7 @@ def _gap(it: Derivation, name: str, side: str) -> Object:
     contact = it.contact(name)
     if contact.gap is None:
         raise NoObject("the normal force is given, and the contact has no gap")
-    own = frozenset({str(of_contact(sp.Symbol("gap", real=True), name))})
+    own = frozenset({str(of_contact(Symbol("gap", real=True), name))})
     value = it.spelled(contact.gap)
     return Object((value,), "mechanics.NormalForce.gap", names=own, side=side, unit=units.LENGTH)
 
@@ -547,7 +548,7 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
         return Object((entry,), by, steady=True, side=side, short=(short, parts))
     if word == "coefficient" and place.isdigit():
         coefficients = it.kept("coefficients", side, lambda: _coefficients(*in_mu))
-        entry = coefficients.get(int(place), sp.S.Zero).xreplace(it.at_rest)
+        entry = coefficients.get(int(place), S.Zero).xreplace(it.at_rest)
         return Object((entry,), by, names=frozenset({name}), steady=True, side=side)
     if word not in values or (place and word != "side") or place not in ("", "1", "2"):
         raise NoObject(
@@ -561,7 +562,7 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
     return Object(entries, by, index=index, names=names, steady=True, side=side, shape=shape)
 
 
-def _cleared(D: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Expr, Names]:
+def _cleared(D: sp.Matrix, b: sp.Matrix) -> tuple[Expr, Expr, Names]:
     """|adj(D) b|² − det² D and det D in names of their entries, and what these are."""
     matrix = sp.Matrix(2, 2, sp.symbols("D_11 D_12 D_21 D_22"))
     side = sp.Matrix(sp.symbols("b_1:3"))
@@ -569,7 +570,7 @@ def _cleared(D: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Expr, Names]:
     return scaled.dot(scaled) - matrix.det() ** 2, matrix.det(), parts
 
 
-def _coefficients(D: sp.Matrix, b: sp.Matrix, length: sp.Symbol) -> dict[int, sp.Expr]:
+def _coefficients(D: sp.Matrix, b: sp.Matrix, length: Symbol) -> dict[int, Expr]:
     """Coefficients of |adj(D) b|² − det² D by the powers of L."""
     entries = sp.Tuple(*D, *b)
     # Symbols for cosines and sines: related coefficients would be simplified one by one.
@@ -580,12 +581,12 @@ def _coefficients(D: sp.Matrix, b: sp.Matrix, length: sp.Symbol) -> dict[int, sp
     return {power: value.xreplace(functions) for (power,), value in whole.terms()}
 
 
-def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:
+def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matrix, Symbol]:
     """D and b of two coordinates, in MU, and L: linear in the direction of a line."""
     if len(it.model.lines) != 1 or len(it.model.coordinates) != 2 or len(it.geometry) != 2:
         raise NoObject("only two coordinates and one line that is named L, theta have a direction")
     (line,), ((length, angle, *_),) = it.model.lines, it._lines
-    L, theta = sp.Symbol(length), sp.Symbol(angle)
+    L, theta = Symbol(length), Symbol(angle)
     direction = sp.Matrix(sp.symbols("c s"))
     ends = (it.spelled(line.dx), it.spelled(line.dy))
     gaps = [end - L * way for end, way in zip(ends, direction, strict=True)]

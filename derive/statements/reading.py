@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import sympy as sp
+from sympy import Expr
 
 from ..pages import PageModel
 from . import samples
@@ -17,7 +18,7 @@ from .objects import Derivation, NoObject, Object, derived
 from .papers import Paper, Statement
 from .repair import Values, evaluated, same
 from .samples import numeric
-from .tree import Equation, Node, Unread, printed, symbols, to_sympy
+from .tree import Equation, Node, Unread, leaf, printed, symbols, to_sympy
 
 
 @dataclass(frozen=True)
@@ -41,13 +42,13 @@ class Item:
     values: Mapping[str, Values]
     targets: tuple[Values, ...]
     readings: tuple[Values, ...]
-    bound: Mapping[str, sp.Expr]
+    bound: Mapping[str, Expr]
     defined: Mapping[str, Node]
     slopes: Mapping[str, Slope]
     letters: Mapping[str, str]
     book: Book
 
-    def latex(self, expression: sp.Expr) -> str:
+    def latex(self, expression: Expr) -> str:
         """LaTeX of an expression in the letters of the print."""
         known = {it.name: it for it in expression.free_symbols}
         names = {known[name]: text for name, text in self.letters.items() if name in known}
@@ -111,7 +112,7 @@ def _new_names(
         if name in values:
             values[other] = values[name]
         else:
-            values[name] = Node("symbol", value=other)
+            values[name] = leaf(other)
     return values, known
 
 
@@ -139,7 +140,7 @@ def _known_names(
         known[str(symbol)] = value, "laws.smooth_friction"
     for name, value in book.values(it).items():
         known[name] = value, book.bound[name].about if name in book.bound else "matrices"
-    found: list[tuple[sp.Expr, str]] = []
+    found: list[tuple[Expr, str]] = []
     for left in (one.left for one in equations):
         name = left.value if left.kind == "symbol" else ""
         if name in normals:

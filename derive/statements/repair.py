@@ -30,6 +30,9 @@ from .tree import (
     RELATIONS,
     ZERO,
     Node,
+    joined,
+    leaf,
+    minus,
     nodes,
     number_of,
     renamed,
@@ -197,11 +200,11 @@ def _others(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
 
     outer = "" if above is None else above.kind
     if outer in ("", "add", "call") or part.kind == "add":
-        edit("sign", part.args[0] if part.kind == "neg" else Node("neg", (part,), at=part.at))
+        edit("sign", part.args[0] if part.kind == "neg" else minus(part))
     if part.kind == "symbol":
         for name in pool.values:
             if name != part.value:
-                edit(pool.renaming(part.value, name), Node("symbol", value=name, at=part.at))
+                edit(pool.renaming(part.value, name), leaf(name, part.at))
     if part.kind == "number" and part.value != "pi" and above is not None:
         # Numbers and powers that an edit tries before what it brings in is open.
         for value in ("1", "2", "3", "4"):
@@ -335,16 +338,16 @@ class _Products:
     def __init__(self, tree: Node, pool: Pool, numbers: Numbers) -> None:
         ways: list[tuple[Node, Values]] = []
         for name, value in pool.values.items():
-            one = Node("symbol", value=name)
+            one = leaf(name)
             ways += [(one, value), (Node("div", (ONE, one)), 1 / value)]
-        ways += [(Node("neg", (part,)), -value) for part, value in ways]
+        ways += [(minus(part), -value) for part, value in ways]
         ways.sort(key=lambda it: float(it[1][0]))
         self.alone = [part for part, _ in ways]
         self.table = np.array([value for _, value in ways])
         inside = dict.fromkeys(map(_bare, nodes(tree)))
         atoms = [it for it in inside if it.kind == "symbol" and it.value in pool.values]
-        atoms += [Node("symbol", value=name) for name in pool.values]
-        angles = [(Node("symbol", value=name),) for name in pool.angles if name in pool.values]
+        atoms += [leaf(name) for name in pool.values]
+        angles = [(leaf(name),) for name in pool.angles if name in pool.values]
         atoms += [Node("call", angle, way) for angle in angles for way in ("cos", "sin")]
         # Functions that are no factors of a product.
         atoms += [
@@ -410,10 +413,10 @@ class _Products:
         below = [_powered(atom, -power) for atom, power in used if power < 0]
         if abs(factor) != 1 or not above:
             above = [_number(abs(factor)), *above]
-        whole = above[0] if len(above) == 1 else Node("mul", tuple(above))
+        whole = joined("mul", above)
         if below:
-            whole = Node("div", (whole, below[0] if len(below) == 1 else Node("mul", tuple(below))))
-        return Node("neg", (whole,)) if factor < 0 else whole
+            whole = Node("div", (whole, joined("mul", below)))
+        return minus(whole) if factor < 0 else whole
 
 
 def _missing(places: Sequence[Place], products: _Products) -> Iterator[Proposal]:
@@ -466,7 +469,7 @@ def _number(value: Fraction) -> Node:
     size = Node("number", value=str(abs(value.numerator)))
     if value.denominator != 1:
         size = Node("div", (size, Node("number", value=str(value.denominator))))
-    return Node("neg", (size,)) if value < 0 else size
+    return minus(size) if value < 0 else size
 
 
 def _times(part: Node, factor: Node) -> Node:
@@ -550,7 +553,7 @@ class Search:
                 swapped = {name: it[SCREEN] for name, it in self.pool.values.items()}
                 swapped[old] = swapped[new]
                 few = evaluated(self.tree, swapped)
-                one = Node("symbol", value=new)
+                one = leaf(new)
                 also = tuple(part.at for part in others)
                 edit = Edit("renaming", first.at, first, one, COST["renaming"], also)
                 for way, target in enumerate(targets):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from .tree import ZERO, Equation, Node, Unread, nodes
+from .tree import ZERO, Equation, Node, Unread, minus, nodes
 
 #: What a sign ± or ∓ is before a term, as the name of a call.
 PLUS_MINUS, MINUS_PLUS = "pm", "mp"
@@ -30,7 +30,7 @@ def without_signs(equation: Equation) -> Equation:
         raise Unread("two signs at once on the left", left.at[0])
     while has_sign(tree):
         left, tree = _one_step(left, tree)
-    return replace(equation, left=Node("add", (left, _minus(tree)), at=tree.at), right=ZERO)
+    return replace(equation, left=Node("add", (left, minus(tree)), at=tree.at), right=ZERO)
 
 
 def _one_step(left: Node, tree: Node) -> tuple[Node, Node]:
@@ -43,19 +43,18 @@ def _one_step(left: Node, tree: Node) -> tuple[Node, Node]:
             if not has_sign(size) or size.value == "sqrt":
                 return _square(left, tree.at), _square(size, size.at)
         case "add" if len(inside) == 1:
-            return Node("add", (left, *map(_minus, others)), at=tree.at), inside[0]
+            return Node("add", (left, *map(minus, others)), at=tree.at), inside[0]
         case "add" if [one.value for one in inside].count(PLUS_MINUS) == 1:
             # a ± b ∓ c is a ± (b − c).
             if all(one.value == MINUS_PLUS for one in inside if one.value != PLUS_MINUS):
                 signed = tuple(
-                    one.args[0] if one.value == PLUS_MINUS else _minus(one.args[0])
-                    for one in inside
+                    one.args[0] if one.value == PLUS_MINUS else minus(one.args[0]) for one in inside
                 )
                 size = Node("add", signed, at=tree.at)
                 one_sign = Node("call", (size,), PLUS_MINUS, tree.at)
                 return left, replace(tree, args=(*others, one_sign))
         case "neg":
-            return _minus(left), inside[0]
+            return minus(left), inside[0]
         case "mul" if len(inside) == 1:
             below = others[0] if len(others) == 1 else replace(tree, args=others)
             return Node("div", (left, below), at=tree.at), inside[0]
@@ -71,7 +70,3 @@ def _square(tree: Node, at: tuple[int, int]) -> Node:
     if tree.kind in ("mul", "div"):
         return replace(tree, args=tuple(_square(one, one.at) for one in tree.args))
     return Node("pow", (tree, Node("number", value="2")), at=at)
-
-
-def _minus(tree: Node) -> Node:
-    return Node("neg", (tree,), at=tree.at)

@@ -7,10 +7,11 @@ import functools
 import itertools
 import math
 import operator
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
+from sympy import Expr
 
 
 @dataclass(frozen=True)
@@ -97,8 +98,8 @@ def printed(node: Node) -> str:
         case "add":
             text = printed(node.args[0])
             for part in node.args[1:]:
-                minus = part.kind == "neg"
-                text += f" - {inside(part.args[0], 2)}" if minus else f" + {printed(part)}"
+                is_minus = part.kind == "neg"
+                text += f" - {inside(part.args[0], 2)}" if is_minus else f" + {printed(part)}"
             return text
         case "mul":
             return "*".join([inside(node.args[0], 2), *(inside(it, 3) for it in node.args[1:])])
@@ -109,7 +110,7 @@ def printed(node: Node) -> str:
 
 
 #: Functions that a print may hold, by SymPy's names.
-FUNCTIONS: dict[str, Callable[..., sp.Expr]] = {
+FUNCTIONS: dict[str, Callable[..., Expr]] = {
     **{it.__name__: it for it in (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.log)},
     **{it.__name__: it for it in (sp.sinh, sp.cosh, sp.tanh, sp.asinh, sp.acosh, sp.atanh)},
     **{it.__name__: it for it in (sp.sqrt, sp.asin, sp.acos, sp.atan, sp.Abs, sp.sign)},
@@ -125,6 +126,21 @@ RELATIONS = {name: getattr(sp, name) for name in ("Lt", "Le", "Gt", "Ge", "Ne", 
 ZERO, ONE = Node("number", value="0"), Node("number", value="1")
 
 
+def leaf(name: str, at: tuple[int, int] = (0, 0)) -> Node:
+    """A name in a tree."""
+    return Node("symbol", value=name, at=at)
+
+
+def minus(tree: Node) -> Node:
+    """A tree with the other sign, at its place."""
+    return Node("neg", (tree,), at=tree.at)
+
+
+def joined(kind: str, parts: Sequence[Node], at: tuple[int, int] = (0, 0)) -> Node:
+    """A sum or a product; of one part itself."""
+    return Node(kind, tuple(parts), at=at) if len(parts) > 1 else parts[0]
+
+
 def number_of(tree: Node) -> float:
     """The value of a number, and of pi."""
     return math.pi if tree.value == "pi" else float(tree.value)
@@ -132,8 +148,7 @@ def number_of(tree: Node) -> float:
 
 def residual(equation: Equation) -> Node:
     """What is 0 where an equation holds: its left side less its right one."""
-    minus = Node("neg", (equation.right,), at=equation.right.at)
-    return Node("add", (equation.left, minus))
+    return Node("add", (equation.left, minus(equation.right)))
 
 
 def nodes(tree: Node) -> Iterator[Node]:
@@ -164,7 +179,7 @@ def renamed(tree: Node, names: Mapping[str, Node]) -> Node:
     return replace(tree, args=tuple(renamed(part, names) for part in tree.args))
 
 
-def to_sympy(tree: Node, names: Mapping[str, sp.Expr], evaluate: bool = True) -> sp.Expr:
+def to_sympy(tree: Node, names: Mapping[str, Expr], evaluate: bool = True) -> Expr:
     """The expression of a tree, with what its symbols stand for."""
     if tree.kind == "symbol":
         return names[tree.value]
@@ -209,7 +224,7 @@ def _read_one(text: str, begin: int, vocabulary: Vocabulary) -> list[Equation]:
         space = len(side) - len(side.lstrip())
         if not trees and len(sides) > 1 and side.strip().isidentifier():
             at = (begin + space, begin + space + len(side.strip()))
-            trees.append(Node("symbol", value=side.strip(), at=at))
+            trees.append(leaf(side.strip(), at))
             begin += len(side) + 1
             continue
         try:
@@ -238,7 +253,7 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             return Node("number", value=str(value), at=at)
         case ast.Name(id=name):
             if name in vocabulary.symbols:
-                return Node("symbol", value=name, at=at)
+                return leaf(name, at)
             if name == "pi":
                 return Node("number", value=name, at=at)
             known = ", ".join(sorted(vocabulary.symbols))
@@ -251,21 +266,21 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             kind = binary[type(op)]
             one, other = (_tree(side, begin, vocabulary) for side in (left, right))
             if kind in ("mul", "div") and one.kind == "neg":  # -a b is -(a b)
-                return Node("neg", (_joined(kind, one.args[0], other, at),), at=at)
+                return Node("neg", (_longer(kind, one.args[0], other, at),), at=at)
             if isinstance(op, ast.Sub):
-                other = Node("neg", (other,), at=other.at)
-            return _joined(kind, one, other, at)
+                other = minus(other)
+            return _longer(kind, one, other, at)
         case ast.Call(
             func=ast.Name(id="diff" | "at_rest" as word), args=[inner, *more], keywords=[]
         ) if len(more) <= (word == "diff"):
             if (name := ast.unparse(part)) in vocabulary.symbols:
-                return Node("symbol", value=name, at=at)
+                return leaf(name, at)
             if vocabulary.derivative is None:
                 raise Unread(f"{name} is no name that is known", at[0])
             # By t, the time, which is no name in an equation.
             by = "".join(map(ast.unparse, more)) if word == "diff" else "at rest"
             own = vocabulary.derivative(printed(_tree(inner, begin, vocabulary)), by)
-            return Node("symbol", value=own, at=at)
+            return leaf(own, at)
         case ast.Call(func=ast.Name(id=name), args=[_, *more] as arguments, keywords=[]) if (
             name in FUNCTIONS and bool(more) is (name in OF_SEVERAL)
         ):
@@ -280,7 +295,7 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             )
 
 
-def _joined(kind: str, one: Node, other: Node, at: tuple[int, int]) -> Node:
+def _longer(kind: str, one: Node, other: Node, at: tuple[int, int]) -> Node:
     parts = one.args if kind in ("add", "mul") and one.kind == kind else (one,)
     return Node(kind, (*parts, other), at=at)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
+from sympy import Expr, Symbol
 
 from .. import units
 from ..pages import PageModel
@@ -139,7 +140,7 @@ class Right:
 
     part: Component
     repair: Repair
-    exact: sp.Expr
+    exact: Expr
     count: int
 
     @property
@@ -211,7 +212,7 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
     )
 
 
-def _as_meant(row: Row, item: Item, exact: sp.Expr) -> tuple[Row, str]:
+def _as_meant(row: Row, item: Item, exact: Expr) -> tuple[Row, str]:
     """A row with the value that the print means, and what is counted in it."""
     for one in item.held.readings:
         if one.entry == exact:
@@ -220,7 +221,7 @@ def _as_meant(row: Row, item: Item, exact: sp.Expr) -> tuple[Row, str]:
     return row, ""
 
 
-def _with_difference(row: Row, item: Item, gap: sp.Expr) -> Row:
+def _with_difference(row: Row, item: Item, gap: Expr) -> Row:
     """A row with the difference between print and derivation."""
     # Operations in a difference that is shown.
     if sp.count_ops(gap) > 3000:
@@ -288,12 +289,12 @@ def _cost(it: Comparison, found: Right) -> str:
 
 def _repaired(it: Comparison, part: Component) -> Right | None:
     """The most likely repair that is proved."""
-    targets: list[tuple[Values, sp.Expr]] = []
+    targets: list[tuple[Values, Expr]] = []
     for target, exact in part.targets:
         if not any(same(target, known) for known, _ in targets):
             targets.append((target, exact))
     search = Search(part.tree, _pool(it, part))
-    good: list[tuple[Repair, sp.Expr]] = []
+    good: list[tuple[Repair, Expr]] = []
     for pairs in (False, True):
         # Single repairs that cost more are compared with pairs.
         if good and good[0][0].cost <= 2.0:
@@ -332,23 +333,23 @@ def _pool(it: Comparison, part: Component) -> Pool:
 
 
 def _proved_first(
-    it: Comparison, found: Iterable[tuple[Repair, sp.Expr]]
-) -> list[tuple[Repair, sp.Expr]]:
+    it: Comparison, found: Iterable[tuple[Repair, Expr]]
+) -> list[tuple[Repair, Expr]]:
     """The repairs of least cost among those that are proved, each form once."""
-    good: list[tuple[Repair, sp.Expr]] = []
-    forms: set[sp.Expr] = set()
+    good: list[tuple[Repair, Expr]] = []
+    forms: set[Expr] = set()
     for repair, exact in sorted(found, key=lambda one: (one[0].cost, len(printed(one[0].tree)))):
         # Repairs of one statement that are tried for a proof.
         if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > 12:
             break
-        form = to_sympy(repair.tree, {name: sp.Symbol(name) for name in symbols(repair.tree)})
+        form = to_sympy(repair.tree, {name: Symbol(name) for name in symbols(repair.tree)})
         if form not in forms and it.proved(repair.tree, exact):
             good.append((repair, exact))
             forms.add(form)
     return good
 
 
-def _with_lost_term(it: Comparison, part: Component, exact: sp.Expr) -> Repair | None:
+def _with_lost_term(it: Comparison, part: Component, exact: Expr) -> Repair | None:
     """A print with what it lacks, where that is one term, of brackets as well."""
     term = normal_form(exact - it.exactly(part.tree))
     # Symbols of a term with brackets that may be lost, and terms that it may have without
@@ -375,7 +376,7 @@ class LimitCase:
     ``linear`` to first order in what is small together.
     """
 
-    symbols: tuple[sp.Symbol, ...]
+    symbols: tuple[Symbol, ...]
     end: str = "0"
     together: bool = True
     linear: bool = False
@@ -420,11 +421,11 @@ def _in_limit(it: Comparison, part: Component, limit: LimitCase) -> bool:
     return False
 
 
-def _has_limit_zero(gap: sp.Expr, name: str, end: str) -> bool:
+def _has_limit_zero(gap: Expr, name: str, end: str) -> bool:
     """Whether a difference goes to 0 with a quantity, the others of which are positive."""
-    positive = {it: sp.Symbol(it.name, positive=True) for it in gap.free_symbols}
-    at, point = sp.Symbol(name, positive=True), sp.sympify(end)
-    collected: dict[sp.Expr, sp.Expr] = {}
+    positive = {it: Symbol(it.name, positive=True) for it in gap.free_symbols}
+    at, point = Symbol(name, positive=True), sp.sympify(end)
+    collected: dict[Expr, Expr] = {}
     for term in sp.Add.make_args(sp.expand(gap.xreplace(positive))):
         coefficient, rest = term.as_independent(at, as_Add=False)
         collected[rest] = collected.get(rest, sp.S.Zero) + coefficient
@@ -437,10 +438,10 @@ def _has_limit_zero(gap: sp.Expr, name: str, end: str) -> bool:
 
 def _units_problem(item: Item, parts: Iterable[Component]) -> str:
     """Problem of units in a print that has them."""
-    names: dict[str, sp.Expr] = {name: sp.Symbol(name) for name in item.values}
+    names: dict[str, Expr] = {name: Symbol(name) for name in item.values}
     known = {symbol: item.it.kinds.get(name, units.NONE) for name, symbol in names.items()}
     for name, value in item.bound.items():
-        names[name] = value.xreplace({it: sp.Symbol(it.name) for it in value.free_symbols})
+        names[name] = value.xreplace({it: Symbol(it.name) for it in value.free_symbols})
     for name, tree in item.defined.items():
         names[name] = to_sympy(tree, names, evaluate=False)
     for part in parts:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import sympy as sp
+from sympy import Expr, Symbol
 from sympy.printing.str import StrPrinter
 
 from ..definitions import nested
@@ -17,7 +18,7 @@ from ..quantities import Quantity
 from ..statements import Body, straight_line
 
 #: What is printed: algebra, and functions by their names.
-KNOWN = (sp.Symbol, sp.Rational, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
+KNOWN = (Symbol, sp.Rational, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
 BY_NAME: Mapping[type[sp.Basic], str] = {
     sp.exp: "exp",
     sp.log: "log",
@@ -51,7 +52,7 @@ class AlgebraPrinter(StrPrinter):
         super().__init__({"order": None})
         self.body, self.one = body, one
 
-    def square(self, base: sp.Expr) -> str:
+    def square(self, base: Expr) -> str:
         """A square."""
         return f"{self._print(base)}*{self._print(base)}"
 
@@ -68,13 +69,13 @@ class AlgebraPrinter(StrPrinter):
             return text
         return text.removeprefix("-") if text.startswith("-") else f"-{text}"
 
-    def _print_Symbol(self, expression: sp.Symbol) -> str:
+    def _print_Symbol(self, expression: Symbol) -> str:
         value = self.body.inlined.get(expression)
         if value is None:
             return str(expression.name)
         return self.square(value.base) if value.is_Pow else str(self._print(value))
 
-    def call(self, name: str, *arguments: sp.Expr) -> str:
+    def call(self, name: str, *arguments: Expr) -> str:
         """A function of these arguments."""
         return f"{'' if name == 'abs' else 'xp.'}{name}({', '.join(map(self._print, arguments))})"
 
@@ -128,10 +129,10 @@ class AlgebraPrinter(StrPrinter):
     # SymPy's printer has methods of its own for these.
     _print_exp = _print_log = _print_Abs = _print_sign = _print_Function
 
-    def _print_Exp1(self, expression: sp.Expr) -> str:
+    def _print_Exp1(self, expression: Expr) -> str:
         return self.call("exp", sp.S.One)
 
-    def _print_Pi(self, expression: sp.Expr) -> str:
+    def _print_Pi(self, expression: Expr) -> str:
         return "xp.pi"
 
 

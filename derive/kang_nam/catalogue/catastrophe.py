@@ -1,6 +1,7 @@
 """Functions of the equilibrium surface, its folds and its cusps."""
 
 import sympy as sp
+from sympy import Symbol
 
 from ...algebra import Names, Pair, Row
 from ...emit.function import Function, Module
@@ -20,7 +21,7 @@ from .arrangement import (
 )
 
 
-def _line(relation: sp.Expr, symbol: sp.Symbol) -> Pair:
+def _line(relation: sp.Expr, symbol: Symbol) -> Pair:
     """u and w of ``relation = u + w · symbol``."""
     slope = sp.diff(relation, symbol)
     if slope.has(symbol):
@@ -324,10 +325,8 @@ def _fold_sextic() -> tuple[Row, Names]:
         ("dm", fd, fm),
     )
     change = catastrophe.CHANGE
-    ab, ad, am, bd, bm, dm = (sp.Symbol(name) for name, _, _ in pairs)
-    names = {
-        sp.Symbol(name): one * change[other] - other * change[one] for name, one, other in pairs
-    }
+    ab, ad, am, bd, bm, dm = (Symbol(name) for name, _, _ in pairs)
+    names = {Symbol(name): one * change[other] - other * change[one] for name, one, other in pairs}
     sextic = (
         ab - bd,
         4 * bm,

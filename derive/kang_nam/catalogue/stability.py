@@ -3,6 +3,7 @@ onsets.
 """
 
 import sympy as sp
+from sympy import Matrix
 
 from ...algebra import Names, Row
 from ...emit.function import Function, Module, rows
@@ -25,7 +26,7 @@ def module() -> Module:
     contact = in_contact()
     K = stability.stiffness()
     pull = sigma / L
-    arranged = sp.Matrix(
+    arranged = Matrix(
         [
             [p - pull * s**2, pull * s * c + M],
             [pull * s * c, q - pull * c**2],
@@ -33,8 +34,8 @@ def module() -> Module:
     )
     require_same("K (28)", tuple(arranged), tuple(K))
     entries = (K11, K12, K21, K22)
-    generic, C = sp.Matrix(2, 2, entries), stability.damping()
-    damped = sp.Matrix(C)
+    generic, C = Matrix(2, 2, entries), stability.damping()
+    damped = Matrix(C)
     damped[0, 0] = C11
     characteristic = sp.Poly(stability.characteristic(generic, damped), stability.lam).all_coeffs()
     determinant = generic.det()

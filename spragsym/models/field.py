@@ -280,6 +280,18 @@ class Field:
         """
         return self.size - bool(self.clock)
 
+    def rates(
+        self, state: Vector, constants: Vector, mode: Mode, xp: object = FLOATS
+    ) -> FloatArray:
+        """The rates of all numbers of a state."""
+        speeds = state[len(self.coordinates) :]
+        return np.array([*speeds, *self.acceleration(state, constants, mode, xp)], dtype=float)
+
+    def level_rate(self, border: Border, state: Vector, constants: Vector, mode: Mode) -> float:
+        """The rate of a border's level in a mode."""
+        pulls = self.acceleration(state, constants, mode, FLOATS)
+        return float(border.rate(state, pulls, constants, mode))
+
     def matrix(
         self, state: Vector, constants: Vector, mode: Mode, xp: object = FLOATS
     ) -> FloatArray:

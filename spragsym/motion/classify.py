@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import FLOATS, Field, Mode, Values
+from ..models.field import Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, ComplexArray
 from ..numerics.vectors import in_one_turn, magnitude
@@ -220,7 +220,7 @@ def equilibrium_near(
     for _ in range(most_steps):
         state = [*q.tolist(), *[0.0] * n]
         mode = kept or field.initial_mode(state, constants)
-        pull = np.array(field.acceleration(state, constants, mode, FLOATS), dtype=float)
+        pull = field.rates(state, constants, mode)[n:]
         slopes = field.matrix(state, constants, mode)[n:, :n]
         try:  # along what holds nothing changes
             # Singular values that are less than this share of the largest are 0

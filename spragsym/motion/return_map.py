@@ -15,7 +15,6 @@ import math
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -27,11 +26,10 @@ from ..numerics.vectors import TURN, WholeTurns, apart, in_one_turn, magnitude, 
 from . import integrators
 from .integrators import Flow
 from .measures import MotionStatistics
-from .options import ShootingOptions
 from .problem import Problem
 from .regimes import Outcome, Regime
 from .shooting import Iterate, Orbit, closed_orbit, least_period, off_jumps, through
-from .solution import Extremum, FlowMap, FlowResult
+from .solution import Extremum, FlowResult
 
 
 @dataclass(frozen=True)
@@ -71,20 +69,15 @@ class Onward:
             measured.append(each)
         return measured
 
-    def _differences(
-        self, sides: int, state: FloatArray, _: object, duration: float, __: object
-    ) -> FlowResult:
-        """``flow_map`` by differences of the plain flow, to one or to both ``sides``; crossings are
-        not reported.
-        """
+    def _differences(self, state: FloatArray, _: object, duration: float, __: object) -> FlowResult:
+        """``flow_map`` by differences of the plain flow; crossings are not reported."""
         # Differences of a flow are taken over this.
         step = 1e-5
         m, off = state.size, step * np.eye(state.size)
         statistics, *others = self.statistics(
-            np.vstack([state, state + off, state - off])[: 1 + sides * m], duration
+            np.vstack([state, state + off, state - off]), duration
         )
-        last = np.array([other.last for other in others])
-        before = last[m:] if sides == 2 else statistics.last
+        ahead, behind = np.split(np.array([other.last for other in others]), 2)
         none, unknown = np.zeros((m, 0)), np.full((m, m), np.nan)
         extrema = [
             Extremum(t, -1, -1, top, unknown, none)
@@ -94,7 +87,7 @@ class Onward:
         integrals = shift + begin * duration, square + begin * (2 * shift + begin * duration)
         return FlowResult(
             statistics.last,
-            (last[:m] - before).T / (sides * step),
+            (ahead - behind).T / (2 * step),
             none,
             (),
             tuple(extrema),
@@ -105,43 +98,30 @@ class Onward:
         """The closed orbit to all digits, with the derivative of its return; ConvergenceError
         without one near, in ``scale``.
         """
-        # For each integrator the tolerance of its plain flow, how nearly orbits close by
-        # cheap derivatives, and how closely in the end.
-        precisions = {
-            "heyoka": (1e-15, ShootingOptions.closed, ShootingOptions.closed),
-            "compiled": (1e-12, 1e-9, 1e-9),
-            "scipy": (1e-12, 1e-9, ShootingOptions.closed),
-        }
-        rtol, near, precision = precisions[self.backend]
         reach = 4 * self.problem.options.close * float(scale.max())
-        fine = Onward(replace(self.problem, rtol=min(self.problem.rtol, rtol)), self.backend)
         guess = Iterate(state[None], period, ())
         on_section = through(state, np.eye(state.size)[fixed], guess)
-
-        def near_guess(flow_map: FlowMap | None, precision: float) -> Orbit:
-            flow = Flow(self.field, self.backend, flow_map)
-            options = ShootingOptions(last_step=precision, closed=precision)
-            return closed_orbit(flow, guess, on_section, reach=reach, options=options)
-
-        # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that
-        # fails, all steps have them.
-        with suppress(ConvergenceError):
-            guess = near_guess(partial(fine._differences, 1), near).guess
-        flow_map = partial(fine._differences, 2) if self.backend == "compiled" else None
+        flow = Flow(self.field, self.backend, options=self.problem.options.shooting)
+        if self.backend == "compiled":
+            # Tolerance of its plain flow, and how closely orbits close by differences of that.
+            rtol, closed = min(self.problem.rtol, 1e-12), 1e-9
+            fine = replace(self, problem=replace(self.problem, rtol=rtol))
+            options = replace(flow.options, last_step=closed, closed=closed)
+            flow = replace(flow, other=fine._differences, options=options)
         try:
-            orbit = least_period(near_guess(flow_map, precision))
+            orbit = least_period(closed_orbit(flow, guess, on_section, reach=reach))
         except (OverflowError, ValueError) as error:
             raise ConvergenceError("Newton's method left the range of numbers") from error
         if orbit.lead != self.field.lead:
             raise ConvergenceError("another coordinate marks the rounds of the orbit")
         start = orbit.state
-        aside, flow = off_jumps(orbit), orbit.rate(start)
+        aside, speeds = off_jumps(orbit), orbit.rate(start)
         if aside is not orbit:  # as it arrives there
-            flow = orbit.monodromy @ flow
-        if flow[fixed] == 0:
+            speeds = orbit.monodromy @ speeds
+        if speeds[fixed] == 0:
             raise ConvergenceError("the orbit does not pass through the section")
         back = np.eye(start.size)
-        back[:, fixed] -= flow / flow[fixed]  # along the flow to the section again
+        back[:, fixed] -= speeds / speeds[fixed]  # along the flow to the section again
         slope = section(section(back @ orbit.monodromy, fixed).T, fixed).T
         largest = magnitude(aside.multipliers.others)
         return Closed(self, orbit, largest, fixed, scale, slope * scale / scale[:, None])

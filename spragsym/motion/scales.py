@@ -219,7 +219,7 @@ def _time_and_ways(field: Field, constants: Values, state: list[float]) -> tuple
     stiff, damped, pull = 0.0, 0.0, np.zeros(n)
     for mode in _modes(field, constants, state):
         slopes = field.matrix(state, constants, mode)[n:]
-        acceleration = np.array(field.acceleration(state, constants, mode, FLOATS), dtype=float)
+        acceleration = field.rates(state, constants, mode)[n:]
         stiff = max(stiff, float(np.abs(slopes[:, :n][alike]).max()))
         damped = max(damped, float(np.abs(slopes[:, n:][alike]).max()))
         pull = np.maximum(pull, np.abs(acceleration))

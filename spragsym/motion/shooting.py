@@ -15,7 +15,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError
-from ..models.field import FLOATS, Field, Mode, Values
+from ..models.field import Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.vectors import TURN, apart, magnitude, norm
 from .integrators import Flow
@@ -341,11 +341,9 @@ def rate(field: Field, state: Sequence[float] | FloatArray, constants: Values) -
     """The derivative of a state in time; not a number where there is none, as at the anchor of a
     spring.
     """
-    mode = field.initial_mode(state, constants)
-    n = len(field.coordinates)
     numbers = [float(value) for value in state]
     try:
-        return np.array([*numbers[n:], *field.acceleration(numbers, constants, mode, FLOATS)])
+        return field.rates(numbers, constants, field.initial_mode(numbers, constants))
     except ZeroDivisionError:
         return np.full(field.size, np.nan)
 

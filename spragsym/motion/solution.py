@@ -81,10 +81,9 @@ def _met(problem: Problem, mode: Mode, state: FloatArray, done: set[int]) -> int
         sign = border.sign(mode)
         if not sign or row in done:
             continue
-        if sign * border.level(values, constants, mode) + OVERSHOOT * border.kink <= OVERSHOOT / 8:
-            pulls = field.acceleration(values, constants, mode, FLOATS)
-            if sign * border.rate(values, pulls, constants, mode) < 0:
-                return row
+        inside = sign * border.level(values, constants, mode) + OVERSHOOT * border.kink
+        if inside <= OVERSHOOT / 8 and sign * field.level_rate(border, values, constants, mode) < 0:
+            return row
     return None
 
 
@@ -149,10 +148,8 @@ def saltation(
     late, there, own, rate = border_at
     directions, columns = deviations
     field, constants, values = problem.field, problem.constants, there.tolist()
-    before, behind = (
-        np.array(field.acceleration(values, constants, mode, FLOATS), dtype=float) for mode in modes
-    )
-    jump = np.concatenate([np.zeros(len(state) // 2), behind - before]) / rate
+    before, behind = (field.rates(values, constants, mode) for mode in modes)
+    jump = (behind - before) / rate
     if columns is not None and border.slopes is not None and directions is not None:
         slopes = np.array(border.slopes(values, constants, modes[0]), dtype=float)
         turned = slopes[: len(state)] @ own
@@ -161,7 +158,7 @@ def saltation(
     if abs(late) > AT_ONCE and there is not state:
         state[:], own = carried(problem, modes[1], late, there, deviations._replace(columns=own))
     else:
-        there = state - late * np.concatenate([state[len(state) // 2 :], before])
+        there = state - late * before
         state += jump * border.level(values, constants, modes[0])
     if columns is not None:
         columns[:] = own
@@ -184,8 +181,7 @@ def _back(
 
     def ago(at: FloatArray) -> tuple[float, float]:
         values = at.tolist()
-        pulls = field.acceleration(values, constants, mode, FLOATS)
-        rate = float(border.rate(values, pulls, constants, mode))
+        rate = field.level_rate(border, values, constants, mode)
         return (float(border.level(values, constants, mode)) / rate if rate else math.inf), rate
 
     first, rate = ago(state)
@@ -217,31 +213,42 @@ def carried(
     """A state and its derivatives a short time on in a mode, by the classical Runge–Kutta method of
     fourth order.
     """
-    field, constants, n = problem.field, problem.constants, len(state) // 2
     directions, columns = deviations
-
-    def rates(whole: FloatArray) -> FloatArray:
-        values = whole[:, 0].tolist()
-        own = field.acceleration(values, constants, mode, FLOATS)
-        change = np.column_stack([[*values[n:], *own], np.zeros((2 * n, whole.shape[1] - 1))])
-        if columns is not None:
-            change[:, 1:] = field.matrix(values, constants, mode) @ whole[:, 1:]
-            if directions is not None and directions.size:
-                slopes = np.array(field.by_parameters(values, constants, mode, FLOATS), dtype=float)
-                change[n:, 1 + 2 * n :] += slopes @ directions.T
-        return change
-
-    begun = state[:, None] if columns is None else np.column_stack([state, columns])
+    begun, m = state if columns is None else np.append(state, columns), len(state)
+    rates = rates_of(problem, mode, None if columns is None else directions)
     # Steps of the Runge-Kutta method back to the border are no longer than this.
     parts = math.ceil(abs(duration) / 0.01)
     step = duration / parts
     for _ in range(parts):
-        first = rates(begun)
-        second = rates(begun + step / 2 * first)
-        third = rates(begun + step / 2 * second)
-        last = rates(begun + step * third)
+        first = rates(0.0, begun)
+        second = rates(0.0, begun + step / 2 * first)
+        third = rates(0.0, begun + step / 2 * second)
+        last = rates(0.0, begun + step * third)
         begun = begun + step / 6 * (first + 2 * second + 2 * third + last)
-    return begun[:, 0], begun[:, 1:]
+    return begun[:m], begun[m:].reshape(m, -1)
+
+
+def rates_of(
+    problem: Problem, mode: Mode, directions: FloatArray | None, xp: object = FLOATS
+) -> Callable[[float, FloatArray], FloatArray]:
+    """The right-hand side in a mode: of a state, and unless ``directions`` is None of its
+    derivatives behind it, row by row.
+    """
+    field, constants = problem.field, problem.constants
+    m, n = field.size, len(field.coordinates)
+
+    def rates(_: float, whole: FloatArray) -> FloatArray:
+        state = whole[:m].tolist()
+        own = field.rates(state, constants, mode, xp)
+        if directions is None:
+            return own
+        change = field.matrix(state, constants, mode, xp) @ whole[m:].reshape(m, -1)
+        if directions.size:
+            slopes = np.array(field.by_parameters(state, constants, mode, xp), dtype=float)
+            change[n:, m:] += slopes @ directions.T
+        return np.append(own, change)
+
+    return rates
 
 
 def start_mode(problem: Problem, state: FloatArray, deviations: Deviations) -> Mode:
@@ -262,23 +269,13 @@ def project(
     """Project a state onto the border on which it stays in a mode, and its derivatives onto the
     tangent of that.
     """
-    for border in problem.field.stays(mode):
-        at = border.place
+    field = problem.field
+    for border in field.stays(mode):
+        at, values = border.place, state.tolist()
         ways = [(*mode[:at], side, *mode[at + 1 :]) for side in (1, -1)]
-        fastest = max(ways, key=lambda way: speed_across(problem, border, way, state))
+        speeds = [abs(field.level_rate(border, values, problem.constants, way)) for way in ways]
+        fastest = ways[int(np.argmax(speeds))]
         saltation(problem, border, (fastest, mode), state, deviations)
-
-
-def speed_across(problem: Problem, border: Border, mode: Mode, state: FloatArray) -> float:
-    """Speed of a motion in a mode across a border."""
-    values, constants = np.asarray(state).tolist(), problem.constants
-    return abs(
-        float(
-            border.rate(
-                values, problem.field.acceleration(values, constants, mode, FLOATS), constants, mode
-            )
-        )
-    )
 
 
 class Extremum(NamedTuple):

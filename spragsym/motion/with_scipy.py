@@ -27,6 +27,7 @@ from .solution import (
     assembled,
     parted,
     passed,
+    rates_of,
     start_mode,
 )
 
@@ -135,7 +136,8 @@ class Flight:
             "atol": rtol * (1e-3 if self.interpolated else (1e-15 / 2.3e-14)),
             "first_step": first,
         }
-        return (Radau if self.stiff else DOP853)(self._rates(mode), begin, whole, bound, **options)
+        rates = rates_of(self.problem, mode, self.directions, TRIAL_FLOATS)
+        return (Radau if self.stiff else DOP853)(rates, begin, whole, bound, **options)
 
     def _pieces(self, whole: FloatArray) -> Iterator[_ModeStep]:
         """Steps, none of which leaves its mode; a step that would is cut at the border. An error
@@ -154,7 +156,8 @@ class Flight:
         while clock < duration:
             # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
             bound = duration - clock
-            if not np.isfinite(self._rates(mode)(0.0, whole)).all():
+            begun = rates_of(self.problem, mode, self.directions, TRIAL_FLOATS)(0.0, whole)
+            if not np.isfinite(begun).all():
                 raise out_of_range()
             solver = self.solver(
                 mode, whole, bound, first=None if first is None else min(first, bound)
@@ -209,27 +212,6 @@ class Flight:
         while solver.status == "running":
             solver.step()
         return np.asarray(solver.y)
-
-    def _rates(self, mode: Mode) -> Callable[[float, FloatArray], FloatArray]:
-        """The right-hand side in a mode, of all that is carried."""
-        field, constants, directions = self.problem.field, self.problem.constants, self.directions
-        m, n = field.size, len(field.coordinates)
-
-        def rates(_: float, whole: FloatArray) -> FloatArray:
-            state = whole[:m].tolist()
-            own = np.array([*state[n:], *field.acceleration(state, constants, mode, TRIAL_FLOATS)])
-            if directions is None:
-                return own
-            columns = whole[m:].reshape(m, -1)
-            change = field.matrix(state, constants, mode, TRIAL_FLOATS) @ columns
-            if directions.size:
-                change[n:, m:] += (
-                    np.array(field.by_parameters(state, constants, mode, TRIAL_FLOATS), dtype=float)
-                    @ directions.T
-                )
-            return np.concatenate([own, change.ravel()])
-
-        return rates
 
     def _levels(self, mode: Mode, states: FloatArray, *, inside: bool = False) -> FloatArray:
         """Levels of all borders, and the leading coordinate as the last one, with their rates:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import FLOATS, Mode
+from ..models.field import Mode
 from ..models.parameters import FloatArray, Span
 from ..motion.integrators import Flow
 from ..motion.multipliers import criterion_of, unsure
@@ -159,11 +159,8 @@ def level_and_rate(orbit: Orbit, border: int, mode: Mode, point: FloatArray) -> 
         guess = guess.at(index, value)
     constants, state = field.constants(guess.values), point[:size].tolist()
     that = field.borders[border]
-    accelerations = field.acceleration(state, constants, mode, FLOATS)
-    return np.array(
-        [that.level(state, constants, mode), that.rate(state, accelerations, constants, mode)],
-        dtype=float,
-    )
+    rate = field.level_rate(that, state, constants, mode)
+    return np.array([that.level(state, constants, mode), rate], dtype=float)
 
 
 def point_of(setting: Setting, orbit: Orbit, along: FloatArray | None = None) -> BranchPoint:

@@ -12,7 +12,6 @@ from functools import partial
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import FLOATS
 from ..models.parameters import FloatArray
 from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, unsure
 from ..motion.shooting import Conditions, Orbit, closed_orbit, remeshed
@@ -249,9 +248,9 @@ def approaches(point: BranchPoint) -> list[tuple[float, str]]:
             if sum(a != b for a, b in zip(own, mode, strict=True)) == 1
         )
         before = next(m for m in (own, *beside) if border.sign(m) == crossing.came)
-        state, constants = crossing.state.tolist(), orbit.constants
-        pulls = orbit.field.acceleration(state, constants, before, FLOATS)
-        found.append((abs(float(border.rate(state, pulls, constants, before))), border.name))
+        state = crossing.state.tolist()
+        rate = orbit.field.level_rate(border, state, orbit.constants, before)
+        found.append((abs(rate), border.name))
     return found
 
 

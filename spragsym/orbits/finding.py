@@ -15,7 +15,7 @@ from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
-from ..models.field import FLOATS, Values
+from ..models.field import Values
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
 from ..motion import Trajectory
@@ -470,7 +470,7 @@ def _of_the_motion(
         constants = field.constants(values.tolist())
         u = still(np.array(q)).tolist()
         mode = field.exact(field.mode_at_rest(u, constants))
-        accelerations = np.array(field.acceleration(u, constants, mode, FLOATS), dtype=float)
+        accelerations = field.rates(u, constants, mode)[n:]
         roots = np.linalg.eigvals(field.matrix(u, constants, mode))
         near = roots[np.abs(roots - 1j * form.omega).argmin()]
         off = near.real / form.crossing / units[n]

@@ -297,14 +297,14 @@ class FixedPoints:
         by_parameters = np.zeros((self.field.size, len(directions)))
         n = len(self.field.coordinates)
         try:
-            force = self.field.acceleration(*there, FLOATS)
+            end = state + self.field.rates(*there)
             by_state = np.eye(self.field.size) + self.field.matrix(*there)
             by_parameters[n:] = (
                 np.array(self.field.by_parameters(*there, FLOATS), dtype=float) @ directions.T
             )
         except ArithmeticError as error:
             raise ConvergenceError("there is no motion") from error
-        return FlowResult(state + np.append(state[n:], force), by_state, by_parameters, (), ())
+        return FlowResult(end, by_state, by_parameters, (), ())
 
     def eigenvalues(self, point: BranchPoint) -> list[complex]:
         """Eigenvalues of the linearized motion."""

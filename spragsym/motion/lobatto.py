@@ -127,6 +127,10 @@ class PiecewisePolynomial:
         """
         return np.concatenate([self.passages(0, sign) for sign in (1, -1)])
 
+    def turns(self, row: int) -> FloatArray:
+        """Times of all local extrema of a component."""
+        return PiecewisePolynomial(self.t, self.slopes(row)[None]).zeros()
+
     def weights(self) -> FloatArray:
         """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over
         time.

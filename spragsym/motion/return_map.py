@@ -374,16 +374,11 @@ def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> O
     """The outcome, with averages over the cycle's one period, and the state of the cycle that
     stands for it.
     """
-    orbit, fixed, (mean, rms) = cycle.orbit, cycle.fixed, cycle.orbit.moments()
-    others = () if fixed == orbit.field.lead else (turn.state for turn in orbit.maxima())
-    maxima = in_one_turn(np.array([cycle.state, *others]), orbit.field.periodic)
-    # Of maxima that agree but for rounding, the one whose next number is largest, so that a cycle
-    # has one such state.
-    for index, scale in zip(
-        (i for i in range(maxima.shape[1]) if i != fixed), cycle.scale, strict=True
-    ):
-        maxima = maxima[maxima[:, index] >= maxima[:, index].max() - 1e-6 * scale]
-    state = np.where(np.arange(maxima.shape[1]) == fixed, 0.0, maxima[0])
+    orbit, (mean, rms) = cycle.orbit, cycle.orbit.moments()
+    turning, top = cycle.fixed == orbit.field.lead, orbit.top
+    state = cycle.state if turning or top is None else top.state
+    state = in_one_turn(state, orbit.field.periodic)
+    state[cycle.fixed] = 0.0
     return Outcome(
         regime,
         rate=rate,

@@ -9,9 +9,10 @@ numbers between 1/32 and 32, so that motions of a common size are carried as the
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
+from itertools import chain, repeat
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
@@ -304,83 +305,64 @@ def _power(value: float) -> float:
     return math.ldexp(1.0, digits * round(math.log2(value) / digits))
 
 
+def _times(values: Iterable[Any], factors: Iterable[float]) -> list[Any]:
+    return [value * factor for value, factor in zip(values, factors, strict=False)]
+
+
 @cache
 def scaled(field: Field, scales: MotionScales) -> Field:
     """A field in units of its scales; parameters and forces stay as they are."""
-    n, units, time = len(field.coordinates), scales.states.tolist(), scales.time
+    units, time = scales.states.tolist(), scales.time
     faster = [time**2 / length for length in scales.places]
+    slower = [1.0 / factor for factor in faster]
     inner = field.sized(scales.levels).with_lead(field.lead) if field.sized else field
 
     def at(state: Vector) -> list[Any]:
-        return [value * unit for value, unit in zip(state, units, strict=True)]
+        return _times(state, units)
 
-    def acceleration(state: Vector, constants: Vector, mode: Mode, xp: object) -> list[Any]:
-        found = inner.acceleration(at(state), constants, mode, xp)
-        return [value * factor for value, factor in zip(found, faster, strict=True)]
+    def elsewhere(function: Callable[..., Any] | None) -> Any:
+        return function and (lambda state, *rest: function(at(state), *rest))
 
-    def rows(
-        function: Callable[..., Any], over: Sequence[float] | None
-    ) -> Callable[..., list[list[Any]]]:
-        def found(state: Vector, constants: Vector, mode: Mode, xp: object) -> list[list[Any]]:
-            return [
-                [
-                    value * factor * unit
-                    for value, unit in zip(row, over or [1.0] * len(row), strict=True)
-                ]
-                for row, factor in zip(
-                    function(at(state), constants, mode, xp), faster, strict=True
-                )
-            ]
+    def rows(function: Callable[..., Any], columns: Sequence[float]) -> Callable[..., Any]:
+        def found(state: Vector, *rest: Any) -> list[list[Any]]:
+            whole = (_times(row, columns) for row in function(at(state), *rest))
+            return [_times(row, repeat(factor)) for row, factor in zip(whole, faster, strict=True)]
 
         return found
 
-    def airborne(constants: Values, state: FloatArray) -> bool:
-        return bool(inner.airborne and inner.airborne(constants, state * scales.states))
-
     def border(that: Border, size: float) -> Border:
-        def level(state: Vector, constants: Vector, mode: Mode) -> Number:
-            return that.level(at(state), constants, mode) * (1.0 / size)
+        def rate(state: Vector, accelerations: Vector, *rest: Any) -> Number:
+            return that.rate(at(state), _times(accelerations, slower), *rest) * (time / size)
 
-        def rate(state: Vector, accelerations: Vector, constants: Vector, mode: Mode) -> Number:
-            pulls = [a * (1.0 / f) for a, f in zip(accelerations, faster, strict=True)]
-            return that.rate(at(state), pulls, constants, mode) * (time / size)
-
-        def slopes_of(function: Callable[..., Any]) -> Callable[..., list[Any]]:
-            def slopes(state: Vector, constants: Vector, mode: Mode) -> list[Any]:
-                found = function(at(state), constants, mode)
-                factors = [*units, *(1.0,) * (len(found) - 2 * n)]
-                return [value * (unit / size) for value, unit in zip(found, factors, strict=True)]
-
-            return slopes
-
-        def elsewhere(function: Callable[..., Any] | None) -> Callable[..., Any] | None:
-            return function and (lambda state, *rest: function(at(state), *rest))
+        def slopes(state: Vector, *rest: Any) -> list[Any]:
+            assert that.slopes is not None
+            own = _times(that.slopes(at(state), *rest), chain(units, repeat(1.0)))
+            return _times(own, repeat(1.0 / size))
 
         return replace(
             that,
-            level=level,
+            level=lambda state, *rest: that.level(at(state), *rest) * (1.0 / size),
             rate=rate,
-            beyond=lambda mode, *given: that.beyond(
-                mode, *((at(given[0]), *given[1:]) if given else ())
-            ),
+            beyond=lambda mode, *given: that.beyond(mode, *map(at, given[:1]), *given[1:]),
             jumps=elsewhere(that.jumps),
-            slopes=that.slopes and slopes_of(that.slopes),
+            slopes=slopes if that.slopes else None,
             stays=elsewhere(that.stays),
         )
 
+    pulls, above = elsewhere(inner.acceleration), inner.airborne
     return replace(
         inner,
         name=f"{field.name}:{scales.places}:{time}:{scales.levels}:{scales.roots}",
-        acceleration=acceleration,
+        acceleration=lambda *given: _times(pulls(*given), faster),
         jacobian=rows(inner.jacobian, units),
-        by_parameters=rows(inner.by_parameters, None),
+        by_parameters=rows(inner.by_parameters, [1.0] * len(field.parameters)),
         borders=tuple(map(border, inner.borders, scales.levels)),
-        initial_mode=lambda state, constants: inner.initial_mode(at(state), constants),
+        initial_mode=elsewhere(inner.initial_mode),
         forces=tuple(
             (name, lambda states, constants, force=force: force(np.array(at(states)), constants))
             for name, force in inner.forces
         ),
-        airborne=airborne if inner.airborne else None,
+        airborne=above and (lambda constants, state: above(constants, state * scales.states)),
         lengths=lambda *_: (),
         natural=field,
         scales=scales,

@@ -262,6 +262,18 @@ class Orbit:
             found.insert(0, found[0]._replace(t=0.0, state=start))
         return found
 
+    @property
+    def top(self) -> Extremum | None:
+        """The turn at which the leading coordinate is largest; of several that are alike but for
+        rounding the one at which the next number of the state is.
+        """
+        # Numbers that differ by less are alike.
+        found, near = self.maxima(), 1e-6 * extent(self)
+        for index in (self.field.lead, self.field.lead + 1):
+            most = max((turn.state[index] for turn in found), default=0.0)
+            found = [turn for turn in found if turn.state[index] >= most - near]
+        return next(iter(found), None)
+
     def extrema(self) -> tuple[Extremum, ...]:
         """All turns of one round, with derivatives by the start of the round."""
         interval, found, before = self.guess.interval, [], np.eye(self.field.size)

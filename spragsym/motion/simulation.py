@@ -873,11 +873,11 @@ class Trajectory(Named):
         return self.mean(0.0, of=of) if one_of("about", about, ("zero", "mean")) == "mean" else 0.0
 
     def _turns(self, row: int) -> FloatArray:
-        """Times of all local extrema: of a rate, where its own rate passes 0."""
+        """Times of all local extrema: of a coordinate, where its rate passes 0."""
         n = len(self.components) // 2
-        return PiecewisePolynomial(
-            self.t, (self.state[row + n] if row < n else self.samples.slopes(row))[None]
-        ).zeros()
+        if row >= n:
+            return self.samples.turns(row)
+        return PiecewisePolynomial(self.t, self.state[[row + n]]).zeros()
 
     def _arguments(self) -> list[float]:
         return [float(value) for value in self.model.arguments(self.p, "motion")]

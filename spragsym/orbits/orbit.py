@@ -299,7 +299,7 @@ def cycle_of(orbit: Orbit) -> Cycle:
 def _cycle_of(orbit: Orbit) -> Cycle:
     """The same in the orbit's units but for the errors, which are in the model's."""
     orbit = least_period(orbit.bound().with_lead())
-    orbit = refined(orbit, _top(orbit))
+    orbit = refined(orbit, orbit.top.t if orbit.top else 0.0)
     aside = off_jumps(orbit)
     if aside is not orbit:
         orbit = refined(aside, offset_from_jumps(aside))
@@ -466,25 +466,11 @@ def refined(orbit: Orbit, begin: float) -> Orbit:
     return found
 
 
-def _top(orbit: Orbit) -> float:
-    """When the leading coordinate is largest, and among several such times the one at which the
-    next number of the state is; now if it never is.
-    """
-    maxima, lead = orbit.maxima(), orbit.field.lead
-    most = max((float(top.state[lead]) for top in maxima), default=0.0)
-    # Maxima of x that differ by less than this count as equal; of these the state highest
-    # above the belt is taken.
-    highest = [top for top in maxima if top.state[lead] >= most - 1e-9 * (1 + abs(most))]
-    return max(highest, key=lambda top: float(top.state[lead + 1])).t if highest else 0.0
-
-
 def _range(
     samples: PiecewisePolynomial, force: Callable[..., FloatArray], constants: Values
 ) -> tuple[float, float]:
     """Least and largest value, at a sample or where the values turn between two."""
     values = force(samples.states, constants)
-    rates = PiecewisePolynomial(
-        samples.t, PiecewisePolynomial(samples.t, values[None]).slopes(0)[None]
-    )
-    values = np.append(values, force(samples(rates.zeros()), constants))
+    turns = PiecewisePolynomial(samples.t, values[None]).turns(0)
+    values = np.append(values, force(samples(turns), constants))
     return float(values.min()), float(values.max())

@@ -23,6 +23,7 @@ from spragsym.models.field import Border, Field, exact_field
 from spragsym.motion import multipliers
 from spragsym.motion.integrators import Flow
 from spragsym.numerics.decimals import exactly
+from spragsym.numerics.jets import gradient, variables
 from spragsym.orbits import attractors, diagram, exponents, finding, orbit
 from spragsym.orbits.system import System, growth_of_cycle
 from tests.oracles import random_motions
@@ -153,39 +154,30 @@ def test_both_integrators_carry_derivatives_over_a_border(slow: ss.results.Cycle
 # models, closed forms
 
 
-def field_of(
-    name: str,
-    force: Any,
-    slope: Any,
-    by_parameter: Any,
-    borders: tuple[Border, ...] = (),
-    modes: Any = ((0,),),
-) -> Field:
-    """x″ = force(x, v, parameter, mode) with one parameter."""
+def field_of(name: str, *forces: Any) -> Field:
+    """x″ = force(x, v, e), of two coordinates forces(x, y, v, w, e), with one parameter e."""
+    m = 2 * len(forces)
+
+    def slopes(q: Any, c: Any) -> list[list[Any]]:
+        whole = variables((*q, *c), 1)
+        return [gradient(force(*whole), m + 1) for force in forces]
+
     return Field(
         name,
-        ("x",),
+        ("x", "y")[: len(forces)],
         ("e",),
         lambda values, xp=None: tuple(values),
-        lambda q, c, mode, xp=math: (force(*q, *c, mode),),
-        lambda q, c, mode, xp=math: (slope(*q, *c, mode),),
-        lambda q, c, mode, xp=math: ((by_parameter(*q, *c, mode),),),
-        borders,
-        lambda q, c: next(
-            m for m in modes if all(b.sign(m) * b.level(q, c, m) >= -1e-300 for b in borders)
-        ),
-        tuple(modes),
+        lambda q, c, mode, xp=math: [force(*q, *c) for force in forces],
+        lambda q, c, mode, xp=math: [row[:m] for row in slopes(q, c)],
+        lambda q, c, mode, xp=math: [row[m:] for row in slopes(q, c)],
+        (),
+        lambda q, c: (0,),
+        ((0,),),
         lambda **_: None,
-        lambda mode: mode,
     )
 
 
-VAN_DER_POL = field_of(
-    "van der Pol",
-    lambda x, v, e, m: e * (1 - x * x) * v - x,
-    lambda x, v, e, m: (-2 * e * x * v - 1, e * (1 - x * x)),
-    lambda x, v, e, m: (1 - x * x) * v,
-)
+VAN_DER_POL = field_of("van der Pol", lambda x, v, e: e * (1 - x * x) * v - x)
 
 
 def test_the_published_period_of_van_der_pols_oscillator() -> None:
@@ -217,12 +209,7 @@ def test_the_period_of_a_long_relaxation_oscillation(e: float) -> None:
 
 
 #: Its cycle is the circle of radius sqrt(e), its period 2 π, its multiplier exp(−2 π e).
-CIRCLE = field_of(
-    "circle",
-    lambda x, v, e, m: (e - x * x - v * v) * v - x,
-    lambda x, v, e, m: (-2 * x * v - 1, e - x * x - 3 * v * v),
-    lambda x, v, e, m: v,
-)
+CIRCLE = field_of("circle", lambda x, v, e: (e - x * x - v * v) * v - x)
 
 
 def test_a_branch_ends_at_hopfs_bifurcation() -> None:
@@ -245,12 +232,7 @@ def test_a_branch_ends_at_hopfs_bifurcation() -> None:
 @pytest.mark.parametrize("scale", [1e-10, 1e10])
 def test_an_end_has_its_error_in_the_parameters_own_unit(scale: float) -> None:
     """The circle of radius sqrt(e / scale), which ends at e = 0."""
-    field = field_of(
-        f"circle of {scale}",
-        lambda x, v, e, m: (e / scale - x * x - v * v) * v - x,
-        lambda x, v, e, m: (-2 * x * v - 1, e / scale - x * x - 3 * v * v),
-        lambda x, v, e, m: v / scale,
-    )
+    field = field_of(f"circle of {scale}", lambda x, v, e: (e / scale - x * x - v * v) * v - x)
     found = cycle_near(field, (0.25 * scale,), (0.5, 0.0))
     branch = ss.cycle_branch(found, "e", between={"e": (-0.5 * scale, 0.5 * scale)})
     (end, _) = branch.of("end")
@@ -262,9 +244,7 @@ def test_an_end_has_its_error_in_the_parameters_own_unit(scale: float) -> None:
 #: through the saddle, e = 0.
 SADDLE_LOOP = field_of(
     "saddle loop",
-    lambda x, v, e, m: x - x * x + (e - v * v / 2 + x * x / 2 - x**3 / 3) * v,
-    lambda x, v, e, m: (1 - 2 * x + (x - x * x) * v, e - 1.5 * v * v + x * x / 2 - x**3 / 3),
-    lambda x, v, e, m: v,
+    lambda x, v, e: x - x * x + (e - v * v / 2 + x * x / 2 - x**3 / 3) * v,
 )
 
 
@@ -291,12 +271,7 @@ def test_a_branch_ends_at_a_homoclinic_orbit() -> None:
 #: Its cycles are circles with r⁴ − 2 r² = e: two, which meet in a fold at e = −1.
 TWO_CIRCLES = field_of(
     "two circles",
-    lambda x, v, e, m: (e + 2 * (x * x + v * v) - (x * x + v * v) ** 2) * v - x,
-    lambda x, v, e, m: (
-        (4 * x - 4 * x * (x * x + v * v)) * v - 1,
-        e + 2 * (x * x + v * v) - (x * x + v * v) ** 2 + (4 * v - 4 * v * (x * x + v * v)) * v,
-    ),
-    lambda x, v, e, m: v,
+    lambda x, v, e: (e + 2 * (x * x + v * v) - (x * x + v * v) ** 2) * v - x,
 )
 
 
@@ -327,17 +302,11 @@ def test_two_folds_within_a_step_are_seen(apart: float) -> None:
     the next.
     """
 
-    def force(x: float, v: float, e: float, _: Any) -> float:
+    def force(x: Any, v: Any, e: Any) -> Any:
         s = x * x + v * v - 1.5
         return (e - s**3 / 3 + apart**2 * s) * v - x
 
-    def slope(x: float, v: float, e: float, _: Any) -> tuple[float, float]:
-        s = x * x + v * v - 1.5
-        return -2 * x * (s * s - apart**2) * v - 1, e - s**3 / 3 + apart**2 * s - 2 * v * v * (
-            s * s - apart**2
-        )
-
-    field = field_of(f"two folds, {apart} apart", force, slope, lambda x, v, e, m: v)
+    field = field_of(f"two folds, {apart} apart", force)
     begin = cycle_near(field, (0.1,), (1.5, 0.0))
     branch = ss.cycle_branch(
         begin, "e", between={"e": (-0.1, 0.15)}, options=ss.BranchOptions(longest_step=0.3)
@@ -352,21 +321,10 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
     ±√e.
     """
 
-    def force(q: Any, c: Any, mode: Any, xp: Any = math) -> Any:
-        x, y, v, w = q
-        return (1 - x * x - v * v) * v - x, c[0] * y - y * y * y - w
-
-    def slopes(q: Any, c: Any, mode: Any, xp: Any = math) -> Any:
-        x, y, v, w = q
-        return (-2 * x * v - 1, 0.0, 1 - x * x - 3 * v * v, 0.0), (0.0, c[0] - 3 * y * y, 0.0, -1.0)
-
-    fork = dataclasses.replace(
-        CIRCLE,
-        name="fork",
-        coordinates=("x", "y"),
-        acceleration=force,
-        jacobian=slopes,
-        by_parameters=lambda q, c, mode, xp=math: ((0.0,), (q[1],)),
+    fork = field_of(
+        "fork",
+        lambda x, y, v, w, e: (1 - x * x - v * v) * v - x,
+        lambda x, y, v, w, e: e * y - y * y * y - w,
     )
     found = cycle_near(fork, (-0.1,), (1.0, 0.0, 0.0, 0.0))
     branch = ss.cycle_branch(
@@ -680,12 +638,7 @@ def test_why_exponents_prove_nothing(across: tuple[Any, ...], before: float, par
 
 
 #: x″ = e (1 − v): everything comes to the speed 1.
-DRIFT = field_of(
-    "drift",
-    lambda x, v, e, m: e * (1 - v),
-    lambda x, v, e, m: (0 * x, -e),
-    lambda x, v, e, m: 1 - v,
-)
+DRIFT = field_of("drift", lambda x, v, e: e * (1 - v))
 
 
 @pytest.mark.thorough
@@ -710,12 +663,7 @@ def test_a_steady_drift_is_no_cycle_that_a_longer_motion_reaches() -> None:
 
 
 #: x″ = e: a block on a ramp that is too steep for its friction.
-RUNAWAY = field_of(
-    "runaway",
-    lambda x, v, e, m: e,
-    lambda x, v, e, m: (0 * x, 0 * x),
-    lambda x, v, e, m: 1 + 0 * x,
-)
+RUNAWAY = field_of("runaway", lambda x, v, e: e)
 
 
 @pytest.mark.thorough

@@ -40,11 +40,13 @@ from .style import (
     VERMILION,
     Sheet,
     Table,
+    denser_at_ends,
     in_letters,
     label,
     own_axes,
     own_unit,
     panels,
+    places,
     runs,
     stacked,
     styled,
@@ -156,54 +158,51 @@ def curves_between(
     extended to the exact point.
     """
     pieces, undecided = _pieces(p, vary, ends, turns, damping, n)
-    curves = [
-        curve
-        for own, eq, cuts, at in pieces
-        for curve in _by_stability(vary, eq, at, cuts, own.turns, damping)
-    ]
+    curves = [curve for piece in pieces for curve in _by_stability(vary, piece, damping)]
     return Branches(curves, p.model, vary, undecided)
+
+
+@dataclass(frozen=True, eq=False)
+class _Piece:
+    """A curve between two cuts: which of the equilibria it has, by their indices into the columns,
+    and the folds and border points of such states; none in lift-off.
+    """
+
+    eq: Equilibria
+    at: States
+    cuts: Span
+    turns: Points | None
 
 
 def _pieces(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
-) -> tuple[list[tuple[_Combination, Equilibria, Span, States]], FloatArray]:
-    """Every curve between two cuts: its combination, equilibria, the cuts, and which of these are
-    the curve; and the ranges in which something is undecided.
+) -> tuple[list[_Piece], FloatArray]:
+    """Every curve between two cuts, folds, borders and onsets of flutter as far as these are known,
+    of every combination of contacts that touch; and the ranges in which something is undecided.
     """
-    found, spans = list[tuple[_Combination, Equilibria, Span, States]](), []
-    for own in _by_combination(p, turns):
-        for eq, cuts in pieces_between(p, vary, ends, own, damping, n):
+    combinations: list[tuple[Touching, Points | None]] = [(False, None)]
+    onsets = list[float]()
+    if turns is not None:
+        combinations = [
+            (one.contact, turns.select(met_by(turns, one))) for one in balances_of(p.model)
+        ]
+        with suppress(SpragsymError):
+            onsets = ss.flutter_onsets(p, vary, damping=damping)[vary].tolist()
+    found, spans = list[_Piece](), [undecided_parts(turns, ends)]
+    for contact, own in combinations:
+        inner = {*onsets, *([] if own is None else own[vary].tolist())}
+        stops = sorted(value for value in inner if ends[0] < value < ends[1])
+        for cuts in itertools.pairwise([ends[0], *stops, ends[1]]):
+            values = denser_at_ends(*cuts, 1e-4, n)
+            eq = ss.equilibria(p.replace(**{vary: values}), contact=contact)
             spans.append(undecided_points(eq, vary, cuts))
-            found += [(own, eq, cuts, at) for at in chains(p, vary, eq, own.turns)]
-    return found, joined(np.concatenate([undecided_parts(turns, ends), *spans]))
+            found += [_Piece(eq, at, cuts, own) for at in chains(p, vary, eq, own)]
+    return found, joined(np.concatenate(spans))
 
 
-@dataclass(frozen=True)
-class _Combination:
-    """Which contacts touch, and the folds and border points of such states; none in lift-off."""
-
-    contact: Touching
-    turns: Points | None
-
-
-def _by_combination(p: ParameterSet, turns: Points | None) -> list[_Combination]:
-    """Every combination of contacts that touch, with what states of it may come to."""
-    if turns is None:
-        return [_Combination(False, None)]
-    balances = balances_of(p.model)
-    return [_Combination(one.contact, turns.select(met_by(turns, one))) for one in balances]
-
-
-def _by_stability(
-    vary: str,
-    eq: Equilibria,
-    at: States,
-    cuts: Span,
-    turns: Points | None,
-    damping: bool,
-) -> Iterator[Branch]:
-    """The pieces of one curve, each of one stability."""
-    model, n = eq.parameters.model, eq.count.size
+def _by_stability(vary: str, piece: _Piece, damping: bool) -> Iterator[Branch]:
+    """The parts of one curve, each of one stability, up to the exact folds."""
+    eq, at, turns = piece.eq, piece.at, piece.turns
     columns = {
         vary: eq.parameters[vary][at[0]],
         **{name: eq[name][at] for name in eq.state_columns},
@@ -217,61 +216,39 @@ def _by_stability(
             EquilibriumType.FLUTTER,
         )
         kinds = np.select([sign < 0, sign > 0], [EquilibriumType.STABLE, grows], kinds)
-    for side, cut in () if turns is None else zip((0, -1), cuts, strict=True):
-        assert turns is not None  # there are no sides else
-        folds, count = np.flatnonzero(turns[vary] == cut), eq.count[side]
-        if not folds.size or at[0][side] != range(n)[side]:
+    for side, cut in zip((0, -1), piece.cuts, strict=True):
+        folds = [] if turns is None else np.flatnonzero(turns[vary] == cut).tolist()
+        if turns is None or not folds or at[0][side] != range(eq.count.size)[side]:
             continue
         # Two states meet at a fold, one comes to a border.
         meeting = 1 if turns.kind[folds[0]] in (PASSES, BORDER_FOLD) else 2
-        if count < meeting:
-            continue
-        fold = {name: turns[name][folds[0]] for name in columns}
+        fold, count = {name: turns[name][folds[0]] for name in columns}, eq.count[side]
         away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
-        if at[1][side] in np.argsort(np.hypot.reduce(away))[:meeting]:
+        if count >= meeting and at[1][side] in np.argsort(np.hypot.reduce(away))[:meeting]:
             index = side % (kinds.size + 1)
+            kinds = np.insert(kinds, index, kinds[side])
             columns = {
                 name: np.insert(column, index, fold[name]) for name, column in columns.items()
             }
-            kinds = np.insert(kinds, index, kinds[side])
     for part in runs(kinds):
         states = selected_rows(columns, part)
-        yield Branch(model, vary, states.pop(vary), states, EquilibriumType(kinds[part][0]))
+        values = states.pop(vary)
+        yield Branch(eq.parameters.model, vary, values, states, EquilibriumType(kinds[part][0]))
 
 
-def pieces_between(
-    p: ParameterSet, vary: str, ends: Span, own: _Combination, damping: bool, n: int
-) -> Iterator[tuple[Equilibria, Span]]:
-    """Equilibria of a combination between two cuts, and the two cuts: folds, borders and onsets of
-    flutter, as far as these are known.
-    """
-    inner: list[float] = []
-    if own.turns is not None:
-        inner += own.turns[vary].tolist()
-        with suppress(SpragsymError):
-            inner += ss.flutter_onsets(p, vary, damping=damping)[vary].tolist()
-    low, high = ends
-    for begin, end in itertools.pairwise(
-        [low, *sorted({value for value in inner if low < value < high}), high]
-    ):
-        # 1 - cos gathers points where a curve turns back like a square root.
-        share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, n))
-        values = begin + (end - begin) * share
-        yield ss.equilibria(p.replace(**{vary: values}), contact=own.contact), (begin, end)
-
-
-def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> Iterator[States]:
-    """Equilibria of one curve, by their indices into the columns, for each curve."""
-    # Of each state the number of its curve.
-    curve, numbers = np.zeros(eq.undamped.shape, dtype=int), itertools.count(1)
+def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> list[States]:
+    """Equilibria of each curve, by their indices into the columns."""
+    found, ends = list[list[tuple[int, int]]](), dict[int, list[tuple[int, int]]]()
     # Curves that these do not tell apart are drawn as two.
     halved = ss.ContinuationOptions(halvings=3)
     for index, pairs in enumerate([{}, *linked(p, vary, eq, turns, options=halved)]):
-        before = {other: curve[index - 1, one] for one, other in pairs.items()}
-        for slot in range(eq.count[index]):
-            curve[index, slot] = before.get(slot) or next(numbers)
-    for number in range(1, next(numbers)):
-        yield np.nonzero(curve == number)
+        before = {other: ends[one] for one, other in pairs.items()}
+        ends = {slot: before.get(slot, []) for slot in range(eq.count[index])}
+        for slot, chain in ends.items():
+            if not chain:
+                found.append(chain)
+            chain.append((index, slot))
+    return [(index, slot) for index, slot in map(np.transpose, found)]
 
 
 def _range(
@@ -336,12 +313,8 @@ def mark_folds(
     """Mark folds at their exact positions, those ``between`` ends of the parameter that varies."""
     require_kind("turns", turns, Points, "an answer of ss.folds(...)")
     vary = turns.vary[0]
-    along = turns[vary]
-    low, high = varied_range(vary, between, FINITE) if between else (-np.inf, np.inf)
-    inside = (low <= along) & (along <= high)
-    model = turns.parameters.model
-    x = model.column(vary).size * along[inside]
-    y = model.column(quantity).size * turns[quantity][inside]
+    if between:
+        turns = turns.between(np.array([varied_range(vary, between, FINITE)]))
     style = {
         "linestyle": "none",
         "marker": "o",
@@ -350,7 +323,7 @@ def mark_folds(
         "zorder": 3,
         **options,
     }
-    return own_axes(ax).plot(x, y, **style)
+    return own_axes(ax).plot(*places(turns.parameters.model, (vary, quantity), turns), **style)
 
 
 def plot_equilibria(
@@ -421,10 +394,8 @@ def table_of(curves: Iterable[Branch]) -> Table:
     """Branches as columns, one after the other."""
     tables = list[Table]()
     for curve in curves:
-        columns = {
-            curve.model.column(name).heading: curve.shown(name)
-            for name in (curve.vary, *curve.states)
-        }
+        names = (curve.vary, *curve.states)
+        columns = {curve.model.column(name).heading: curve.shown(name) for name in names}
         tables.append({"kind": curve.kind.name.lower(), **columns})
     return stacked(tables, "branch")
 
@@ -453,11 +424,9 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
     jumps = np.array(ends).reshape(-1, 2)
     stops = np.searchsorted(forward * values, forward * jumps[:, 0], side="right")
     whole = np.insert(np.stack([values, path[quantity]], axis=1), stops, jumps, axis=0)
-    pieces = np.split(whole, stops[::2] + np.arange(1, stops.size, 2))
-    return [
-        (model.column(path.vary).size * piece[:, 0], model.column(quantity).size * piece[:, 1])
-        for piece in pieces
-    ]
+    sizes = [model.column(name).size for name in (path.vary, quantity)]
+    pieces = np.split(whole * sizes, stops[::2] + np.arange(1, stops.size, 2))
+    return [(piece[:, 0], piece[:, 1]) for piece in pieces]
 
 
 @styled
@@ -491,10 +460,10 @@ def draw_path(
 
 def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> Annotation:
     """An arrow head on a curve, at a share of its way along x."""
-    way = x[-1] - x[0]
-    i = np.clip(np.count_nonzero((x - (x[0] + share * way)) * way < 0), 1, x.size - 1)
-    near = (x[i] + 1e-3 * (x[i - 1] - x[i]), y[i] + 1e-3 * (y[i - 1] - y[i]))
-    props = {
+    way = np.abs(x - x[0])
+    i = np.clip(np.searchsorted(way, share * way[-1]), 1, x.size - 1)
+    before, at = np.stack([x, y], axis=1)[i - 1 : i + 1]
+    arrow = {
         "arrowstyle": "-|>",
         "color": color,
         "shrinkA": 0,
@@ -502,7 +471,7 @@ def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> A
         "mutation_scale": 9,
         "linewidth": 0.8,
     }
-    return ax.annotate("", (x[i], y[i]), near, arrowprops=props)
+    return ax.annotate("", at, at + 1e-3 * (before - at), arrowprops=arrow)
 
 
 def plot_eigenvalues(
@@ -607,14 +576,15 @@ def _drawn(
     each without.
     """
     vary, ends, turns = _range(p, vary, between, contact)
-    model, lines, courses = p.model, list[Line2D](), list[Any]()
+    model, lines, courses = p.model, list[Line2D](), list[Table]()
     nowhere = complex(np.nan, np.nan)
     pieces, undecided = _pieces(p, vary, ends, turns, False, n)
     size = model.column(vary).size
-    for _, eq, _, at in pieces:
-        values = eq.parameters[vary][at[0]]
+    for piece in pieces:
+        values = piece.eq.parameters[vary][piece.at[0]]
         damped, undamped = (
-            _followed(values, every[at]) for every in (eq.damped_eigenvalues, eq.eigenvalues)
+            _followed(values, every[piece.at])
+            for every in (piece.eq.damped_eigenvalues, piece.eq.eigenvalues)
         )
         growing = np.where(damped.real > NEUTRAL_GROWTH * np.abs(damped), damped, nowhere)
         for every, color, width in (
@@ -625,13 +595,16 @@ def _drawn(
             upper = np.where(every.imag >= 0, every, nowhere)
             for ax, part in zip(axes, (upper.imag, upper.real), strict=True):
                 lines += ax.plot(size * values, part, color=color, linewidth=width)
-        courses.append((values, {"damped": damped, "undamped": undamped}))
-    if not lines:
-        where = (
-            f"in {'contact' if contact else 'lift-off'} was found with {vary} from {ends[0]:g} to "
-            f"{ends[1]:g}"
+        courses.append(
+            {vary: values}
+            | {f"damped_{i}": column for i, column in enumerate(damped.T, 1)}
+            | {f"undamped_{i}": column for i, column in enumerate(undamped.T, 1)}
         )
-        raise ConvergenceError(f"no equilibrium {where}: nothing to draw")
+    if not lines:
+        raise ConvergenceError(
+            f"no equilibrium in {'contact' if contact else 'lift-off'} was found with {vary} from "
+            f"{ends[0]:g} to {ends[1]:g}: nothing to draw"
+        )
     rate = in_letters(model.about["scales"]["rate"])
     for ax, text in zip(axes, (r"frequency Im $\lambda$", r"growth Re $\lambda$"), strict=True):
         ax.set_ylabel(f"{text} (units of ${rate}$)")
@@ -640,19 +613,12 @@ def _drawn(
     axes[0].set_ylim(bottom=max(0.0, axes[0].get_ylim()[0]))
     axes[1].axhline(0.0, color=BLACK, linewidth=0.4)
     axes[1].set_xlabel(label(model.column(vary)))
-    imag, real = (
-        stacked(
-            [
-                {vary: values}
-                | {
-                    f"{name}_{i}": getattr(of, part)
-                    for name, one in both.items()
-                    for i, of in enumerate(one.T, 1)
-                }
-                for values, both in courses
-            ],
-            "curve",
-        )
+    columns = stacked(courses, "curve")
+    frequencies, rates = (
+        {
+            name: getattr(column, part) if "damped_" in name else column
+            for name, column in columns.items()
+        }
         for part in ("imag", "real")
     )
-    return lines, imag, real
+    return lines, frequencies, rates

@@ -90,8 +90,10 @@ def figure_cycles() -> Sheet:
         )
     colours: dict[str, str] = {}
     columns, events = list[Table](), list[tuple[Any, ...]]()
+    titles = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
     for line in found["branches"]:
-        family, _, doubled = line["name"].partition(",")
+        name = line["name"]
+        family, _, doubled = name.partition(",")
         colour = colours.setdefault(family, COLOURS[len(colours) % len(COLOURS)])
         theta0, periods, heights, is_stable = (
             np.array(line[name]) for name in ("theta0", "period", "rms", "stable")
@@ -106,34 +108,17 @@ def figure_cycles() -> Sheet:
             position = np.degrees(value), heights[nearest] + 0.035
             write_along(ax, f"{period:.0f}", *position, color=colour, ha="center", fontsize=7)
         for kind, at, length, rms, how in line["events"]:
-            events.append((line["name"], kind, np.degrees(at), length, rms, how))
+            angle = np.degrees(at)
+            events.append((name, kind, angle, length, rms, how))
             if kind in MARKERS:
-                ax.plot(
-                    np.degrees(at),
-                    rms,
-                    MARKERS[kind],
-                    color=colour,
-                    markersize=3,
-                    markerfacecolor="white",
-                )
-        columns.append(
-            {
-                "branch": line["name"],
-                "theta0_deg": angles,
-                "period": periods,
-                "rms_x": heights,
-                "stable": is_stable,
-            }
-        )
-    names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
-    fate = fate_boundary(
-        Parameters.article(), "theta0", between={"theta0": (np.radians(41.0), np.radians(42.0))}
-    )
-    places = np.degrees(fate.value), first_fold(Parameters.article()), first_fold(_sliding())
-    for line_place, colour, style in zip(
-        places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True
-    ):
-        line_at(ax, line_place, colour, 0.8, style=style, zorder=0.5)
+                _mark(ax, (angle, rms), MARKERS[kind], color=colour, markersize=3)
+        course: Table = {"theta0_deg": angles, "period": periods, "rms_x": heights}
+        columns.append({"branch": name, **course, "stable": is_stable})
+    p = Parameters.article()
+    fate = fate_boundary(p, "theta0", between={"theta0": (np.radians(41.0), np.radians(42.0))})
+    places = np.degrees(fate.value), first_fold(p), first_fold(_sliding())
+    for place, colour, style in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
+        line_at(ax, place, colour, 0.8, style=style, zorder=0.5)
     # Unstable cycles beyond this are left to the table.
     angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, 2.15))
     return figure.describe(
@@ -150,9 +135,14 @@ def figure_cycles() -> Sheet:
         unstable cycles lie above the frame.""",
         a_equilibria=table_of(rest),
         a_branches=stacked(columns),
-        a_events=dict(zip(names, zip(*events, strict=True), strict=True)),
+        a_events=dict(zip(titles, zip(*events, strict=True), strict=True)),
         a_lines={"what": ["fate of rest", "fold at mu0", "fold at mu(V)"], "theta0_deg": places},
     )
+
+
+def _mark(ax: Axes, place: tuple[float, float], marker: str, **style: Any) -> None:
+    """A hollow mark, black unless told otherwise."""
+    ax.plot(*place, marker, **{"color": BLACK, "markersize": 4, **style}, markerfacecolor="white")
 
 
 def draw_stretches(
@@ -227,8 +217,7 @@ def draw_branch(branch: CycleBranch, ax: Axes, quantity: str = "rms") -> None:
     ax.set(xlabel=along, ylabel=up)
     for kind, marker in {**MARKERS, **dict.fromkeys(("grazing", *SLIDING), "|")}.items():
         for event in branch.of(kind):
-            position = unit * event.value, size * height_of(event.cycle)
-            ax.plot(*position, marker, color=BLACK, markersize=4, markerfacecolor="white")
+            _mark(ax, (unit * event.value, size * height_of(event.cycle)), marker)
 
 
 #: Events of the cycle of period 34, from its branches at 42 degrees over the friction and at
@@ -346,10 +335,7 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
         for name in varied
     }
     across, up = map(np.unique, every.values())
-    # Each place once.
-    order = np.unique([*every.values()][::-1], axis=1, return_index=True)[1].reshape(
-        up.size, across.size
-    )
+    order = np.lexsort([*every.values()]).reshape(up.size, across.size)
     kind, period = found.kind.ravel()[order], found.period.ravel()[order]
     patches = []
     # Kinds of a map that have one colour, and its name.
@@ -368,17 +354,11 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
     image = ax.pcolormesh(
         across, up, np.where(kind == FateKind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm()
     )
-    undecided, irregular = found.kind == FateKind.UNDECIDED, found.exponent > found.exponent_error
-    for marker, colour, size, here in (
-        ("x", GREY, 3, undecided & ~irregular),
-        ("+", VERMILION, 5, undecided & irregular),
-    ):
-        ax.plot(
-            *(values[here.ravel()] for values in every.values()),
-            marker,
-            color=colour,
-            markersize=size,
-        )
+    irregular = found.exponent > found.exponent_error
+    for marker, colour, size, of in (("x", GREY, 3, ~irregular), ("+", VERMILION, 5, irregular)):
+        here = (of & (found.kind == FateKind.UNDECIDED)).ravel()
+        marked = (values[here] for values in every.values())
+        ax.plot(*marked, marker, color=colour, markersize=size)
     if (kind == FateKind.CYCLE).any():
         ax.figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))
@@ -411,11 +391,8 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
     """:func:`diagram_figure` on given axes; returns tables of what was drawn."""
     require_kind("found", found, Diagram, "one of ss.diagram(...)")
     tables = dict[str, Table]()
-    (title, height), units = zip(
-        *((label(one), one.size) for one in map(found.model.column, (found.vary, found.name))),
-        strict=True,
-    )
-    unit, one = units
+    varied, first = map(found.model.column, (found.vary, found.name))
+    units = unit, one = varied.size, first.size
     for i, rest in enumerate(found.equilibria):
         colour = BLACK if rest.mode == "contact" else GREY
         draw_stretches(ax, unit * rest.values, one * rest.states[:, 0], rest.stable, colour, 1.1)
@@ -426,15 +403,11 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
         }
     for i, branch in enumerate(found.cycles):
         colour = COLOURS[i % len(COLOURS)]
-        draw_cycles(ax, branch, units, branch.highest, lambda cycle: cycle.state[0], colour)
-        draw_cycles(
-            ax,
-            branch,
-            units,
-            branch.lowest,
-            lambda cycle: cycle.state[0] - 2 * cycle.amplitude,
-            colour,
-        )
+        for heights, height_of in (
+            (branch.highest, lambda cycle: cycle.state[0]),
+            (branch.lowest, lambda cycle: cycle.state[0] - 2 * cycle.amplitude),
+        ):
+            draw_cycles(ax, branch, units, heights, height_of, colour)
         tables[f"cycles_{i + 1}"] = {
             found.vary: branch.values,
             "period": branch.periods,
@@ -443,30 +416,26 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
             "stable": branch.stable,
         }
     shade(ax, found.model, found.vary, np.array(found.undecided).reshape(-1, 2))
-    limits = [unit * end for end in found.to]
-    ax.set(xlim=limits, xlabel=title, ylabel=f"{height}: rest, cycles from least to largest")
+    limits, up = [unit * end for end in found.to], label(first)
+    ax.set(xlim=limits, xlabel=label(varied), ylabel=f"{up}: rest, cycles from least to largest")
     ax.margins(y=0.12)
     ax.autoscale_view()
     inside = Affine2D(ax.transLimits.get_matrix())
-    named: list[tuple[str, float, float]] = []
+    named = dict[str, list[tuple[float, float]]]()
     # Of labels; those that are not here are left to the table.
     label_markers = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}
     for one_label in found.labels:
         name, at = one_label.label, (unit * one_label.value, one * one_label.height)
         if name not in label_markers:
             continue
-        ax.plot(
-            *at, label_markers[name], color=BLACK, markersize=4, markerfacecolor="white", zorder=4
-        )
+        _mark(ax, at, label_markers[name], zorder=4)
         x, y = inside.transform(at)
         # Two labels of one kind nearer than this share of the frame are written once.
-        if not any(
-            name == other and abs(x - left) + abs(y - low) < 0.04 for other, left, low in named
-        ):
-            named.append((name, x, y))
-            ax.annotate(
-                name, at, xytext=_aside(one_label, (x, y)), textcoords="offset points", fontsize=7
-            )
+        near = (abs(x - left) + abs(y - low) < 0.04 for left, low in named.setdefault(name, []))
+        if not any(near):
+            named[name].append((x, y))
+            aside = _aside(one_label, (x, y))
+            ax.annotate(name, at, aside, textcoords="offset points", fontsize=7)
     if not (found.equilibria or found.cycles):
         say(ax, "no equilibria and no cycles found here")
     return tables

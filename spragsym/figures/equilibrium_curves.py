@@ -41,6 +41,7 @@ from .style import (
     Sheet,
     Table,
     angle_axis,
+    denser_at_ends,
     line_at,
     panels,
     remark,
@@ -110,9 +111,7 @@ def draw_linear(ax: Axes, p: Parameters, name: str) -> tuple[Table, FloatArray]:
     """
     poles = np.degrees(ss.kang_nam.linear_sprag(p.replace(theta0=1.0)).poles)
     poles = np.sort(poles[np.isfinite(poles)])
-    share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(2e-3, 1 - 2e-3, 400))
-    ends = np.array([[0.05, *poles], [*poles, 179.95]])
-    angles = ends[0] + (ends[1] - ends[0]) * share[:, None]  # a column a piece
+    angles = denser_at_ends([0.05, *poles], [*poles, 179.95], 2e-3, 400)  # a column a piece
     model = ss.kang_nam.linear_sprag(p.replace(theta0=np.radians(angles)))
     ax.plot(angles, getattr(model, name), color=BLUE, linewidth=1.0)
     for pole in poles:

@@ -4,7 +4,7 @@ what 7 rests on.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,6 +17,7 @@ import spragsym as ss
 from ..article.assumed import MU0_RANGE, D, Parameters, V
 from ..core.errors import require_kind
 from ..generated import laws
+from ..models import Model
 from ..models.forces import contact_force
 from ..models.parameters import FloatArray
 from ..models.quantities import Scales
@@ -36,6 +37,7 @@ from .style import (
     SINGLE,
     VERMILION,
     Sheet,
+    Shown,
     Table,
     angle_axis,
     in_letters,
@@ -127,10 +129,27 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     )
 
 
-def _said(motion: Trajectory, name: str) -> str:
-    """The label of an axis of a column, radians or the model's unit."""
+#: What both axes of a picture show.
+_Pair: TypeAlias = tuple[Shown, Shown]
+
+
+def _own(motion: Trajectory, name: str) -> Shown:
+    """An axis of a column in radians or the model's unit."""
     column = motion.columns[name]
-    return label(column, "rad" if column.is_angle else own_unit(motion.model, column))
+    return label(column, "rad" if column.is_angle else own_unit(motion.model, column)), 1.0
+
+
+def _frequency(model: Model) -> Shown:
+    """An axis of frequencies in the model's unit."""
+    return rf"frequency $\times\ {in_letters(model.unit('s'))}$", 1.0
+
+
+def _line(ax: Axes, x: FloatArray, y: FloatArray, shown: _Pair, width: float = 0.8) -> Line2D:
+    """A line on axes that are named."""
+    (across, one), (up, size) = shown
+    (line,) = ax.plot(one * x, size * y, color=BLUE, linewidth=width)
+    ax.set(xlabel=across, ylabel=up)
+    return line
 
 
 def draw_motion(
@@ -138,9 +157,7 @@ def draw_motion(
     of: str | None = None,
     ax: Axes | None = None,
     *,
-    length: float = 1.0,
-    time: float = 1.0,
-    labels: tuple[str, str] | None = None,
+    shown: _Pair | None = None,
 ) -> Line2D:
     """A component of a motion over time; returns the line.
 
@@ -151,19 +168,14 @@ def draw_motion(
         One of its components, by default the first: ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``, or a
         coordinate of the model or its rate.
     ax : Axes, optional
-    length, time : float
-        What one unit of the component and of time is in the units of the axes.
-    labels : (str, str), optional
-        Of the axes.
+    shown : pair of (str, float), optional
+        Title of either axis, and what one unit of the model is on it.
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     names = motion.components
     row, t = row_of(of, names), np.linspace(motion.t[0], motion.t[-1], 4000)
-    ax = own_axes(ax)
-    (line,) = ax.plot(time * t, length * motion(t)[row], color=BLUE, linewidth=0.8)
-    across, up = labels or (_said(motion, motion._own("t")), _said(motion, names[row]))
-    ax.set(xlabel=across, ylabel=up)
-    return line
+    shown = shown or (_own(motion, motion._own("t")), _own(motion, names[row]))
+    return _line(own_axes(ax), t, motion(t)[row], shown)
 
 
 def draw_phase(
@@ -171,25 +183,20 @@ def draw_phase(
     ax: Axes | None = None,
     *,
     of: str | None = None,
-    length: float = 1.0,
-    speed: float = 1.0,
-    labels: tuple[str, str] | None = None,
+    shown: _Pair | None = None,
 ) -> Line2D:
     """x′ over x, the first coordinate or another, and the speed of the belt along it as a line;
-    returns the curve.
+    returns the curve. ``shown`` as of :func:`draw_motion`.
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
-    ax, names = own_axes(ax), motion.model.coordinates
+    ax, model, names = own_axes(ax), motion.model, motion.model.coordinates
     row, states = row_of(of, names), motion(np.linspace(motion.t[0], motion.t[-1], 6000))
-    name, rate = names[row], motion.model.rates[row]
-    (line,) = ax.plot(
-        length * states[row], speed * states[len(names) + row], color=BLUE, linewidth=0.8
-    )
-    belts = [it["belt"] for it in motion.model.frictions if it["along"] == name]
-    for belt in dict.fromkeys(belt for belt in belts if belt is not None):
-        ax.axhline(speed * float(motion.p[belt]), color=GREY, linewidth=0.6, linestyle=":")
-    across, up = labels or (_said(motion, name), _said(motion, rate))
-    ax.set(xlabel=across, ylabel=up)
+    shown = shown or (_own(motion, names[row]), _own(motion, model.rates[row]))
+    line = _line(ax, states[row], states[len(names) + row], shown)
+    for belt in dict.fromkeys(it["belt"] for it in model.frictions if it["along"] == names[row]):
+        if belt is not None:
+            speed = shown[1][1] * float(motion.p[belt])
+            ax.axhline(speed, color=GREY, linewidth=0.6, linestyle=":")
     return line
 
 
@@ -198,57 +205,40 @@ def draw_spectrum(
     of: str = "x",
     ax: Axes | None = None,
     *,
-    length: float = 1.0,
-    frequency: float = 1.0,
-    labels: tuple[str, str] | None = None,
+    shown: _Pair | None = None,
 ) -> Line2D:
-    """Amplitudes over frequency, as far as they matter; returns the line."""
+    """Amplitudes over frequency, as far as they matter; returns the line. ``shown`` as of
+    :func:`draw_motion`.
+    """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
-    ax = own_axes(ax)
-    found = motion.spectrum(0.0, of=of)
-    (line,) = ax.plot(
-        frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9
+    ax, found = own_axes(ax), motion.spectrum(0.0, of=of)
+    shown = shown or (
+        _frequency(motion.model),
+        (f"amplitude of {_own(motion, of)[0]}", 1.0),
     )
+    line = _line(ax, found.frequency, found.amplitude, shown, 0.9)
     # Of a motion that stays at rest none is large.
     last = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max()).max(initial=0)
-    unit = in_letters(motion.model.unit("s"))
-    across, up = labels or (
-        rf"frequency $\times\ {unit}$",
-        f"amplitude of {_said(motion, of)}",
-    )
-    end = frequency * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
-    ax.set(xlim=(0, end), ylim=(0, None), xlabel=across, ylabel=up)
+    end = shown[0][1] * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
+    ax.set(xlim=(0, end), ylim=(0, None))
     return line
 
 
-def draw_harmonics(
-    cycle: Cycle,
-    of: str = "x",
-    ax: Axes | None = None,
-    *,
-    length: float = 1.0,
-    frequency: float = 1.0,
-    labels: tuple[str, str] | None = None,
-) -> LineCollection:
+def draw_harmonics(cycle: Cycle, of: str, ax: Axes, *, shown: _Pair) -> LineCollection:
     """Amplitudes of a cycle's harmonics as stems at n f, as far as they matter; returns the
-    stems.
+    stems. ``shown`` as of :func:`draw_motion`.
     """
-    require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
-    ax, model = own_axes(ax), cycle.field.model
+    (across, one), (up, size) = shown
     # Samples of one period.
     samples = 1024
-    row = cycle.samples(np.arange(samples) * cycle.period / samples)[model.components.index(of)]
-    amplitude = 2 * length * np.abs(np.fft.rfft(row))[1:] / samples
+    states = cycle.samples(np.arange(samples) * cycle.period / samples)
+    row = states[cycle.field.model.components.index(of)]
+    amplitude = 2 * size * np.abs(np.fft.rfft(row))[1:] / samples
     # Least amplitude of a harmonic that is drawn, as a share of the largest.
-    last = int(np.flatnonzero(amplitude >= 0.005 * amplitude.max())[-1]) + 1
-    n = np.arange(1, last + 1)
-    places = frequency * n / cycle.period
-    stems = ax.vlines(places, 0.0, amplitude[:last], color=BLUE, linewidth=1.4)
-    ax.plot(places, amplitude[:last], "o", color=BLUE, markersize=3)
-    across, up = labels or (
-        rf"frequency $\times\ {in_letters(model.unit('s'))}$",
-        f"amplitude of {of}",
-    )
+    amplitude = amplitude[: np.flatnonzero(amplitude >= 0.005 * amplitude.max())[-1] + 1]
+    places = one * np.arange(1, amplitude.size + 1) / cycle.period
+    stems = ax.vlines(places, 0.0, amplitude, color=BLUE, linewidth=1.4)
+    ax.plot(places, amplitude, "o", color=BLUE, markersize=3)
     ax.set(xlim=(0, places[-1] + places[0]), ylim=(0, None), xlabel=across, ylabel=up)
     return stems
 
@@ -271,34 +261,40 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     model, late = motion.model, motion.after(transient)
-    length, time = (1.0, 1.0) if units is None else (1e3 * units.length, units.time)
     figure, axes = panels(len(model.coordinates), 3, DOUBLE, 0.3 + 2.1 * len(model.coordinates))
-    for row, (name, rate) in enumerate(zip(model.coordinates, model.rates, strict=True)):
-        size, over_time, phase, spectrum = length, None, None, None
-        if units is not None:
-            size, unit = (180 / np.pi, "deg") if model.is_angle(name) else (length, "mm")
-            here = label(model.column(name), unit)
-            over_time, phase = ("$t$ (s)", here), (here, label(model.column(rate), f"{unit}/s"))
-            spectrum = "frequency (Hz)", f"amplitude of {here}"
-        draw_motion(motion, name, axes[row, 0], length=size, time=time, labels=over_time)
-        draw_phase(late, axes[row, 1], of=name, length=size, speed=size / time, labels=phase)
-        draw_spectrum(late, name, axes[row, 2], length=size, frequency=1 / time, labels=spectrum)
+    columns = list[Table]()
+    for (left, middle, right), *names in zip(axes, model.coordinates, model.rates, strict=True):
+        name, rate = names
+        if units is None:
+            clock, cycles = _own(motion, motion._own("t")), _frequency(model)
+            here, speed = _own(motion, name), _own(motion, rate)
+        else:
+            size, unit = 1e3 * units.length, "mm"
+            if model.is_angle(name):
+                size, unit = 180 / np.pi, "deg"
+            clock, cycles = ("$t$ (s)", units.time), ("frequency (Hz)", 1 / units.time)
+            here = label(model.column(name), unit), size
+            speed = label(model.column(rate), f"{unit}/s"), size / units.time
+        draw_motion(motion, name, left, shown=(clock, here))
+        draw_phase(late, middle, of=name, shown=(here, speed))
+        draw_spectrum(late, name, right, shown=(cycles, (f"amplitude of {here[0]}", here[1])))
         found = late.spectrum(0.0, of=name)
-        columns = (
-            {"t": time * motion.t, name: size * motion[name]},
-            {name: size * late[name], rate: size / time * late[rate]},
-            {"frequency": found.frequency / time, "amplitude": size * found.amplitude},
+        columns += (
+            {"t": clock[1] * motion.t, name: here[1] * motion[name]},
+            {name: here[1] * late[name], rate: speed[1] * late[rate]},
+            {"frequency": cycles[1] * found.frequency, "amplitude": here[1] * found.amplitude},
         )
-        figure.tables |= dict(zip("abcdefghijkl"[3 * row : 3 * row + 3], columns, strict=False))
-    after = f"{transient:g}" if units is None else f"{transient * time:.4g} s"
+    figure.tables |= dict(zip("abcdefghijkl", columns, strict=False))
     belts = {friction["belt"] for friction in model.frictions}
+    after = f"{transient:g}" if units is None else f"{transient * units.time:.4g} s"
     if units is not None and len(belts) == 1 and None not in belts:
-        moved = f"belt speed {float(motion.p[belts.pop()]) * length / time:.4g} mm/s"
+        speed_mm = 1e3 * float(motion.p[belts.pop()]) * units.length / units.time
+        moved = f"belt speed {speed_mm:.4g} mm/s"
     else:
-        entries = [entry for entry in model.about["parameters"] if entry["role"] == "motion"]
         moved = ", ".join(
             f"{each['meaning']} {each['name']} = {float(motion.p[each['name']]):g}"
-            for each in entries
+            for each in model.about["parameters"]
+            if each["role"] == "motion"
         )
     return figure.describe(
         f"""A motion of {model.name}, {moved}. Left: each coordinate over time; middle and right,

@@ -4,6 +4,7 @@ oscillation begins.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -21,7 +22,6 @@ from ..models import Model
 from ..models.parameters import ParameterSet, Ranges, Span
 from ..numerics.interval_arrays import FloatArray
 from ..results import BifurcationSet, Equilibria, EquilibriumType
-from ..results.points import Curve, Points
 from ..statics.stability import NEUTRAL_GROWTH
 from .style import (
     BLACK,
@@ -33,6 +33,7 @@ from .style import (
     Table,
     label,
     own_axes,
+    places,
     runs,
     say,
     single,
@@ -49,11 +50,6 @@ def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
     return stacked(
         [{name: curve[name] for name in every} for curve in found.curves], "curve", every
     )
-
-
-def _places(model: Model, vary: Sequence[str], of: Curve | Points) -> list[Any]:
-    """Columns of two parameters as axes show them."""
-    return [model.column(name).size * of[name] for name in vary]
 
 
 def draw_bifurcation_set(
@@ -75,9 +71,9 @@ def draw_bifurcation_set(
     artists = [
         line
         for curve in found.curves
-        for line in ax.plot(*_places(model, found.vary, curve), color=color)
+        for line in ax.plot(*places(model, found.vary, curve), color=color)
     ]
-    artists += ax.plot(*_places(model, found.vary, found.cusps), "o", color=BLACK, markersize=3.5)
+    artists += ax.plot(*places(model, found.vary, found.cusps), "o", color=BLACK, markersize=3.5)
     return [*artists, *_plane(ax, model, found)]
 
 
@@ -107,21 +103,20 @@ def draw_onset_curves(
     color = BLACK if found.damping else GREY
     styles = {"supercritical": "-", "subcritical": "--", "undecided": ":" if found.damping else "-"}
     for curve in found.curves:
-        across, up = _places(model, found.vary, curve)
+        across, up = places(model, found.vary, curve)
         for part in runs(curve.criticality):
-            artists += ax.plot(
-                across[part], up[part], styles[str(curve.criticality[part][0])], color=color
-            )
-    changes = [model.column(name).size * found.changes[name] for name in found.vary]
-    for labels, places, marker, aside in (
-        (["GH"] * len(changes[0]), changes, "o", (3, 3)),
-        (found.points.kind.tolist(), _places(model, found.vary, found.points), "s", (3, -9)),
+            style = styles[str(curve.criticality[part][0])]
+            artists += ax.plot(across[part], up[part], style, color=color)
+    for labels, points, marker, aside in (
+        (itertools.repeat("GH"), found.changes, "o", (3, 3)),
+        (found.points.kind, found.points, "s", (3, -9)),
     ):
-        artists += ax.plot(*places, marker, color=BLACK, markersize=3.5)
-        for text, position in zip(labels, zip(*places, strict=True), strict=True):
-            artists.append(
-                ax.annotate(text, position, aside, textcoords="offset points", fontsize="x-small")
-            )
+        positions = places(model, found.vary, points)
+        artists += ax.plot(*positions, marker, color=BLACK, markersize=3.5)
+        artists += [
+            ax.annotate(text, (x, y), aside, textcoords="offset points", fontsize="x-small")
+            for x, y, text in zip(*positions, labels, strict=False)
+        ]
     shown = shown or found.between
     if found.damping and found.curves:
         shade_oscillating(ax, found.points.parameters, found.vary, shown)
@@ -152,12 +147,11 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
     across, up, growth = sampled_by_sign(growth_at, (left, right), (low, high))
     if not (growth > 0).any():
         return
-    sizes = (p.model.column(name).size for name in vary)
-    places = [size * values for size, values in zip(sizes, (across, up), strict=True)]
+    grid = places(p.model, vary, dict(zip(vary, (across, up), strict=True)))
     # Colour of a part of a plane in which states are unstable.
     # Colour of a part in which their oscillations hardly grow.
     ax.contourf(
-        *places,
+        *grid,
         growth,
         levels=[0.0, NEUTRAL_GROWTH, np.inf],
         colors=["#fcf1ea", "#f7dfd0"],
@@ -166,7 +160,7 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
     # The name stands where the shade reaches farthest around.
     depth = distance_transform_edt(np.pad(growth > 0, 1))[1:-1, 1:-1]
     row, column = np.unravel_index(np.argmax(depth), depth.shape)
-    write_along(ax, "unstable", places[0][column], places[1][row], color=VERMILION, ha="center")
+    write_along(ax, "unstable", grid[0][column], grid[1][row], color=VERMILION, ha="center")
 
 
 def sampled_by_sign(
@@ -251,7 +245,7 @@ def stability_figure(found: OnsetCurves) -> Sheet:
     draw_onset_curves(found, ax)
     model = found.points.parameters.model
     if not found.curves and not len(found.points):
-        say(ax, _no("onsets", found.complete))
+        _say_none(ax, "onsets", found.complete)
     lines = " without damping: two modes meet."
     if found.damping:
         lines = """, supercritical on full lines, subcritical on dashed,
@@ -268,8 +262,8 @@ def _open(found: BifurcationSet | OnsetCurves) -> str:
     )
 
 
-def _no(what: str, complete: bool) -> str:
-    return f"no {what} here" if complete else f"no {what} found here; not complete"
+def _say_none(ax: Axes, what: str, complete: bool) -> None:
+    say(ax, f"no {what} here" if complete else f"no {what} found here; not complete")
 
 
 def draw_plane(
@@ -289,18 +283,15 @@ def draw_plane(
     draw_bifurcation_set(found, ax, color=VERMILION)
     _span(ax, model, vary, between)
     (left, right), (low, high) = (map(p.ranges[name].reached, between[name]) for name in vary)
-    inside = dict(
-        zip(
-            vary, (np.linspace(left, right, 400), np.linspace(low, high, 240)[:, None]), strict=True
-        )
-    )
+    grid = np.linspace(left, right, 400), np.linspace(low, high, 240)
     try:
-        count = ss.count(p.replace(**inside), method="closed")
+        inside = p.replace(**dict(zip(vary, np.meshgrid(*grid, sparse=True), strict=True)))
+        count = ss.count(inside, method="closed")
     except ModelError:
         return found, False
     if (count == 3).any():
-        places = (model.column(name).size * values.ravel() for name, values in inside.items())
-        ax.contourf(*places, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
+        across, up = places(model, vary, dict(zip(vary, grid, strict=True)))
+        ax.contourf(across, up, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
     return found, True
 
 
@@ -335,10 +326,8 @@ def bifurcation_figure(
     if onsets is not None:
         draw_onset_curves(onsets, ax)
     if not (found.curves or len(found.cusps) or onsets):
-        say(
-            ax,
-            _no("folds and cusps" if onsets is None else "folds, cusps and onsets", found.complete),
-        )
+        what = "folds and cusps" if onsets is None else "folds, cusps and onsets"
+        _say_none(ax, what, found.complete)
     fixed = [name for name in model.balanced if name not in found.vary]
     at = ", ".join(
         f"{LETTERS.get(name, name)} = {value:g}"

@@ -10,15 +10,16 @@ import re
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.container import BarContainer
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
+from matplotlib.style import context
 
 import spragsym as ss
 
@@ -244,26 +245,23 @@ def _of_motion(report: Facts, lives: Oscillation) -> Rows:
     time = report.study.scales.time
     name = report.study.kind.model.coordinates[0]
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
-    up, speed = (
-        ("speed along the belt in m/s", 1e-3 * size / time)
-        if unit == "mm"
-        else (f"rate of {name} in deg/s", size / time)
+    what, speed = f"rate of {name}", (f"rate of {name} in deg/s", size / time)
+    if unit == "mm":
+        what, speed = "speed along the belt", ("speed along the belt in m/s", 1e-3 * size / time)
+    place = f"{name} in {unit}", size
+    yield (
+        picture(partial(draw_phase, motion, shown=(place, speed))),
+        f"The oscillation: {what} over {name}, one closed curve a cycle. "
+        "Dotted: the speed of the belt.",
     )
-    phase = partial(draw_phase, motion, length=size, speed=speed, labels=(f"{name} in {unit}", up))
-    caption = (
-        f"The oscillation: {up.partition(' in ')[0]} over {name}, one closed curve a cycle. "
-        "Dotted: the speed of the belt."
-    )
-    yield picture(phase), caption
-    across, hertz = ("kHz", 1e-3) if lives.frequency_hz >= 1e3 else ("Hz", 1.0)
-    labels = f"frequency in {across}", f"amplitude of {name} in {unit}"
-    shown = {"length": size, "frequency": hertz / time, "labels": labels}
+    unit_of_rate, hertz = ("kHz", 1e-3) if lives.frequency_hz >= 1e3 else ("Hz", 1.0)
+    shown = (f"frequency in {unit_of_rate}", hertz / time), (f"amplitude of {place[0]}", size)
     if lives.kind == "cycle":
-        stems = partial(draw_harmonics, lives.motion, name, **shown)
-        what = f"{name} moves at multiples of {lives.frequency_hz * hertz:.4g} {across} alone"
+        what = f"{name} moves at multiples of {lives.frequency_hz * hertz:.4g} {unit_of_rate} alone"
+        stems = partial(draw_harmonics, lives.motion, name, shown=shown)
         yield picture(stems), f"Its spectrum: {what}."
     else:
-        spectrum = partial(draw_spectrum, motion, name, **shown)
+        spectrum = partial(draw_spectrum, motion, name, shown=shown)
         yield picture(spectrum), f"Its spectrum: the amplitude of {name} at each frequency."
 
 
@@ -271,24 +269,8 @@ def picture(draw: Callable[[Any], Any]) -> str:
     """A picture of one panel, without the head of a file; its ids are made from itself, so that no
     other has them.
     """
-    # Letters of a picture in a page: text in the page's own family, 13.6 pixels as its
-    # captions.
-    as_text: Any = {
-        "svg.fonttype": "none",
-        "font.family": "sans-serif",
-        "mathtext.fontset": "dejavusans",
-    } | dict.fromkeys(
-        (
-            "font.size",
-            "axes.labelsize",
-            "axes.titlesize",
-            "xtick.labelsize",
-            "ytick.labelsize",
-            "legend.fontsize",
-        ),
-        10.2,
-    )
-    with house_style(), rc_context(as_text):
+    letters = Path(__file__).with_name("page.mplstyle")  # of the page's own family and size
+    with house_style(), context(letters):
         figure, ax = single(4.6, 3.3)
         draw(ax)
         text = content(figure, "svg").decode()

@@ -19,6 +19,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
+from matplotlib.style import context
 from matplotlib.ticker import AutoLocator, FixedLocator
 from numpy.typing import ArrayLike, NDArray
 
@@ -27,8 +28,8 @@ from ..article.assumed import Parameters
 from ..display import Column
 from ..files.storage import put
 from ..models import Model
-from ..models.parameters import ParameterSet, Ranges, largest
-from ..results import EquilibriumType, Points
+from ..models.parameters import FloatArray, ParameterSet, Ranges, largest
+from ..results import EquilibriumType, Points, Result
 
 if TYPE_CHECKING:
     from matplotlib.text import Text
@@ -82,39 +83,14 @@ class Sheet(Figure):
             return picture(self, "png", dpi=150)
 
 
+#: Settings of matplotlib.
+_SETTINGS = Path(__file__).with_name("house.mplstyle")
+
+
 @contextmanager
 def house_style() -> Iterator[None]:
     """The house style for as long as the context lasts."""
-    settings: dict[str, Any] = {
-        "font.family": "STIXGeneral",
-        "mathtext.fontset": "stix",
-        "font.size": 9,
-        "axes.labelsize": 9,
-        "axes.titlesize": 9,
-        "axes.linewidth": 0.6,
-        "axes.spines.top": False,
-        "axes.spines.right": False,
-        "xtick.labelsize": 8,
-        "ytick.labelsize": 8,
-        "xtick.major.width": 0.6,
-        "ytick.major.width": 0.6,
-        "lines.linewidth": 1.3,
-        "lines.solid_capstyle": "butt",
-        "legend.frameon": False,
-        "grid.linewidth": 0.3,  # there is one in three dimensions
-        "grid.color": "#cccccc",
-        "axes3d.xaxis.panecolor": "none",
-        "axes3d.yaxis.panecolor": "none",
-        "axes3d.zaxis.panecolor": "none",
-        "legend.fontsize": 8,
-        "figure.dpi": 150,
-        "savefig.dpi": 300,
-        "pdf.fonttype": 42,
-        "svg.hashsalt": "spragsym",  # without a salt the ids in an SVG file are random
-        "svg.fonttype": "path",
-    }
-    style: Any = settings  # matplotlib's type for it lists every setting by name
-    with matplotlib.rc_context(style):
+    with context(_SETTINGS):
         yield
         interactive = matplotlib.is_interactive()
     # A notebook turns it on when pyplot is first imported, perhaps in here.
@@ -163,6 +139,21 @@ def runs(kinds: NDArray[Any]) -> list[slice]:
     """Stretches of one kind, each with the first point of the next, so that no gap shows."""
     cuts = [0, *(1 + np.flatnonzero(kinds[1:] != kinds[:-1])), len(kinds)]
     return [slice(begin, end + 1) for begin, end in itertools.pairwise(cuts)]
+
+
+def denser_at_ends(low: Any, high: Any, inset: float, n: int) -> FloatArray:
+    """Values between two ends, or a column of them between each two, a share of the range within;
+    denser there, where curves turn back like a square root.
+    """
+    share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(inset, 1 - inset, n))
+    return low + np.multiply.outer(share, np.subtract(high, low))
+
+
+def places(
+    model: Model, names: Sequence[str], of: Result | Mapping[str, FloatArray]
+) -> list[FloatArray]:
+    """Columns as axes show them: angles in degrees."""
+    return [model.column(name).size * of[name] for name in names]
 
 
 def own_axes(ax: Axes | None) -> Axes:

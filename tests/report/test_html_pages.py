@@ -114,7 +114,7 @@ def test_stems_hold_all_of_a_cycle() -> None:
     pyplot = pytest.importorskip("matplotlib.pyplot")
     cycle = ss.cycle(ss.load("stick_slip").Parameters(V=0.5))
     _, ax = pyplot.subplots()
-    stems = draw_harmonics(cycle, "x", ax, length=10.0, frequency=2.0)
+    stems = draw_harmonics(cycle, "x", ax, shown=(("f", 2.0), ("x", 10.0)))
     ends = np.array([end for _, end in stems.get_segments()])
     n = np.arange(1, len(ends) + 1)
     np.testing.assert_allclose(ends[:, 0], 2.0 * n / cycle.period, rtol=1e-12)

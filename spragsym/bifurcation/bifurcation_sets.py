@@ -726,16 +726,13 @@ class FoldCurves:
         wide = ends_around(states, room)
         slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]
         reach = contractors.distance(wide, states)[free, columns]
-        step = contractors.newton(
-            self._values(states), Intervals(slopes), states[free, columns], reach
-        )
-        closed = on_side(self.system, self.system.fixed(states.shape[1]), wide)[0]
+        given = self.system.fixed(states.shape[1])
+        values = self.system.residuals(Intervals.point(states), given)
+        step = contractors.newton(values, Intervals(slopes), states[free, columns], reach)
+        closed = on_side(self.system, given, wide)[0]
         good = closed & contractors.inside(step.ends, wide[:, free, columns])
         wide[:, free, columns] = np.fmin(step.ends, wide[:, free, columns])
         return wide, good
-
-    def _values(self, states: FloatArray) -> Intervals:
-        return self.system.residuals(Intervals.point(states), self.system.fixed(states.shape[1]))
 
     def _slopes(self, states: Intervals) -> Intervals:
         with quiet():

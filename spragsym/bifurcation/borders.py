@@ -181,8 +181,7 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     with quiet():
         system = Augmented(family, touch(number))
         slopes = system.jacobian(Intervals(ends), system.fixed(1))
-        rows = [[slopes[i, j] for j in range(len(z))] for i in range(len(z))]
-        opens = int(as_intervals(determinant(rows), (1,)).signs[0])
+        opens = int(as_intervals(determinant([*map(list, slopes)]), (1,)).signs[0])
     opens *= int(_signs(closed, family, ends)[0])
     if not opens:
         raise ConvergenceError("whether the gap opens with the parameter is not known")

@@ -134,10 +134,8 @@ def _enclosed(
     """Boxes around border points from small ones, and where it is proved that there is
     one, and no other in a box.
     """
-    count = len(wide[0])
     with quiet():
         step = stepped(system, wide, given).ends
         slopes = system.jacobian(Intervals(np.maximum(box, wide)), given)
-    rows = [[slopes[i, j] for j in range(count)] for i in range(count)]
-    regular = as_intervals(determinant(rows), wide.shape[2:]).signs != 0
+    regular = as_intervals(determinant([*map(list, slopes)]), wide.shape[2:]).signs != 0
     return step, regular & contractors.inside(step, wide)

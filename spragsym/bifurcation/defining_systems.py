@@ -35,7 +35,6 @@ from ..numerics.arithmetic import (
     coupled,
     determinant,
     hurwitz,
-    is_zero,
     part_of,
     pencil,
     resultant,
@@ -55,14 +54,14 @@ from ..numerics.jets import Jet, constant, gradient, is_linear, variables
 from ..numerics.plans import LineTapes
 from ..numerics.polynomials import derivative
 from ..numerics.tape import Tape
-from ..statics.balance import ENDLESS, Balance, direction_entries, no_direction
+from ..statics.balance import Balance, direction_entries, no_direction
 from ..statics.forces import Evaluation, Values
 from ..statics.namespaces import XP
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import refined_in_digits
 from ..statics.regions import requested_region
 from ..statics.search import balances_of
-from ..statics.systems import Boxes, Entries, StateSystem, at_anchors
+from ..statics.systems import ENDLESS, Boxes, Entries, StateSystem, at_anchors
 
 #: Arcs of directions, π/16 wide, looked at one by one: 32 are a full turn, one more covers what
 #: rounding leaves.
@@ -331,13 +330,6 @@ def blocks_of(
     at = _of_structure(family)
     with quiet():
         return coupled(at.slopes, *([at.mass(), by_rates(at)] if by_rates else []))
-
-
-def damped_coordinates(family: Family) -> frozenset[int]:
-    """The coordinates in whose balance a rate damps, by structure."""
-    with quiet():
-        C = _of_structure(family).damping()
-    return frozenset(i for i, row in enumerate(C) if not all(map(is_zero, row)))
 
 
 def _of_structure(family: Family) -> Evaluation:

@@ -38,9 +38,9 @@ from ..statics.search import balances_of, float_candidates, number_of
 from ..statics.stability import (
     comes_in_pairs,
     damped_by_friction_alone,
+    damped_entries,
     is_conservative,
     is_damped,
-    only_damped,
     slope_over,
 )
 from .borders import joined as together
@@ -53,7 +53,6 @@ from .defining_systems import (
     Condition,
     Family,
     blocks_of,
-    damped_coordinates,
     no_damping,
     undamped_mode,
     within_block,
@@ -184,7 +183,10 @@ class OnsetSystems:
         # With G the pair that crosses is none of a mode that nothing damps.
         along = None if balance.gyroscopic else damped_by_friction_alone(balance, over)
         slope = None if along is None else slope_over(balance, over)
-        only = only_damped(balance, over) if along is None and not balance.gyroscopic else along
+        entries, only = damped_entries(balance, over), along
+        if along is None and not balance.gyroscopic and len(entries) == 1:
+            row, column = entries[0]
+            only = row if row == column else None
         if damping is None:
             damping = (
                 is_damped(balance, over)
@@ -197,7 +199,7 @@ class OnsetSystems:
         blocks = blocks_of(family, Evaluation.by_rates if damping else Evaluation.gyroscopic)
         damped = frozenset[int]()
         if damping:  # dampers as good as 0 do not count beside what damps one coordinate alone
-            damped = damped_coordinates(family) if only is None else frozenset({only})
+            damped = frozenset(row for row, _ in entries) if only is None else frozenset({only})
         conservative = is_conservative(balance, over)
         sought = list[Sought]()
         for block in blocks:

@@ -35,6 +35,7 @@ from ..numerics.interval_arrays import (
 from ..numerics.jets import Jet, constant
 from ..statics.balance import PreciseBalance
 from ..statics.forces import Evaluation
+from ..statics.regions import halved
 from .defining_systems import FOLD, Augmented, Family
 
 
@@ -56,9 +57,7 @@ def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
             hulls = [ends[:, :, point == one].max(axis=2) for one in np.unique(point)]
             return np.stack(hulls, axis=2), np.unique(point)
         row = halving % number
-        middle = Intervals(ends).middle[row]
-        ends, point = np.repeat(ends, 2, axis=2), np.repeat(point, 2)
-        ends[1, row, ::2], ends[0, row, 1::2] = middle, -middle
+        ends, point = halved(Intervals(ends), row).ends, np.repeat(point, 2)
     return ends, point
 
 

@@ -614,9 +614,8 @@ class Tubes(ByColumn):
         """Sign of dv/ds for all states in places or tubes, 0 where it is not known; ``by_s`` is
         about dz/ds.
         """
-        slopes, about = self.over(tube), by_s.copy()
-        about[self.pivot] = 0.0
-        solved, _ = self._solved(slopes, slopes.rows[:, self.pivot], about)
+        slopes = self.over(tube)
+        solved, _ = self._solved(slopes, slopes.rows[:, self.pivot], by_s)
         return np.where(solved, np.sign(by_s[-1]), 0.0)
 
     def bends(self, tube: Place, by_s: FloatArray) -> FloatArray:
@@ -627,10 +626,9 @@ class Tubes(ByColumn):
         """
         if self.free or self.balance.factors:
             return np.zeros(tube.sure.size)
-        slopes, about = self.over(tube), by_s.copy()
-        about[self.pivot] = 0.0
-        _, off = self._solved(slopes, slopes.rows[:, self.pivot], about)
-        wide = np.zeros(by_s.shape)
+        slopes = self.over(tube)
+        _, off = self._solved(slopes, slopes.rows[:, self.pivot], by_s)
+        wide, about = np.zeros(by_s.shape), np.zeros(by_s.shape)
         wide[self.others] = off
         by_z = Intervals(ends_around(by_s, wide + np.spacing(np.abs(by_s) + wide)))
 
@@ -653,9 +651,11 @@ class Tubes(ByColumn):
     def _solved(
         self, slopes: Slopes, starts: Any, about: FloatArray
     ) -> tuple[BoolArray, FloatArray]:
-        """Where the solutions of slopes · x + starts = 0, ``about`` so large, have a last one of
-        that sign; how far each but the pivot may be off, infinite where nothing is known.
+        """Where the solutions of slopes · x + starts = 0 for all but the pivot, ``about`` so large,
+        have a last one of that sign; how far each may be off, infinite where nothing is known.
         """
+        about = about.copy()
+        about[self.pivot] = 0.0
         size = np.abs(about[-1])
         reach = np.tile(0.1 * size + 1e-12, (self.n, 1))
         off = np.full(reach.shape, np.inf)

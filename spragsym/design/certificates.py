@@ -347,8 +347,7 @@ class ClaimOfStates(Claim):
         box = Intervals.between(*corners)
         # None flutters, wherever a state is.
         never = claim == "no flutter" and all(
-            stability.without_flutter(balance, balance.prepared(box)).all()
-            for balance in self.balances
+            stability.is_conservative(balance, box) for balance in self.balances
         )
         self.whole = LocatedParts(*corners, np.array([never]), nowhere)
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -347,11 +347,9 @@ class Followed:
             found[rows] = ended
         return found.reshape(self.shape)
 
-    def _blocks(self) -> Iterator[Any]:
-        every = np.arange(self.begin.size)
-        # Points at a time.
-        block = 8192
-        return (every[first : first + block] for first in range(0, every.size, block))
+    def _blocks(self) -> list[IntArray]:
+        size, block = self.begin.size, 8192  # points at a time
+        return np.split(np.arange(size), range(block, size, block))
 
     def ends(self) -> Ends:
         """End of the state of each point."""

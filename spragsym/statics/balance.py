@@ -20,24 +20,18 @@ from ..models.quantities import Unit
 from ..numerics import balls, contractors, jets
 from ..numerics.arithmetic import Matrix, Number, is_zero
 from ..numerics.balls import ball
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, stacked
+from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals
 from ..numerics.plans import LineTapes
 from ..numerics.precise_roots import Digits
 from ..numerics.tape import Tape
 from .forces import Evaluation, Forces, Values, filled
-from .namespaces import FREE
-from .systems import Boxes, Entries, Linear, StateSystem, as_linear, at_anchors
+from .systems import Boxes, Entries, StateSystem, at_anchors, linear
 
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NEGLIGIBLE = 1e-290
-#: Lengths of which nothing is left in K.
-ENDLESS = Intervals.between([1e290], [1e308])
-
 #: The argument by which a length among the unknowns is measured, where there is one.
 SCALE = "l/scale"
 
-#: Rows of forces at a state.
-Rows: TypeAlias = Callable[[Evaluation], Sequence[Any]]
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
 
@@ -164,7 +158,7 @@ class Balance(Forces, StateSystem):
         lengths.
         """
         step = contractors.newton(
-            *self._linear(at, at.box.middle, Evaluation.forces, lambda at: at.slopes)
+            *linear(at, at.box.middle, Evaluation.forces, lambda at: at.slopes)
         )
         return np.fmin(step.ends, at.box.ends)
 
@@ -172,53 +166,8 @@ class Balance(Forces, StateSystem):
         """Bounds on each coordinate from its own row and from forces near 0, where slopes are
         unknown.
         """
-        given = self._linear(at, at.box.nearest_to_zero, Evaluation.rows, Evaluation.stiffness)
+        given = linear(at, at.box.nearest_to_zero, Evaluation.rows, Evaluation.stiffness)
         return np.fmin(contractors.by_rows(*given), at.box.ends)
-
-    def _linear(
-        self, at: Evaluation, near: FloatArray, forces: Rows, slopes: Callable[[Evaluation], Matrix]
-    ) -> Linear:
-        found = self.linear_rows(at, list(Intervals.point(near)), forces, slopes)
-        return as_linear(stacked(found, at.shape), at.box.ends, near)
-
-    def linear_rows(
-        self,
-        at: Evaluation,
-        near: Sequence[Any],
-        forces: Rows,
-        slopes: Callable[[Evaluation], Matrix],
-    ) -> list[Any]:
-        """Entries of :func:`linear`: by the generated slopes, where no length counts and no wave is
-        a free unknown.
-        """
-        if at.xp is FREE or self.torsions:  # forces of torsion springs contain a length
-            return linear_rows(at, near, forces)
-        # What directions change by goes with one over the length, and of these lengths that is 0 to
-        # rounding. So no law is asked for a derivative that its stiffness has in a sharper form.
-        lengths = range(2, 3 * self.springs, 3)
-        fixed = [ENDLESS if index in lengths else part for index, part in enumerate(at.directions)]
-        return _rows(at, near, forces, slopes(replace(at, fixed=fixed)))
-
-
-def linear(at: Evaluation, near: FloatArray, forces: Rows) -> Linear:
-    """Linear system that contractors take: forces at points of the boxes, slopes over the boxes,
-    the points and distances from them.
-
-    Directions and lengths are those of the boxes.
-    """
-    found = linear_rows(at, list(Intervals.point(near)), forces)
-    return as_linear(stacked(found, at.shape), at.box.ends, near)
-
-
-def linear_rows(at: Evaluation, near: Sequence[Any], forces: Rows) -> list[Any]:
-    """Entries of :func:`linear`: forces, and then their slopes, row by row."""
-    moved = replace(at, q=jets.variables(at.q, 1), fixed=at.directions)
-    return _rows(at, near, forces, [jets.gradient(row, len(at.q)) for row in forces(moved)])
-
-
-def _rows(at: Evaluation, near: Sequence[Any], forces: Rows, slopes: Matrix) -> list[Any]:
-    there = replace(at, q=near, fixed=at.directions)
-    return [*forces(there), *(entry for row in slopes for entry in row)]
 
 
 def direction_entries(spring: int) -> Entries:

@@ -43,9 +43,10 @@ from ..numerics.interval_arrays import (
     stacked,
     width_of,
 )
-from .balance import Balance, linear
+from .balance import Balance
 from .forces import Evaluation, Forces, as_intervals
 from .namespaces import FREE
+from .systems import linear
 
 #: The plane, as far as it is looked at.
 FARTHEST = 1e60
@@ -262,7 +263,7 @@ def _in_pieces(
         wide = np.flatnonzero((left.low < left.high).any(axis=1))
         if not wide.size or not owner.size or depth == most:
             break
-        left, owner = _halved(left, int(wide[depth % wide.size])), np.repeat(owner, 2)
+        left, owner = halved(left, int(wide[depth % wide.size])), np.repeat(owner, 2)
         ends, proved = _by_forces(balance, left)
         for part in np.flatnonzero(proved):
             hulls[:, :, owner[part]] = np.maximum(hulls[:, :, owner[part]], ends[:, :, part])
@@ -272,7 +273,7 @@ def _in_pieces(
     return np.where(done, hulls, np.maximum(by_scales, np.minimum(hulls, 10 * by_scales))), done
 
 
-def _halved(bounds: Intervals, row: int) -> Intervals:
+def halved(bounds: Intervals, row: int) -> Intervals:
     """Both halves of each box in one parameter, side by side."""
     ends = np.repeat(bounds.ends, 2, axis=2)
     middle = bounds.middle[row]

@@ -316,13 +316,6 @@ def _by_blocks(signs: Sequence[Int8Array], blocks: int) -> list[Sequence[Int8Arr
     return [signs[k * size : (k + 1) * size] for k in range(blocks)]
 
 
-def without_flutter(balance: Balance, parameters: Intervals) -> BoolArray:
-    """Parameters, of shape (…, N), for which all κ are real whatever the state is: K is symmetric,
-    or one number, and nothing gyroscopic acts.
-    """
-    return _symmetric(balance, parameters) & (not balance.gyroscopic)
-
-
 def _symmetric(balance: Balance, parameters: Intervals) -> BoolArray:
     """Parameters, of shape (…, N), for which K is symmetric whatever the state is."""
     shape = parameters.shape[1:]
@@ -558,17 +551,13 @@ def _signs_at(precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[Int8A
     return [np.array([*map(balls.sign, part)], dtype=np.int8)[:, None] for part in parts]
 
 
-def only_damped(balance: Balance, over: Intervals) -> int | None:
-    """The coordinate of the only entry of C that is not 0 by structure, on the diagonal; None if
-    there is no such, or others.
+def damped_entries(balance: Balance, over: Intervals) -> list[tuple[int, int]]:
+    """Rows and columns of the entries of C that are not 0 by structure.
 
     Dampers and slopes that are exactly 0 by the given parameters have no entry.
     """
     C = _damping(balance, over)
-    entries = [
-        (i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not is_zero(entry)
-    ]
-    return entries[0][0] if len(entries) == 1 and entries[0][0] == entries[0][1] else None
+    return [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not is_zero(entry)]
 
 
 def _damping(balance: Balance, over: Intervals, pushing: Pushing | None = None) -> Matrix:
@@ -618,10 +607,11 @@ def slope_over(balance: Balance, over: Intervals) -> Intervals:
 
 def is_conservative(balance: Balance, over: Intervals) -> bool:
     """Whether all κ are real all over the ranges, whatever the state is: K is symmetric, or one
-    number.
+    number, and nothing gyroscopic acts.
     """
     with quiet():
-        return bool(without_flutter(balance, balance.prepared(over)).all())
+        symmetric = _symmetric(balance, balance.prepared(over)).all()
+    return bool(symmetric and not balance.gyroscopic)
 
 
 def comes_in_pairs(balance: Balance, over: Intervals) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Hashable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
@@ -15,11 +15,11 @@ import numpy as np
 from ..numerics import contractors, jets, plans
 from ..numerics.arithmetic import Matrix, Number
 from ..numerics.boxes import EquationSystem
-from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape
+from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, Shape, stacked
 from ..numerics.plans import Border, Exclusions, LineTapes, Plan, Side
 from ..numerics.tape import NotRecorded, Tape, Tapes
 from .forces import Evaluation, Values
-from .namespaces import XP
+from .namespaces import FREE, XP
 from .options import SearchOptions
 
 if TYPE_CHECKING:
@@ -29,6 +29,10 @@ if TYPE_CHECKING:
 Rows: TypeAlias = Callable[..., Sequence[Any]]
 #: Entries with the key of their tape among those of a system.
 Entries: TypeAlias = tuple[Hashable, Rows]
+#: Rows at a state, of forces or of slopes.
+OfState: TypeAlias = Callable[[Evaluation], Sequence[Any]]
+#: Lengths of which nothing is left in K.
+ENDLESS = Intervals.between([1e290], [1e308])
 Linear: TypeAlias = tuple[Intervals, Intervals, FloatArray, FloatArray]
 
 
@@ -153,7 +157,7 @@ class StateSystem(EquationSystem):
             unknowns: Sequence[Number], near: Sequence[Number], parameters: Intervals
         ) -> Sequence[Any]:
             at = self.state(unknowns, parameters, balance.anywhere)
-            return balance.linear_rows(at, list(near), Evaluation.forces, lambda at: at.slopes)
+            return linear_rows(at, list(near), Evaluation.forces, lambda at: at.slopes)
 
         return "directed", rows
 
@@ -355,3 +359,35 @@ def as_linear(found: Intervals, ends: FloatArray, near: FloatArray) -> Linear:
     rows = found.shape[0] // (n + 1)
     slopes = Intervals(found.ends[:, rows:].reshape(2, rows, n, *shape))
     return found[:rows], slopes, near, contractors.distance(ends, near)
+
+
+def linear(
+    at: Evaluation, near: FloatArray, forces: OfState, slopes: OfState | None = None
+) -> Linear:
+    """Linear system that contractors take: forces at points of the boxes, slopes over the boxes,
+    the points and distances from them.
+
+    Directions and lengths are those of the boxes. Arguments as of :func:`linear_rows`.
+    """
+    found = linear_rows(at, list(Intervals.point(near)), forces, slopes)
+    return as_linear(stacked(found, at.shape), at.box.ends, near)
+
+
+def linear_rows(
+    at: Evaluation, near: Sequence[Any], forces: OfState, slopes: OfState | None = None
+) -> list[Any]:
+    """Entries of :func:`linear`: forces, and then their slopes, row by row; by the generated
+    ``slopes``, where there are some, no length counts and no wave is a free unknown.
+    """
+    fixed = at.directions
+    if slopes is None or at.xp is FREE or at.balance.torsions:  # their forces contain a length
+        moved = replace(at, q=jets.variables(at.q, 1), fixed=fixed)
+        rows: Matrix = [jets.gradient(row, len(at.q)) for row in forces(moved)]
+    else:
+        # What directions change by goes with one over the length, and of these lengths that is 0
+        # to rounding. So no law is asked for a derivative that its stiffness has in a sharper form.
+        lengths = range(2, 3 * at.balance.springs, 3)
+        far = [ENDLESS if index in lengths else part for index, part in enumerate(fixed)]
+        rows = slopes(replace(at, fixed=far))
+    there = replace(at, q=near, fixed=fixed)
+    return [*forces(there), *(entry for row in rows for entry in row)]

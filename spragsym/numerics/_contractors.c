@@ -1,12 +1,10 @@
-/* Contractors of many boxes, and what becomes of each box of a search: the same numbers, operation by operation, as contractors.py
- * and verdicts.py give, one box after the other.
+/* Contractors of many boxes: the same numbers, operation by operation, as contractors.py gives, one box after the other.
  *
  * inverse(matrices, n, to): inverses of matrices of floats, roughly, shape (n, n, N).
  * newton(values, slopes, middle, reach, n, by_rows, ends, noise, none)
- * judged(values, slopes, middle, given, boxes, wide, n, sharp, single, spent, rules, step, left, verdicts, along)
  *
  * Arrays are contiguous, of N boxes along the last axis: doubles of shape (2, n, N) with −low and high first, values so too, slopes
- * (2, n, n, N), middle, reach and noise (n, N); none, single, spent and verdicts bytes, along int64, of shape (N,).
+ * (2, n, n, N), middle, reach and noise (n, N); none bytes, of shape (N,).
  *
  * Rounding: see _rounding.h. NaN bounds nothing, so that every comparison from which something is concluded is false with it. */
 #define PY_SSIZE_T_CLEAN
@@ -131,53 +129,8 @@ static PyObject *inverses(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
-static PyObject *judged(PyObject *module, PyObject *arguments) {
-    (void)module;
-    Py_buffer of[12];
-    int n;
-    int sharp;
-    rules by;
-    if (!PyArg_ParseTuple(arguments, "y*y*y*y*y*y*iiy*y*" RULES "w*w*w*w*", of, of + 1, of + 2, of + 3, of + 4, of + 5, &n, &sharp, of + 6, of + 7,
-            INTO_RULES(by), of + 8, of + 9, of + 10, of + 11)) {
-        return NULL;
-    }
-    const Py_ssize_t N = of[10].len;
-    const Py_ssize_t one = (Py_ssize_t)sizeof(double) * N * n;
-    const Py_ssize_t sizes[] = {2 * one, 2 * one * n, one, 2 * one, 2 * one, 2 * one, N, N, 2 * one, 2 * one, N, N * (Py_ssize_t)sizeof(int64_t)};
-    if (!fit(of, sizes, 12, n)) {
-        release(of, 12);
-        return NULL;
-    }
-    Py_BEGIN_ALLOW_THREADS for (Py_ssize_t i = 0; i < N; i++) {
-        box values;
-        box given;
-        box boxes;
-        box wide;
-        box step;
-        box now = {{{0.0}}};
-        matrix slopes;
-        vector middle;
-        take(of[0].buf, n, N, i, &values);
-        take_matrix(of[1].buf, n, N, i, &slopes);
-        take_vector(of[2].buf, n, N, i, middle);
-        take(of[3].buf, n, N, i, &given);
-        take(of[4].buf, n, N, i, &boxes);
-        take(of[5].buf, n, N, i, &wide);
-        int64_t along = 0;
-        const int verdict = judged_box(n, &by, sharp, ((const uint8_t *)of[6].buf)[i], ((const uint8_t *)of[7].buf)[i], &values, &slopes, middle,
-            &given, &boxes, &wide, &step, &now, &along);
-        put(&step, n, N, i, of[8].buf);
-        put(&now, n, N, i, of[9].buf);
-        ((uint8_t *)of[10].buf)[i] = (uint8_t)verdict;
-        ((int64_t *)of[11].buf)[i] = along;
-    }
-    Py_END_ALLOW_THREADS release(of, 12);
-    Py_RETURN_NONE;
-}
-
 static PyMethodDef methods[] = {{"newton", newton, METH_VARARGS, "A step of interval Newton for many boxes."},
     {"inverse", inverses, METH_VARARGS, "Inverses of matrices, roughly."},
-    {"judged", judged, METH_VARARGS, "What becomes of the boxes of a search."},
     {NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_contractors", NULL, -1, methods, NULL, NULL, NULL, NULL};

@@ -305,7 +305,7 @@ static int divided(int n, const rules *by, const box *before, const box *now, co
     return HALVED;
 }
 
-static int judged_box(int n, const rules *by, int sharp, int single, int spent, const box *values,
+static inline int judged_box(int n, const rules *by, int sharp, int single, int spent, const box *values,
     const matrix *slopes, const double *middle, const box *given, const box *boxes, const box *wide,
     box *step, box *now, int64_t *along) {
     vector reach;

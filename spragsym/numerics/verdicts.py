@@ -93,35 +93,7 @@ class Judged:
 
 
 def judged(boxes: Looked, rules: Rules) -> Judged:
-    """Verdicts by compiled code, where it was built."""
-    n, count = boxes.middle.shape
-    extension = contractors.compiled_for(n)
-    if extension is None:
-        return by_numpy(boxes, rules)
-    step, left = np.empty((2, 2, n, count))
-    verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=int)
-    extension.judged(
-        np.ascontiguousarray(boxes.values.ends),
-        np.ascontiguousarray(boxes.slopes.ends),
-        np.ascontiguousarray(boxes.middle),
-        np.ascontiguousarray(boxes.given),
-        np.ascontiguousarray(boxes.ends),
-        np.ascontiguousarray(boxes.wide),
-        n,
-        rules.sharp,
-        boxes.single,
-        boxes.spent,
-        rules.compiled,
-        step,
-        left,
-        verdicts,
-        along,
-    )
-    return Judged(step, left, verdicts, along)
-
-
-def by_numpy(boxes: Looked, rules: Rules) -> Judged:
-    """The same by NumPy."""
+    """Verdicts by NumPy, where no plan has them by compiled code."""
     middle, wide = boxes.middle, boxes.wide
     found = contractors.newton(
         boxes.values, boxes.slopes, middle, contractors.distance(wide, middle)

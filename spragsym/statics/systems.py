@@ -227,14 +227,11 @@ class StateSystem(EquationSystem):
     singular = False
 
     def plan(self, parameters: Intervals) -> Plan | None:
-        """Tapes of all that is asked of boxes, where parameters that are 0 are so at all nodes."""
-        nothing = (parameters.ends == 0).all(axis=0)
-        vanishes = nothing.any(axis=1)
-        # Parameters of nodes without points are NaN.
-        others = ~nothing & ~np.isnan(parameters.ends).any(axis=0)
-        if plans.compiled_for(self.n) is None or others[vanishes].any():
+        """Tapes of all that is asked of boxes."""
+        if plans.compiled_for(self.n) is None:
             return None
-        vanishing = vanishes.tolist()
+        # Parameters of nodes without points are NaN.
+        vanishing = self.balance.vanishing(Intervals(np.nan_to_num(parameters.ends)))
         key = *vanishing, *self.borders(), self.singular
         if key not in self.tapes.plans:
             try:

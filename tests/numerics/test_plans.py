@@ -26,7 +26,7 @@ from spragsym.bifurcation.defining_systems import (
 )
 from spragsym.bifurcation.points import Logarithmic
 from spragsym.bifurcation.singularities import cusp_off_mirrors
-from spragsym.numerics import boxes, plans, tape
+from spragsym.numerics import boxes, certified_roots, plans, tape
 from spragsym.numerics.interval_arrays import FloatArray, Intervals, quiet
 from spragsym.statics.balance import Balance
 from spragsym.statics.systems import StateSystem
@@ -129,7 +129,7 @@ def test_many_points_are_searched_as_by_numpy(name: str, monkeypatch: pytest.Mon
     region = np.full((2, system.n, 12), 1.0) * rng.uniform(1.0, 2.0, 12)
     found = compared(name, monkeypatch, system, region, points, points, budget=40)
     assert np.unique(found.unique.nodes).size > 1
-    # Over boxes of parameters, and where one of them is 0 at some points only, without a plan.
+    # Over boxes of parameters.
     compared(name, monkeypatch, system, region, points, points + 1e-3, budget=40)
     # Where one is 0 at all points, with a plan, though some nodes are of no points.
     gone = points.copy()
@@ -137,10 +137,19 @@ def test_many_points_are_searched_as_by_numpy(name: str, monkeypatch: pytest.Mon
     compared(name, monkeypatch, system, region, gone, gone, budget=40)
     with quiet():
         assert system.plan(system.prepared(boxes.tree(gone, gone).bounds)) is not None
-    points[0, ::2] = 0.0
+    # Where it is 0 at some points only, the roots are those of each point alone.
+    mixed = np.where(np.arange(12) % 2, points, gone)
     with quiet():
-        bounds = Intervals.between(points, points)
-        assert system.plan(bounds) is None or not system.balance.vanishing(bounds[:, :1])[0]
+        assert system.plan(system.prepared(boxes.tree(mixed, mixed).bounds)) is not None
+    roots = certified_roots.search(system, region, mixed, mixed)
+    alone = [
+        certified_roots.search(system, *(part[..., k : k + 1] for part in (region, mixed, mixed)))
+        for k in range(12)
+    ]
+    assert not roots.undecided_point.size
+    assert np.bincount(roots.point, minlength=12).tolist() == [one.point.size for one in alone]
+    off = np.abs(roots.middle - np.concatenate([one.middle for one in alone], axis=1))
+    assert (off <= 1e-12 * (1 + np.abs(roots.middle))).all()
 
 
 def test_logarithms_are_searched_as_by_numpy(monkeypatch: pytest.MonkeyPatch) -> None:

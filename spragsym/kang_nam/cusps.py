@@ -18,7 +18,16 @@ from ..numerics.balls import Interval, as_mpf, as_numbers, atan2, decided, sign,
 from ..numerics.polynomials import RootOf, roots_on_the_line
 from ..results import Points
 from ..results.precise_states import CuspProof, PreciseCusp
-from .folds import STATE, Angles, SurfacePoint, in_contact, listed, unfolded, within
+from .folds import (
+    STATE,
+    Angles,
+    SurfacePoint,
+    cosines_of,
+    in_contact,
+    listed,
+    unfolded,
+    within,
+)
 from .kernel import FIXED
 from .parameters import Parameters
 
@@ -118,7 +127,7 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoin
     """
     alpha = exact[1]
     values = tuple(map(balls.exact, exact))
-    s, zero = sine.interval(), balls.exact(Fraction(0))
+    s = sine.interval()
     s0, friction = _catastrophe.cusp_sine(s, *values)
     L = _cusp_length(s, *values)
 
@@ -136,22 +145,19 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoin
     )
     if sides != (1, -1):
         return
-    leaning = _catastrophe.cusp_point(s, *values)[1] if alpha else zero
     upright = abs(sine.low) == abs(sine.high) == 1
-    width = zero if upright else balls.sqrt(1 - s * s)
     flat = sign_of(s, lambda s: s, "sin θ = 0 on a cusp") == 0
     flat0 = sign_of(s0, lambda s: _catastrophe.cusp_sine(s, *exact)[0], "sin θ₀ = 0 on a cusp") == 0
-    for c in (width,) if upright else (width, -width):
+    for c in cosines_of(s, 0 if upright else 1):
         if alpha:
-            cosines = [leaning * c]
+            cosines = [_catastrophe.cusp_point(s, *values)[1] * c]
         else:
-            gap = 1 - s0 * s0
             inside = sign_of(
-                gap, lambda s: 1 - _catastrophe.cusp_sine(s, *exact)[0] ** 2, "cos θ₀ = 0 on a cusp"
+                1 - s0 * s0,
+                lambda s: 1 - _catastrophe.cusp_sine(s, *exact)[0] ** 2,
+                "cos θ₀ = 0 on a cusp",
             )
-            cosines = (
-                [] if inside < 0 else [balls.sqrt(gap), -balls.sqrt(gap)] if inside else [zero]
-            )
+            cosines = cosines_of(s0, inside)
         for c0 in cosines:
             angles = (_angle_or_level(c0, s0, flat0), _angle_or_level(c, s, flat))
             yield SurfacePoint(

@@ -43,7 +43,7 @@ from ..numerics.polynomials import (
 from ..results import Result
 from . import kernel
 from .bifurcation_sets import CurveCondition, curves
-from .folds import SurfacePoint, listed, within
+from .folds import SurfacePoint, cosines_of, listed, within
 from .kernel import FIXED, Fixed
 from .only import of_article
 from .parameters import Parameters
@@ -371,8 +371,7 @@ def _at_length(
         above = elimination.sign_of(
             root, 1 - s0 * s0, gap, 2 * (_DEGREE_OF_LENGTH + 1), "sin θ₀ = 1"
         )
-        width = balls.sqrt(1 - s0 * s0) if above > 0 else balls.exact(Fraction(0))
-        cosines = {1: [width, -width], 0: [width], -1: []}[above]
+        cosines = cosines_of(s0, above)
         stationary = above == 0
     for c0 in cosines:
         L, x, y = kernel.state_of(c, s, c0, s0, kappa, *springs)

@@ -336,14 +336,21 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
             # With sin θ₀ = 1, B = 1 + β: f = f′ = 0 gives μ₀ s² c = B (1 − s³) + κ, so that c > 0
             # where μ₀ > 0, and μ₀ s (κ/σ − (1 − s)) = −c (B (1 − s) + κ) < 0: not in contact. For
             # μ₀ = 0 f = σ c (B s − B − κ) is 0 at c = 0 only, where f′ = σ κ.
-            gap = 1 - s0 * s0
             short = in_t(lambda c, s: 1 - sine(c, s), half)
-            inside = direction.root.sign_of(gap, short, degree, "sin θ₀ = 1 on a fold") > 0
-            cosines = [balls.sqrt(gap), -balls.sqrt(gap)] if inside else []
+            inside = direction.root.sign_of(1 - s0 * s0, short, degree, "sin θ₀ = 1 on a fold")
+            cosines = cosines_of(s0, inside)
         for c0 in cosines:
             angles = Angles(c, s, c0, s0)
             for point in in_contact(angles, *values):
                 yield _classified("theta0", point, angles, direction)
+
+
+def cosines_of(sine: Interval, inside: int) -> list[Interval]:
+    """Cosines of the angles with that sine, of which the sign of 1 − sin² is known."""
+    if inside <= 0:
+        return [balls.exact(Fraction(0))] if inside == 0 else []
+    cosine = balls.sqrt(1 - sine * sine)
+    return [cosine, -cosine]
 
 
 class Angles(NamedTuple):

@@ -9,7 +9,7 @@ import numpy as np
 from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
 from ..numerics import balls, polynomials
-from ..numerics.balls import Interval, as_floats, decided, sign, with_enough_bits
+from ..numerics.balls import as_floats, decided, sign, with_enough_bits
 from ..numerics.polynomials import RootOf, on_circle
 from ..results import CriticalLoad
 from . import kernel
@@ -65,28 +65,14 @@ def _lowest(*values: float) -> tuple[float, float, str, float]:
 
 def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[SurfacePoint, str]]:
     for point in proved_cusps(exact, bits):
-        if _leans_forward(point.parameters[0]) and not _negative(point.parameters[1]):
+        theta0, mu0, *_ = point.parameters
+        # Exactly 0 are θ₀ of a level cusp, and the friction of an upright one with α = 0.
+        inclined = any(balls.ends(theta0)) and decided(theta0, "θ₀ = 0 on a cusp") > 0
+        leans_forward = inclined and decided(balls.pi() - 2 * theta0, "θ₀ = π/2 on a cusp") > 0
+        if leans_forward and not (any(balls.ends(mu0)) and decided(mu0, "μ₀ = 0 on a cusp") < 0):
             yield point, "cusp"
     yield from ((point, "turn") for point in turning_points(exact, bits))
     yield from ((point, "end") for point in level_folds(exact, bits))
-
-
-def _leans_forward(theta0: Interval) -> bool:
-    """Whether 0 < θ₀ < π/2, of an angle in (−π, π]; exactly 0 and π are known as such."""
-    if not any(balls.ends(theta0)) or decided(theta0, "θ₀ = 0 on a cusp") < 0:
-        return False
-    return decided(balls.pi() - 2 * theta0, "θ₀ = π/2 on a cusp") > 0
-
-
-def _negative(mu0: Interval) -> bool:
-    """Whether the friction of a cusp is negative; 0, that of an upright one with α = 0, is known
-    exactly.
-    """
-    return any(balls.ends(mu0)) and decided(mu0, "μ₀ = 0 on a cusp") < 0
-
-
-# ------------------------------------------------------------------------ turns of the curve of
-# folds, and folds at θ₀ = 0
 
 
 def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[SurfacePoint]:

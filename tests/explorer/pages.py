@@ -35,6 +35,13 @@ def chromium() -> Iterator[Any]:
         browser.close()
 
 
+def window(browser: Any, **options: Any) -> Any:
+    """A window of a screen's size, without drawing in 3D."""
+    context = browser.new_context(viewport={"width": 1300, "height": 1000}, **options)
+    context.add_init_script(WITHOUT_WEBGL)
+    return context
+
+
 class Explorer:
     """One open page."""
 

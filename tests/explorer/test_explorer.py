@@ -22,12 +22,13 @@ from spragsym.explorer import explorer_page
 from spragsym.explorer.page import described
 from spragsym.kang_nam.parameters import NAMES
 from spragsym.models.load import shipped
-from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
+from tests.explorer.pages import Explorer, chromium, window
 from tests.support import ROOT
 
 ASSETS = ROOT / "spragsym" / "explorer" / "assets"
 SOURCES = ROOT / "explorer"
 NODE = shutil.which("node")
+BRAKE = ROOT / "spragsym" / "report" / "brake.toml"
 BASE = ss.Parameters.article()
 
 
@@ -85,17 +86,19 @@ def test_sliders_hold_allowed_values_on_both_sides_of_the_base() -> None:
         if model.refusal("explore"):
             continue
         for entry in described(model, [])["parameters"]:
-            low, high = (
-                math.radians(entry[end]) if entry["angle"] else entry[end]
-                for end in ("low", "high")
-            )
-            allowed, base = (
-                model.Parameters.ranges[entry["name"]],
-                model.base.get(entry["name"], high),
-            )
+            size = math.radians(1.0) if entry["angle"] else 1.0
+            low, high = size * entry["low"], size * entry["high"]
+            allowed = model.Parameters.ranges[entry["name"]]
             assert allowed.contains(low)
             assert allowed.contains(high)
-            assert low <= base <= high
+            assert low <= model.base.get(entry["name"], high) <= high
+
+
+def written(data: Path, out: Path, *words: str) -> str:
+    """The page that the command writes for the data of a file; its errors are raised."""
+    asked = ["--data", str(data), "--out", str(out), "--no-open", "--force", *words]
+    CliRunner().invoke(explore, asked, catch_exceptions=False)
+    return out.read_text(encoding="utf-8")
 
 
 @pytest.mark.thorough
@@ -103,12 +106,9 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     """The dimensionless numbers by hand from those of the example file, and a model that the page
     can't compute refused.
     """
-    data, out = ROOT / "spragsym" / "report" / "brake.toml", tmp_path / "mine.html"
-    assert (
-        CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"]).exit_code
-        == 0
-    )
-    (text,) = re.findall(r'id="data">(.*?)</script>', out.read_text(encoding="utf-8"))
+    out, other = tmp_path / "mine.html", tmp_path / "other.toml"
+    page = written(BRAKE, out)
+    (text,) = re.findall(r'id="data">(.*?)</script>', page)
     said = json.loads(text)
     force, second = 1500e3 * 0.038, math.sqrt(0.35 / 1500e3)
     wanted = {
@@ -135,36 +135,18 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     }
     for name, (quantity, value, unit) in given.items():
         assert units["parameters"][name] == [quantity, pytest.approx(value / wanted[name]), unit]
-    assert "Its damping is left out" in out.read_text(encoding="utf-8")
+    assert "Its damping is left out" in page
+    rows = BRAKE.read_text(encoding="utf-8")
     dampers = 'c_x = "1 N s/m"\nc_y = "7 N s/m"\nc_s = "0.7 N s/m"'
-    direct, plain = tmp_path / "direct.toml", tmp_path / "plain.toml"
-    (line,) = re.findall(r"^damping_ratio.*$", data.read_text(encoding="utf-8"), re.MULTILINE)
-    for path, instead in ((direct, dampers), (plain, "")):
-        path.write_text(data.read_text(encoding="utf-8").replace(line, instead), encoding="utf-8")
-        CliRunner().invoke(
-            explore, ["--data", str(path), "--out", str(out), "--no-open", "--force"]
-        )
-        left_out = "Its damping is left out" in out.read_text(encoding="utf-8")
-        assert left_out == (path is direct)
-    named = (
-        CliRunner()
-        .invoke(
-            explore, ["--data", str(data), "--model", "trolley", "--out", str(out), "--no-open"]
-        )
-        .exception
-    )
-    assert isinstance(named, ss.errors.ParameterError)
-    assert "is about kang_nam" in str(named)
-    other = tmp_path / "other.toml"
-    other.write_text(
-        data.read_text(encoding="utf-8").replace('"kang_nam"', '"nobody"'), encoding="utf-8"
-    )
-    problem = (
-        CliRunner()
-        .invoke(explore, ["--data", str(other), "--out", str(out), "--no-open", "--force"])
-        .exception
-    )
-    assert isinstance(problem, ss.errors.SpragsymError)
+    for instead in (dampers, ""):
+        changed = re.sub(r"^damping_ratio.*$", instead, rows, flags=re.MULTILINE)
+        other.write_text(changed, encoding="utf-8")
+        assert ("Its damping is left out" in written(other, out)) == bool(instead)
+    with pytest.raises(ss.errors.ParameterError, match="is about kang_nam"):
+        written(BRAKE, out, "--model", "trolley")
+    other.write_text(rows.replace('"kang_nam"', '"nobody"'), encoding="utf-8")
+    with pytest.raises(ss.errors.SpragsymError):
+        written(other, out)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -186,9 +168,7 @@ def browser() -> Iterator[Any]:
 
 @pytest.fixture(scope="module")
 def shared(browser: Any, url: str) -> Explorer:
-    context = browser.new_context(viewport={"width": 1300, "height": 1000}, reduced_motion="reduce")
-    context.add_init_script(WITHOUT_WEBGL)
-    return Explorer(context.new_page(), url)
+    return Explorer(window(browser, reduced_motion="reduce").new_page(), url)
 
 
 @pytest.fixture
@@ -236,10 +216,9 @@ def test_the_lowest_fold_is_said(explorer: Explorer, changes: dict[str, float]) 
 @pytest.mark.thorough
 def test_data_of_ones_own_is_typed_and_shown_in_its_units(browser: Any, tmp_path: Path) -> None:
     """Boxes, axes, states, starts and pace in newtons, millimetres and seconds, by hand."""
-    data, out = ROOT / "spragsym" / "report" / "brake.toml", tmp_path / "mine.html"
-    CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"])
-    context = browser.new_context(viewport={"width": 1300, "height": 1000})
-    context.add_init_script(WITHOUT_WEBGL)
+    out = tmp_path / "mine.html"
+    written(BRAKE, out)
+    context = window(browser)
     mine = Explorer(context.new_page(), out.as_uri())
     mine.open()
     page, force = mine.page, 1500e3 * 0.038
@@ -253,9 +232,8 @@ def test_data_of_ones_own_is_typed_and_shown_in_its_units(browser: Any, tmp_path
     row = page.inner_text("label[for=kappa]")
     assert "F_L" in row
     assert float(re.findall(r"κ = (\S+)", row)[0]) == pytest.approx(210 / force, rel=1e-4)
-    eq = ss.equilibria(
-        ss.Parameters(theta0=math.radians(52), mu0=0.45, kappa=210 / force, alpha=0.006, sigma=0.12)
-    )
+    p = ss.Parameters(theta0=math.radians(52), mu0=0.45, kappa=210 / force, alpha=0.006, sigma=0.12)
+    eq = ss.equilibria(p)
     place = page.locator("#states th").all_inner_texts().index("x in mm")
     cells = page.locator(f"#states tr td:nth-child({place + 1})").all_inner_texts()
     count = int(eq.count)
@@ -277,13 +255,7 @@ def test_data_of_ones_own_is_typed_and_shown_in_its_units(browser: Any, tmp_path
     assert float(pace.split()[0]) == pytest.approx(10 * second, rel=1e-2)
     assert pace.split()[1] == "s"
     page.click("#from_state")
-    state = 38 * float(
-        ss.equilibria(
-            ss.Parameters(
-                theta0=math.radians(52), mu0=0.45, kappa=420 / force, alpha=0.006, sigma=0.12
-            )
-        )["x"][0]
-    )
+    state = 38 * float(ss.equilibria(p.replace(kappa=420 / force))["x"][0])
     assert float(page.input_value("#x0")) == pytest.approx(state + 0.38, rel=1e-6)
     assert mine.errors == []
     context.close()
@@ -366,14 +338,11 @@ def test_words_and_rates_are_those_of_python(explorer: Explorer) -> None:
     Python's.
     """
     explorer.open("theta0_deg=30&mu0=0.5")
-    said = explorer.page.evaluate(
-        "[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => "
+    heads, *said = explorer.page.evaluate(
+        "[...document.querySelectorAll('#states tr')].map(r => [...r.cells].map(c => "
         "c.textContent.trim()))"
     )
-    heads = explorer.page.evaluate(
-        "[...document.querySelectorAll('#states th')].map(c => c.textContent)"
-    )
-    column = {name: [row[place] for row in said] for place, name in enumerate(heads)}
+    column = dict(zip(heads, zip(*said, strict=True), strict=True))
     rows = 0
     for contact, name in ((True, "contact"), (False, "lift-off")):
         eq = ss.equilibria(ss.Parameters.article(theta0=math.radians(30.0)), contact=contact)

@@ -10,25 +10,16 @@ import numpy as np
 import pytest
 
 from spragsym.derive import pages
-from spragsym.derive.statements import papers, reading, verdicts
+from spragsym.derive.statements import reading, verdicts
+from tests.oracles.printed import paper, rows
 
 PAGE = pages.read(Path(__file__).parents[2] / "validation/papers/falling_friction/page.py")
 CART = pages.read(Path(__file__).parents[2] / "validation/papers/cart_pole/page.py")
 SPEED = {"v": "v_0 - x'", "w": "x' - v_0"}
 
 
-def _rows(
-    model: pages.PageModel, renamed: dict[str, str], *texts: tuple[str, str]
-) -> list[verdicts.Row]:
-    statements = tuple(
-        papers.Statement(str(number), about, text, is_latex=True)
-        for number, (about, text) in enumerate(texts)
-    )
-    return verdicts.check(papers.Paper("", "", renamed, statements), model).rows
-
-
 def _only(text: str, about: str = "motion x") -> verdicts.Row:
-    return _rows(PAGE, SPEED, (about, text))[0]
+    return rows(PAGE, (about, text), renamed=SPEED)[0]
 
 
 @pytest.mark.parametrize(("print_", "order"), [(r"\mu'(v)", 1), (r"\mu''(w)", 2)])
@@ -37,8 +28,7 @@ def test_the_slope_of_a_friction_law_is_that_of_the_law(
     print_: str, order: int, about: str
 ) -> None:
     """In a motion on either side of the belt's speed, and at steady sliding: by differences."""
-    statement = papers.Statement("s", about, f"{print_} = 0", is_latex=True)
-    _, (item,) = reading.opened(papers.Paper("", "", SPEED, (statement,)), PAGE)
+    _, (item,) = reading.opened(paper([(about, f"{print_} = 0")], SPEED), PAGE)
     assert isinstance(item, reading.Item)
     at = item.values
     speed = at["v_0"] - at["vx"] if about == "motion x" else at["v_0"]
@@ -96,7 +86,11 @@ def test_a_name_that_is_defined_elsewhere_is_no_new_one() -> None:
         ("motion x", rf"p = m\dot x, \quad {motion}"),
         ("motion x", rf"p = 2m\dot x, \quad {motion}"),
     ]
-    assert [it.status for it in _rows(PAGE, SPEED, *texts)] == ["definition", "confirmed", "failed"]
+    assert [it.status for it in rows(PAGE, *texts, renamed=SPEED)] == [
+        "definition",
+        "confirmed",
+        "failed",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -122,9 +116,8 @@ def test_a_condition_beside_an_equation_has_to_hold_where_it_is_judged(
 
 def test_a_derivative_changes_sign_with_a_coordinate_that_is_reversed() -> None:
     """∂V/∂x is a force along x of the print, and f(x) is printed in it."""
-    rows = _rows(
+    found = rows(
         PAGE,
-        {},
         ("energy V", "U = kx^2/2 + k_3x^4/4"),
         ("motion x", r"m\ddot x + c\dot x + \frac{\partial U}{\partial x} + N_0\mu = 0"),
         ("definition", "f(x) = kx + k_3x^3"),
@@ -132,7 +125,7 @@ def test_a_derivative_changes_sign_with_a_coordinate_that_is_reversed() -> None:
         ("acceleration x", r"\ddot x = -\frac1m\frac{d}{dt}(c x) - f(x)/m - N_0\mu/m"),
         ("stiffness 1 1", "k_t = f'(x)"),
     )
-    assert [it.status for it in rows] == ["confirmed"] * 2 + ["definition"] + ["confirmed"] * 3
+    assert [it.status for it in found] == ["confirmed"] * 2 + ["definition"] + ["confirmed"] * 3
 
 
 def test_an_energy_counts_what_its_own_print_counts() -> None:
@@ -145,12 +138,14 @@ def test_an_energy_counts_what_its_own_print_counts() -> None:
             ("energy T", kinetic),
             ("motion x", motion + force),
         )
-        rows = _rows(CART, {}, *texts)
-        assert [it.status for it in rows] == ["confirmed"] * 3
+        found = rows(CART, *texts)
+        assert [it.status for it in found] == ["confirmed"] * 3
     words = {"V": "energy V", "T": "energy T"}
-    (row,) = _rows(CART, words, ("motion x", motion + "f"))
+    (row,) = rows(CART, ("motion x", motion + "f"), renamed=words)
     assert "may count the potential of a constant force" in row.evidence
-    (row,) = _rows(CART, words, ("mass 1 1", r"M_{11} = \frac{\partial^2T}{\partial\dot x^2}"))
+    (row,) = rows(
+        CART, ("mass 1 1", r"M_{11} = \frac{\partial^2T}{\partial\dot x^2}"), renamed=words
+    )
     assert row.status == "confirmed"
 
 
@@ -187,11 +182,9 @@ def test_a_derivative_by_another_coordinate_is_an_index() -> None:
     """As a term copied from the equation before."""
     kinetic = r"T = \frac12(m_c + m_p)\dot x^2 + m_pl\dot x\dot\theta\cos\theta + \frac12m_pl^2\dot\theta^2"
     left = r"\frac{d}{dt}\frac{\partial T}{\partial\dot\theta} - \frac{\partial T}{\partial x}"
-    rows = _rows(
-        CART, {}, ("energy T", kinetic), ("motion theta", left + r" + m_pgl\sin\theta = 0")
-    )
-    assert rows[1].repaired.startswith("diff(diff(T, vtheta), t) - diff(T, theta) +")
-    assert [edit["kind"] for edit in rows[1].edits] == ["index"]
+    found = rows(CART, ("energy T", kinetic), ("motion theta", left + r" + m_pgl\sin\theta = 0"))
+    assert found[1].repaired.startswith("diff(diff(T, vtheta), t) - diff(T, theta) +")
+    assert [edit["kind"] for edit in found[1].edits] == ["index"]
 
 
 def test_what_is_read_can_be_read_again() -> None:
@@ -204,22 +197,19 @@ def test_what_is_read_can_be_read_again() -> None:
         ("motion x", r"m\ddot x + c\dot x + \frac{dU}{dx} - N_0\mu(v_0) = N_0(\mu(v) - \mu(v_0))"),
         ("motion x", r"m\ddot x + c\dot x + \frac{d}{dt}(\frac{x}{1 + x^2}) = 0"),
     ]
-    rows = _rows(PAGE, SPEED, *texts)
-    assert [it.status for it in rows] == ["confirmed", "definition", *["confirmed"] * 3, "failed"]
-    again = tuple(papers.Statement(it.id, it.about, it.read, is_latex=False) for it in rows)
-    assert "at_rest(mu)" in again[4].text
-    others = verdicts.check(papers.Paper("", "", {}, again), PAGE).rows
-    assert [it.status for it in others] == [it.status for it in rows]
+    found = rows(PAGE, *texts, renamed=SPEED)
+    assert [it.status for it in found] == ["confirmed", "definition", *["confirmed"] * 3, "failed"]
+    assert "at_rest(mu)" in found[4].read
+    others = rows(PAGE, *((it.about, it.read) for it in found))
+    assert [it.status for it in others] == [it.status for it in found]
 
 
 def test_a_derivative_of_one_form_does_not_hinder_statements_in_the_other() -> None:
     """By a unit of the page, which is no number of its scaled form."""
-    statements = (
-        papers.Statement("1", "energy V", "U = kx^2/2 + k_3x^4/4", is_latex=True),
-        papers.Statement("2", "definition", r"q = \frac{\partial U}{\partial k}", is_latex=True),
-        papers.Statement(
-            "3", "motion x", "ax + c*vx + x + kappa_3*x**3 - mu", False, form="scaled"
-        ),
+    found = rows(
+        PAGE,
+        ("energy V", r"U = \frac{kx^2}{2} + k_3x^4/4"),
+        ("definition", r"q = \frac{\partial U}{\partial k}"),
+        ("motion x", "ax + c*vx + x + kappa_3*x**3 - mu", {"form": "scaled", "is_latex": False}),
     )
-    rows = verdicts.check(papers.Paper("", "", {}, statements), PAGE).rows
-    assert [it.status for it in rows] == ["confirmed", "definition", "confirmed"]
+    assert [it.status for it in found] == ["confirmed", "definition", "confirmed"]

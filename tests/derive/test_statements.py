@@ -22,6 +22,7 @@ from spragsym.derive.statements.tree import (
     read_sympy,
     to_sympy,
 )
+from tests.oracles.printed import paper, rows
 
 ARTICLE = pages.read(pages.SHIPPED / "kang_nam.py")
 COUPLING = pages.read(pages.SHIPPED / "mode_coupling.py")
@@ -30,8 +31,7 @@ COUPLING = pages.read(pages.SHIPPED / "mode_coupling.py")
 def _judged(
     about: str, text: str, form: str = "scaled", model: pages.PageModel = ARTICLE
 ) -> verdicts.Row:
-    statement = papers.Statement("s", about, text, is_latex=False, form=form)
-    (row,) = verdicts.check(papers.Paper("", "", {}, (statement,)), model).rows
+    (row,) = rows(model, (about, text), form=form)
     return row
 
 
@@ -140,8 +140,8 @@ def test_a_print_may_be_meant_to_first_order(sign: str, limit: str, status: str)
     """The force of an inclined spring is linear where all displacements are small together."""
     spring = f"sigma*cos(theta0)*(x*cos(theta0) {sign} y*sin(theta0))"
     text = f"ax + {spring} + alpha*x - mu*N = 0"
-    statement = papers.Statement("s", "motion x", text, False, form="scaled", limit=limit)
-    (row,) = verdicts.check(papers.Paper("", "", {}, (statement,)), ARTICLE, repair=False).rows
+    meant = paper([("motion x", text)], form="scaled", limit=limit)
+    (row,) = verdicts.check(meant, ARTICLE, repair=False).rows
     assert row.status == status
 
 
@@ -161,19 +161,15 @@ def test_a_value_with_a_factor_on_its_left_is_not_misread() -> None:
 @pytest.mark.thorough
 def test_a_coordinate_reversed_throughout_is_a_convention() -> None:
     """Two equations with x reversed hold in that convention; in one alone it is a misprint."""
-    texts = {
-        "motion x": "m*ax + k_x*x + k/2*(x + y) + mu*N",
-        "motion y": "m*ay + k_y*y + k_c*y + k/2*(y + x) + F_L",
-        "equilibrium y": "k_y*y + k_c*y + k/2*(y + x) + F_L",
-    }
-    statements = tuple(
-        papers.Statement(about, about, text, is_latex=False, form="units")
-        for about, text in texts.items()
-    )
-    found = verdicts.check(papers.Paper("", "", {}, statements), COUPLING)
+    texts = [
+        ("motion x", "m*ax + k_x*x + k/2*(x + y) + mu*N"),
+        ("motion y", "m*ay + k_y*y + k_c*y + k/2*(y + x) + F_L"),
+        ("equilibrium y", "k_y*y + k_c*y + k/2*(y + x) + F_L"),
+    ]
+    found = verdicts.check(paper(texts, form="units"), COUPLING)
     assert [row.status for row in found.rows] == ["confirmed"] * 3
     assert found.conventions == ("x of the print is -x of the page",)
-    (alone,) = verdicts.check(papers.Paper("", "", {}, statements[2:]), COUPLING).rows
+    (alone,) = rows(COUPLING, *texts[2:], form="units")
     assert (alone.status, alone.edits[0]["kind"]) == ("misprint", "sign")
 
 
@@ -258,34 +254,30 @@ def test_an_entry_that_is_not_judged_leaves_its_statement_unread() -> None:
 
 def test_a_name_whose_definition_has_no_meaning_in_a_form_is_unread() -> None:
     """A definition in quantities with units is none in the scaled form; one of it may be used."""
-    texts = [
-        ("definition", "h = k_c*x", "units"),
-        ("motion x", "ax + h = 0", "scaled"),
-        ("equilibrium x", "h + mu0*N = 0", "units"),
-    ]
-    statements = tuple(
-        papers.Statement(about, about, text, False, form=form) for about, text, form in texts
+    found = rows(
+        COUPLING,
+        ("definition", "h = k_c*x"),
+        ("motion x", "ax + h = 0", {"form": "scaled"}),
+        ("equilibrium x", "h + mu0*N = 0"),
+        form="units",
     )
-    rows = verdicts.check(papers.Paper("", "", {}, statements), COUPLING).rows
-    assert [row.status for row in rows][:2] == ["definition", "unread"]
-    assert "h is no name" in rows[1].evidence
-    assert rows[2].status in ("failed", "misprint")
+    assert [row.status for row in found][:2] == ["definition", "unread"]
+    assert "h is no name" in found[1].evidence
+    assert found[2].status in ("failed", "misprint")
 
 
 @pytest.mark.thorough
 def test_names_of_values_stand_for_what_is_derived() -> None:
     """A mistake is found where it stands, and not where the name is used."""
-    texts = {
-        "direction matrix": r"\mathbf{D} = \sigma \mathbf{I}",
-        "equilibrium": r"\mathbf{D}\begin{bmatrix}\cos\theta\\ \sin\theta\end{bmatrix} = \mathbf{b}",
-        "direction side": r"\mathbf{b} = \begin{bmatrix} 0 \\ 0 \end{bmatrix}",
-    }
-    statements = tuple(
-        papers.Statement(about, about, text, is_latex=True, form="scaled")
-        for about, text in texts.items()
+    angles = r"\begin{bmatrix}\cos\theta\\ \sin\theta\end{bmatrix}"
+    found = rows(
+        ARTICLE,
+        ("direction matrix", r"\mathbf{D} = \sigma \mathbf{I}"),
+        ("equilibrium", rf"\mathbf{{D}}{angles} = \mathbf{{b}}"),
+        ("direction side", r"\mathbf{b} = \begin{bmatrix} 0 \\ 0 \end{bmatrix}"),
+        form="scaled",
     )
-    found = verdicts.check(papers.Paper("", "", {}, statements), ARTICLE)
-    assert [row.status == "confirmed" for row in found.rows] == [False, True, False]
+    assert [row.status == "confirmed" for row in found] == [False, True, False]
 
 
 @pytest.mark.thorough
@@ -375,52 +367,44 @@ def test_two_edits_and_a_lost_term_with_brackets_are_found(
 def test_a_paper_is_repaired_and_held_against_another_page() -> None:
     """A repaired misprint is confirmed by its page, and fails without a repair by another one."""
     text = "m*ax - k_x*x + k/2*(x - y) = mu*N"
-    statement = papers.Statement("s", "motion x", text, False, form="units", expect="misprint")
-    paper = papers.Paper("", "", {}, (statement,))
-    right = verdicts.repaired(paper, COUPLING)
+    wrong = paper([("motion x", text)], form="units", expect="misprint")
+    right = verdicts.repaired(wrong, COUPLING)
     (row,) = verdicts.check(right, COUPLING, repair=False).rows
     assert row.status == "confirmed"
-    (row,) = verdicts.check(paper, COUPLING, repair=False).rows
+    (row,) = verdicts.check(wrong, COUPLING, repair=False).rows
     assert (row.status, row.repaired) == ("failed", "")
     assert row.difference
 
 
 def test_a_reversed_equation_may_be_divided_by_a_parameter() -> None:
     """x is counted the other way in two rows, of which one is over the mass: none is a misprint."""
-    texts = {
-        "motion x": "-ax - k_x/m*x - k/(2*m)*(x + y) - mu*N/m = 0",
-        "motion y": "m*ay + k_y*y + k_c*y + k/2*(y + x) + F_L = 0",
-    }
-    statements = tuple(
-        papers.Statement(about, about, text, is_latex=False, form="units")
-        for about, text in texts.items()
-    )
-    found = verdicts.check(papers.Paper("", "", {}, statements), COUPLING)
+    texts = [
+        ("motion x", "-ax - k_x/m*x - k/(2*m)*(x + y) - mu*N/m = 0"),
+        ("motion y", "m*ay + k_y*y + k_c*y + k/2*(y + x) + F_L = 0"),
+    ]
+    found = verdicts.check(paper(texts, form="units"), COUPLING)
     assert [row.status for row in found.rows] == ["confirmed", "confirmed"]
     assert found.conventions == ("x of the print is -x of the page",)
 
 
 def test_definitions_of_one_row_and_of_each_other() -> None:
     """Several names in a row, one value of two names, and a name before its own definition."""
-    texts = [
-        ("a", r"p_1 = k_x + k_y, \quad p_2 = p_3 = k/2", "definition"),
-        ("b", r"p_4 = p_5", "definition"),
-        ("c", r"p_5 = p_1 - k_y", "definition"),
-        ("d", r"m\ddot x + p_4 x + p_2 (x - y) - (p_3 - k/2) y = \mu N", "motion x"),
-        ("e", r"m\ddot x + p_4 x + p_2 (x + y) - (p_3 - k/2) y = \mu N", "motion x"),
-    ]
-    statements = tuple(
-        papers.Statement(one, about, text, is_latex=True, form="units")
-        for one, text, about in texts
+    found = rows(
+        COUPLING,
+        ("definition", r"p_1 = k_x + k_y, \quad p_2 = p_3 = k/2"),
+        ("definition", "p_4 = p_5"),
+        ("definition", "p_5 = p_1 - k_y"),
+        ("motion x", r"m\ddot x + p_4 x + p_2 (x - y) - (p_3 - k/2) y = \mu N"),
+        ("motion x", r"m\ddot x + p_4 x + p_2 (x + y) - (p_3 - k/2) y = \mu N"),
+        form="units",
     )
-    rows = verdicts.check(papers.Paper("", "", {}, statements), COUPLING).rows
-    assert [row.status for row in rows] == [*["definition"] * 3, "confirmed", "misprint"]
+    assert [row.status for row in found] == [*["definition"] * 3, "confirmed", "misprint"]
 
 
 def test_a_frequency_of_the_page_is_its_own() -> None:
     """Only where the page has no such name are powers of a frequency those of λ."""
-    one = papers.Statement("a", "characteristic", "frequency**2 - 1 = 0", False, form="scaled")
-    (item,) = reading.opened(papers.Paper("", "", {}, (one,)), COUPLING)[1]
+    one = paper([("characteristic", "frequency**2 - 1 = 0")], form="scaled")
+    (item,) = reading.opened(one, COUPLING)[1]
     assert isinstance(item, reading.Item)
     assert printed(item.equations[0].left) == "-lam**2 - 1"
 
@@ -428,26 +412,21 @@ def test_a_frequency_of_the_page_is_its_own() -> None:
 def test_nothing_rests_on_a_page_with_a_clock() -> None:
     """There is no state of it either."""
     forced = pages.read(pages.SHIPPED / "forced_oscillator.py")
-    statement = papers.Statement("a", "state x", "x = 0", is_latex=False)
-    (row,) = verdicts.check(papers.Paper("", "", {}, (statement,)), forced).rows
+    (row,) = rows(forced, ("state x", "x = 0"))
     assert row.status == "unread"
     assert "nothing rests on a page with a clock" in row.evidence
 
 
 def test_a_rate_is_0_of_constants_alone() -> None:
     """Of a length that moves, and of a name that the page has not, it is not read as 0."""
-    texts = {
-        "definition": r"w_0 = \sigma/\alpha",
-        "motion x": r"\frac{d}{dt}(w_0 x) = 0",
-        "motion y": r"\dot{L} + y = 0",
-        "energy V": r"V = \dot\phi",
-    }
-    statements = tuple(
-        papers.Statement(about, about, text, is_latex=True, form="scaled")
-        for about, text in texts.items()
-    )
-    paper = papers.Paper("", "", {r"\phi": "phi"}, statements)
-    _, constant, length, unknown = reading.opened(paper, ARTICLE)[1]
+    texts = [
+        ("definition", r"w_0 = \sigma/\alpha"),
+        ("motion x", r"\frac{d}{dt}(w_0 x) = 0"),
+        ("motion y", r"\dot{L} + y = 0"),
+        ("energy V", r"V = \dot\phi"),
+    ]
+    read = paper(texts, {r"\phi": "phi"}, form="scaled")
+    _, constant, length, unknown = reading.opened(read, ARTICLE)[1]
     assert isinstance(constant, reading.Item)
     assert printed(constant.equations[0].left) == "w_0*vx"
     assert isinstance(unknown, reading.Verdict)

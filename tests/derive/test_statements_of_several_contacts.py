@@ -9,7 +9,8 @@ import pytest
 pytest.importorskip("sympy")
 
 from spragsym.derive import pages
-from spragsym.derive.statements import papers, verdicts
+from spragsym.derive.statements import verdicts
+from tests.oracles.printed import rows
 
 NAMES = {r"\mu_u": "mu_upper", r"\mu_l": "mu_lower", "N_u": "N_upper", "N_l": "N_lower"}
 #: The moments of both faces of the disc, and its balance across where both touch.
@@ -23,8 +24,7 @@ def _page(name: str) -> pages.PageModel:
 
 
 def _judged(about: str, text: str, name: str = "disc_between_pads") -> verdicts.Row:
-    statement = papers.Statement("s", about, text, is_latex="\\" in text)
-    (row,) = verdicts.check(papers.Paper("", "", NAMES, (statement,)), _page(name)).rows
+    (row,) = rows(_page(name), (about, text), renamed=NAMES)
     return row
 
 

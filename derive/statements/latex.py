@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from . import tree
-from .lexer import Cursor, Token, Tokens, nested, split
+from .lexer import Cursor, Token, Tokens, nested, split, texts
 from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
 from .matrices import paired, product, quotient, shape_of, total
 from .names import AT_REST, Name, Names, moved
@@ -397,7 +397,7 @@ class _LatexReader:
         if here.text == "_":
             place = here.at
             here.take()
-            if [it.text for it in _argument(here)] != ["+"]:
+            if texts(_argument(here)) != ["+"]:
                 raise Unread("an index behind what has no name", place)
             value = Node("call", (node_of(value), ZERO), "max", (start, here.end))
         if here.text == "^":
@@ -412,7 +412,7 @@ class _LatexReader:
 
     def matrix_power(self, matrix: Matrix, exponent: Tokens, start: int) -> Matrix:
         """A matrix transposed, inverted or as it stands."""
-        match [it.text for it in _flat(exponent)]:
+        match texts(_flat(exponent)):
             case []:
                 return matrix
             case ["T" | r"\top" | "t"]:
@@ -439,7 +439,7 @@ class _LatexReader:
             return replace(determinant(table), at=it.at)
         if it.text == r"\langle":  # the positive part, in Macaulay's brackets
             return Node("call", (self.number(inside), ZERO), "max", it.at)
-        if it.text == r"\{" and [one.text for one in inside] in (["array"], ["matrix"]):
+        if it.text == r"\{" and texts(inside) in (["array"], ["matrix"]):
             it = inside[0]
         if it.text in (*_MATRICES, "cases"):
             return self.environment(it)
@@ -477,7 +477,7 @@ class _LatexReader:
         """A diagonal matrix by its entries, as \\mathrm{diag}(m, m); nothing is taken for none."""
         count = 2 if here.text in _ROMAN else 1
         following = here.items[here.place :][: count + 1]
-        word = "".join(it.text for it in _flat(following[:count])).removeprefix("\\")
+        word = "".join(texts(_flat(following[:count]))).removeprefix("\\")
         inside = _bracket(following[-1], ("(", "[", r"\{")) if following[count:] else None
         if word != "diag" or inside is None:
             return None
@@ -501,7 +501,7 @@ class _LatexReader:
         unread = (r"\quad", r"\qquad", r"\text", r"\mathrm", ",", ".")
         kept = [it for it in items if it.text not in unread]
         count = next((n for n, it in enumerate(kept) if it.text not in ("{", "i", "f")), len(kept))
-        word = "".join(it.text for it in _flat(kept[:count]))
+        word = "".join(texts(_flat(kept[:count])))
         if word in ("otherwise", "else") and count == len(kept):
             return Node("call", (ZERO, ZERO), "Eq", (place, place))
         if word not in ("", "if", "for", "when", "where"):
@@ -528,7 +528,7 @@ class _LatexReader:
             raise Unread(r"\log is natural or decadic; print \ln", here.at, ("log", "log10"))
         count, word = 1, text.removeprefix("\\")
         if text in _ROMAN:
-            count, word = 2, re.sub(r"[\W_]", "", "".join(it.text for it in _flat(following[:2])))
+            count, word = 2, re.sub(r"[\W_]", "", "".join(texts(_flat(following[:2]))))
         elif word not in FUNCTIONS:
             letters = "".join(
                 it.text if re.fullmatch("[a-z]", it.text) else " " for it in following
@@ -600,11 +600,9 @@ class _LatexReader:
             above, below = _argument(here), _argument(here)
         else:
             above, *behind = split(following, "/")
-            below = (
-                behind[0][: 4 if "^" in [it.text for it in behind[0][:3]] else 2] if behind else []
-            )
+            below = behind[0][: 4 if "^" in texts(behind[0][:3]) else 2] if behind else []
             here.place += len(above) + 1 + len(below)
-        up, down = ([it.text for it in _flat(part)] for part in (above, below))
+        up, down = (texts(_flat(part)) for part in (above, below))
         if len(down) < 2 or down[0] not in ("d", r"\partial") or up[:1] != down[:1]:
             here.place = begin
             return None
@@ -636,7 +634,7 @@ class _LatexReader:
         """A derivative of a name by another: of a function by its argument, else a partial one."""
         sign, *what = _inside(above)
         order = ONE
-        if [it.text for it in what[:1]] == ["^"]:
+        if texts(what[:1]) == ["^"]:
             order = self.number(what[1:2])
             what = what[2:]
         if not what and here.text == "(":
@@ -647,7 +645,7 @@ class _LatexReader:
             raise Unread("a derivative of what is no name; define it", start)
         steps: list[Tokens] = []
         for part in split(_inside(below), sign.text)[1:]:
-            times = part[-1].text if [it.text for it in part[-2:-1]] == ["^"] else ""
+            times = part[-1].text if texts(part[-2:-1]) == ["^"] else ""
             steps += [part[:-2]] * int(times) if times.isdigit() else [part]
         if str(len(steps)) != order.value:
             raise Unread("a derivative of this order is not read", start)
@@ -688,7 +686,7 @@ class _LatexReader:
         elif it.text in (*_ROMAN, *_BOLD, *_ACCENTS):
             argument = _argument(here)
             style = "" if it.text in _ROMAN else _ACCENTS.get(it.text, it.text) + " "
-            if [one.text for one in argument[:1]] in ([r"\dot"], [r"\ddot"]):
+            if texts(argument[:1]) in ([r"\dot"], [r"\ddot"]):
                 inner = self.only_name(argument)
                 name = inner and replace(inner, base=f"{style}{inner.base}")
             else:
@@ -696,7 +694,7 @@ class _LatexReader:
                 name = Name(f"{style}{word}")
         elif count := self.names.word(here.items, begin):
             here.place = begin + count
-            name = Name("".join(one.text for one in here.items[begin : here.place]))
+            name = Name("".join(texts(here.items[begin : here.place])))
         elif letters.fullmatch(it.text):
             name = Name(it.text.removeprefix("\\"))
         if name is None:
@@ -710,15 +708,15 @@ class _LatexReader:
                 name = replace(name, order=name.order + 1)
                 continue
             argument = _argument(here)
-            texts = [one.text for one in _flat(argument)]
-            label = "".join(text.removeprefix("\\") for text in texts)
-            primes = texts.count(r"\prime") + texts.count("'")
+            letters_of = texts(_flat(argument))
+            label = "".join(text.removeprefix("\\") for text in letters_of)
+            primes = letters_of.count(r"\prime") + letters_of.count("'")
             # What stands in the place of an exponent, and is an index.
             if sign == "_":
                 if name.sub:
                     raise Unread("two indices", place)
                 name = replace(name, sub=label)
-            elif primes and texts[:primes] == texts[:1] * primes:
+            elif primes and letters_of[:primes] == letters_of[:1] * primes:
                 name = replace(name, order=name.order + primes)
                 exponent = argument[primes:] or exponent
             elif label in ("*", "+", "-", "ast", "star") or (

@@ -26,6 +26,11 @@ class Token:
 Tokens = Sequence[Token]
 
 
+def texts(items: Tokens) -> list[str]:
+    """The tokens and brackets that stand in a row."""
+    return [it.text for it in items]
+
+
 def split(items: Tokens, *signs: str) -> list[list[Token]]:
     """Parts between signs."""
     parts: list[list[Token]] = [[]]

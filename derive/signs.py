@@ -5,6 +5,7 @@ a proof that it is not negative, or a witness that it is.
 import itertools
 import math
 import random
+from collections.abc import Mapping
 
 import sympy as sp
 from sympy import Expr, S, Symbol
@@ -103,7 +104,6 @@ def witness(model: Mechanics, expression: Expr) -> str:
 
     Floats propose a place, exact numbers confirm it.
     """
-    rng = random.Random(0)
     angles = {angle.symbol: angle for angle in model.angles}
     domains = {number(datum): interval(datum.domain) for datum in model.parameters}
     free = sorted(
@@ -111,12 +111,24 @@ def witness(model: Mechanics, expression: Expr) -> str:
         key=sp.default_sort_key,
     )
     domains |= {symbol: Interval(low=0.0 if symbol.is_positive else -math.inf) for symbol in free}
-    needed = [
-        symbol
-        for symbol in domains
-        if expression.free_symbols & ({symbol, *(angles[symbol].parts if symbol in angles else ())})
-    ]
-    by_floats = sp.lambdify([needed], _placed(expression, angles, {s: s for s in needed}), "math")
+    angled = _placed(expression, angles, {symbol: symbol for symbol in domains})
+    exact = negative_place(angled, domains)
+    if exact is None:
+        return ""
+    where = ", ".join(f"{_shown(symbol)} = {sp.N(one, 3)}" for symbol, one in exact.items())
+    value = sp.N(angled.subs(exact), 3)
+    return f"{f'at {where} ' * bool(where)}it is {value} times its scale"
+
+
+def negative_place(
+    expression: Expr, domains: Mapping[Symbol, Interval]
+) -> dict[Symbol, sp.Rational] | None:
+    """A place of the domains where an expression is negative; None if no place that was tried shows
+    it.
+    """
+    rng = random.Random(0)
+    needed = [symbol for symbol in domains if symbol in expression.free_symbols]
+    by_floats = sp.lambdify([needed], expression, "math")
     for trial in range(_TRIALS):
         point = [_drawn(rng, domains[symbol], trial) for symbol in needed]
         try:
@@ -126,11 +138,10 @@ def witness(model: Mechanics, expression: Expr) -> str:
         if not negative:
             continue
         exact = dict(zip(needed, (sp.Rational(str(one)) for one in point), strict=True))
-        value = _placed(expression, angles, exact)
+        value = expression.subs(exact)
         if value.is_number and value.is_negative:
-            where = ", ".join(f"{_shown(symbol)} = {sp.N(one, 3)}" for symbol, one in exact.items())
-            return f"{f'at {where} ' * bool(where)}it is {sp.N(value, 3)} times its scale"
-    return ""
+            return exact
+    return None
 
 
 def _shown(symbol: Symbol) -> str:

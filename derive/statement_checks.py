@@ -5,20 +5,18 @@ What is asked of forces and units is in :mod:`derive.physical_checks`. Each erro
 what was expected, and the remedy.
 """
 
-import itertools
 import keyword
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy import Expr, S, Symbol
 
-from . import reserved, units
+from . import reserved, signs, units
 from .emit.quantities import interval
 from .limits import Limit
 from .mechanics import DEPTH, SLIP
-from .model import Datum, Page, PageError, acceleration_of, expression_of, speed_of
+from .model import Page, PageError, acceleration_of, expression_of, speed_of
 from .units import Dimension
 
 #: So many letters has a name: MATLAB tells names apart by their first 63, of which generated code
@@ -276,39 +274,15 @@ def _is_negative(page: Page, value: Expr) -> bool:
 
 
 def _negative_place(page: Page, value: Expr) -> str:
-    """Place among ends, base values and places inside of all domains where an expression is
-    negative, in words; empty if nowhere.
-    """
-    data = [entry for entry in page.parameters if entry.symbol in value.free_symbols]
-    if value.is_nonnegative or value.free_symbols - {
-        entry.symbol for entry in (*page.units, *data)
-    }:
+    """A place of all domains where an expression of parameters is negative, in words."""
+    measures = {entry.symbol: S.One for entry in page.units}
+    domains = {entry.symbol: interval(entry.domain) for entry in page.parameters}
+    scaled = value.subs(measures)
+    if value.is_nonnegative or scaled.free_symbols - domains.keys():
         return ""
-    units = {entry.symbol: S.One for entry in page.units}
-    # Places at which the sign of a coefficient is looked at, and where a range without an
-    # end is ended for it.
-    for numbers in itertools.islice(itertools.product(*map(_places, data)), 2000):
-        at = value.subs(
-            units | {entry.symbol: number for entry, number in zip(data, numbers, strict=True)}
-        )
-        if at.is_number and at.is_negative:
-            return "at " + ", ".join(
-                f"{entry.symbol} = {sp.N(number, 3)}"
-                for entry, number in zip(data, numbers, strict=True)
-            )
-    return ""
-
-
-def _places(entry: Datum) -> list[sp.Rational]:
-    """Numbers of a domain: its base value, near its ends, and a few between."""
-    allowed = interval(entry.domain)
-    far = 1000.0
-    low = -far if allowed.low == -math.inf else allowed.low
-    high = far if allowed.high == math.inf else allowed.high
-    parts = [low + (high - low) * part for part in (0.01, 0.99, 0.5, 0.25, 0.75)]
-    return [
-        sp.Rational(str(number)) for number in ([] if entry.base is None else [entry.base]) + parts
-    ]
+    found = signs.negative_place(scaled, domains) or {}
+    where = ", ".join(f"{symbol} = {sp.N(number, 3)}" for symbol, number in found.items())
+    return where and f"at {where}"
 
 
 # ------------------------------------------------------------------------------------------------

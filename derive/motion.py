@@ -53,7 +53,7 @@ class Motion:
         each slows the sliding of each.
         """
         along = [self.along(it) for it in self.holding]
-        return sp.Matrix(along) * sp.Matrix([self.accelerated(row) for row in along]).T
+        return sp.Matrix(along) * sp.Matrix([self.over_mass(row) for row in along]).T
 
     def _coupled(self, index: int) -> list[int]:
         """The frictions that hold whose forces a constraint depends on: its own, and those that the
@@ -195,7 +195,7 @@ class Motion:
         """q″ in μ, or in the frictions that hold, and in the entries of the inverse of M where
         these are no quotients of parameters.
         """
-        return self.accelerated(self.forces)
+        return self.over_mass(self.forces)
 
     @cached_property
     def forces(self) -> Row:
@@ -208,7 +208,7 @@ class Motion:
             ]
         return tuple(rows)
 
-    def accelerated(self, forces: Row) -> Row:
+    def over_mass(self, forces: Row) -> Row:
         """M⁻¹ times forces."""
         if not self.is_coupled:
             return tuple(row / self.model.mass[i, i] for i, row in enumerate(forces))
@@ -500,13 +500,69 @@ class Motion:
         changes = zip((*it.coordinates, *it.rates), (*it.rates, *accelerations), strict=True)
         return sp.Add(*(it.derivative(expression, symbol) * value for symbol, value in changes))
 
+    # ---------------------------------------------------------------------------------------------
+    # what functions take
+
+    @property
+    def variables(self) -> Symbols:
+        """Coordinates and rates."""
+        return (*self.model.coordinates, *self.model.rates)
+
+    @property
+    def moving(self) -> Symbols:
+        """These and the parameters."""
+        return (*self.variables, *self.model.arguments)
+
+    @property
+    def accelerated(self) -> Symbols:
+        """The same with the accelerations."""
+        return (*self.variables, *self.named, *self.model.arguments)
+
+    @property
+    def sides(self) -> Symbols:
+        """SIDE of every friction."""
+        return tuple(friction.side for friction in self.model.frictions)
+
+    @property
+    def ways(self) -> Symbols:
+        """The ways on which torsion springs are counted."""
+        return tuple(torsion.way for torsion in self.model.torsions)
+
+    @property
+    def regime(self) -> Symbols:
+        """What smooth functions take: the numbers of a mode too, what pushes, the sides, and what
+        of the laws is felt.
+        """
+        near = (factor for friction in self.model.frictions for factor in laws.near(friction))
+        return (*self.moving, *self.model.pushings, *self.sides, *near)
+
+    @cached_property
+    def shorthands(self) -> Names:
+        """What stands in the accelerations, by its symbols."""
+        own = {**directions(self.model), **self.model.depths}
+        return {**own, **self.coefficients, **self.dry_friction, **self.solved}
+
+    def smooth(
+        self, name: str, summary: str, results: Results, returns: str, by: Symbols = ()
+    ) -> Function:
+        """A function in a smooth regime, continued beyond its borders."""
+        continued = {torsion.phi: torsion.continued for torsion in self.model.torsions}
+        names = self.shorthands | continued | self.turned(by)
+        return of_page(name, summary, (*self.regime, *self.ways), results, returns, names)
+
+    def rows_by(self, rows: Row, symbols: Symbols) -> tuple[Row, ...]:
+        """Derivatives of rows in a regime, each by all symbols."""
+        turns = [(symbol, self.turns(symbol)) for symbol in symbols]
+        return tuple(
+            tuple(self.derivative(row, symbol, turn) for symbol, turn in turns) for row in rows
+        )
+
 
 def _rows(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
     """Derivatives of the accelerations, a row for each."""
     columns = [motion.slopes(symbol) for symbol in symbols]
-    return tuple(
-        tuple(column[row] for column in columns) for row in range(len(motion.accelerations))
-    )
+    count = len(motion.accelerations)
+    return tuple(tuple(column[row] for column in columns) for row in range(count))
 
 
 def _slopes(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
@@ -538,61 +594,27 @@ def directions(model: Mechanics) -> Names:
     return found | {torsion.phi: torsion.least for torsion in model.torsions}
 
 
-def _mode(model: Mechanics) -> Symbols:
-    """Numbers of a mode that smooth functions take: what pushes, the sides, and what of the laws is
-    felt.
-    """
-    near = (factor for friction in model.frictions for factor in laws.near(friction))
-    return (*model.pushings, *_sides(model), *near)
-
-
-def _sides(model: Mechanics) -> Symbols:
-    return tuple(friction.side for friction in model.frictions)
-
-
 def outputs(model: Mechanics) -> Module:
     """Forces, energy and power of a motion with their derivatives, for an export as a whole."""
     motion = Motion(model)
-    variables = (*model.coordinates, *model.rates)
-    regime = (*variables, *model.arguments, *_mode(model))
-    taken = (*regime, *(torsion.way for torsion in model.torsions))
-    shorthands = {
-        **directions(model),
-        **model.depths,
-        **motion.coefficients,
-        **motion.dry_friction,
-        **motion.solved,
-        **{torsion.phi: torsion.continued for torsion in model.torsions},
-    }
     rows = tuple(motion.outputs.values())
-    symbols = (*variables, *map(number, model.parameters))
-    turns = [motion.turns(symbol) for symbol in symbols]
-    slopes = tuple(
-        tuple(
-            motion.derivative(row, symbol, turn)
-            for symbol, turn in zip(symbols, turns, strict=True)
-        )
-        for row in rows
-    )
+    symbols = (*motion.variables, *map(number, model.parameters))
     return Module(
         "outputs",
         "Forces, energy and power of a motion.",
         (
-            of_page(
+            motion.smooth(
                 "outputs",
                 "Forces, energy and power in a smooth regime.",
-                taken,
                 rows,
                 f"({', '.join(motion.outputs)})",
-                shorthands,
             ),
-            of_page(
+            motion.smooth(
                 "output_slopes",
                 "Their derivatives by coordinates, rates and parameters, an angle as the angle.",
-                taken,
-                slopes,
+                motion.rows_by(rows, symbols),
                 "((∂out_1/∂q_1, …, ∂out_1/∂v_1, …, ∂out_1/∂p_1, …), …)",
-                shorthands | motion.turned(symbols),
+                symbols,
             ),
         ),
     )
@@ -605,153 +627,115 @@ def module(model: Mechanics) -> Module:
         raise ArithmeticError(
             "the energy does not balance: the equations of motion are not those of the energies"
         )
-    variables = (*model.coordinates, *model.rates)
-    moving = (*variables, *model.arguments)
-    regime = (*moving, *_mode(model))
-    ways = tuple(torsion.way for torsion in model.torsions)
-    shorthands = {
-        **directions(model),
-        **model.depths,
-        **motion.coefficients,
-        **motion.dry_friction,
-        **motion.solved,
-    }
-    accelerations = motion.named
-    layers = tuple(layer for friction in model.frictions for layer in laws.layers(friction))
-    accelerated = (*variables, *accelerations, *model.arguments)
-    function = partial(of_page, shorthands=shorthands)
-
-    def smooth(
-        name: str, summary: str, results: Results, returns: str, by: Symbols = ()
-    ) -> Function:
-        continued = shorthands | {torsion.phi: torsion.continued for torsion in model.torsions}
-        continued |= motion.turned(by)
-        return of_page(name, summary, (*regime, *ways), results, returns, continued)
-
+    function, smooth = partial(of_page, shorthands=motion.shorthands), motion.smooth
     parameters = tuple(map(number, model.parameters))
-    jacobian = _rows(motion, variables)
-    by_parameters = _rows(motion, parameters)
-    turnings = tuple(torsion.border for torsion in model.torsions)
-    turns = (
-        ()
-        if not ways
-        else (
+    layers = tuple(layer for friction in model.frictions for layer in laws.layers(friction))
+    functions = [
+        _everywhere(motion),
+        smooth(
+            "regime_rhs",
+            "Accelerations in a smooth regime, continued beyond its borders.",
+            motion.accelerations,
+            "(q_1″, …)",
+        ),
+        smooth(
+            "regime_jacobian",
+            "Derivatives of regime_rhs by the coordinates and the rates.",
+            _rows(motion, motion.variables),
+            "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)",
+            motion.variables,
+        ),
+        smooth(
+            "regime_by_parameters",
+            "Derivatives of regime_rhs by all parameters, an angle as the angle.",
+            _rows(motion, parameters),
+            "((∂q_1″/∂p_1, …), …)",
+            parameters,
+        ),
+        *_kinks(motion),
+        function(
+            "layers",
+            "Minus the exponents of the sliding speed in the friction law: large where "
+            "they are not felt.",
+            (*motion.moving, *motion.sides),
+            layers,
+            "(z_1, …)",
+        ),
+        function(
+            "layer_rates",
+            "How they change along a motion with the given accelerations.",
+            (*motion.accelerated, *motion.sides),
+            tuple(motion.rate(layer, motion.named) for layer in layers),
+            "rates of (z_1, …)",
+        ),
+    ]
+    if model.torsions:
+        turnings = tuple(torsion.border for torsion in model.torsions)
+        functions += [
             function(
                 "turning_borders",
                 "Positive where a turning is counted on its way, from −0.93 to π times it.",
-                (*moving, *ways),
+                (*motion.moving, *motion.ways),
                 turnings,
                 "(b_1, …)",
             ),
             function(
                 "turning_rates",
                 "How they change along a motion.",
-                (*accelerated, *ways),
-                tuple(motion.rate(border, accelerations) for border in turnings),
+                (*motion.accelerated, *motion.ways),
+                tuple(motion.rate(border, motion.named) for border in turnings),
                 "rates of (b_1, …)",
             ),
-        )
-    )
-    ahead = "(ahead, behind)" if len(motion.holding) < 2 else "(ahead_1, behind_1, …)"
-    grips = (
-        (
+        ]
+    if model.holds:
+        margins = (motion.margins(it, motion.constraint(it)) for it in motion.holding)
+        functions += [
             smooth(
                 "grip",
-                "How far the force of friction that holds is from its limits, with the belt "
-                "and against it: positive while "
-                "it sticks.",
-                tuple(
-                    margin
-                    for it in motion.holding
-                    for margin in motion.margins(it, motion.constraint(it))
-                ),
-                ahead,
+                "How far the force of friction that holds is from its limits, with the belt and "
+                "against it: positive while it sticks.",
+                tuple(itertools.chain.from_iterable(margins)),
+                "(ahead, behind)" if len(motion.holding) < 2 else "(ahead_1, behind_1, …)",
             ),
             smooth(
                 "grip_slopes",
-                "Derivatives of the sliding speed, and of these while it sticks, by "
-                "coordinates, rates and all parameters.",
-                _slopes(motion, (*variables, *parameters)),
+                "Derivatives of the sliding speed, and of these while it sticks, by coordinates, "
+                "rates and all parameters.",
+                _slopes(motion, (*motion.variables, *parameters)),
                 "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)",
             ),
+        ]
+    functions += _stored(motion)
+    functions += [
+        function(
+            named("friction_force", friction),
+            f"The force of friction{on(friction)}, along what it opposes.",
+            motion.regime,
+            motion.friction_force(friction),
+            "force",
         )
-        if model.holds
-        else ()
+        for friction in model.frictions
+    ]
+    functions.append(
+        function(
+            "power_besides_friction",
+            "Rate at which dampers, and applied forces without a potential, change the energy.",
+            motion.moving if model.clock is None else (*motion.moving, *model.pushings),
+            motion.damper_power + motion.applied_power + motion.clock_power,
+            "power",
+        )
     )
+    if model.clock is not None:
+        rate = "The rate of the clock."
+        functions.append(of_page("clock", rate, model.arguments, model.speed, "rate"))
     return Module(
         "motion",
         "The equations of motion: everywhere, and in each regime in which they are smooth.",
-        (
-            *_everywhere(motion, moving, shorthands),
-            smooth(
-                "regime_rhs",
-                "Accelerations in a smooth regime, continued beyond its borders.",
-                motion.accelerations,
-                "(q_1″, …)",
-            ),
-            smooth(
-                "regime_jacobian",
-                "Derivatives of regime_rhs by the coordinates and the rates.",
-                jacobian,
-                "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)",
-                variables,
-            ),
-            smooth(
-                "regime_by_parameters",
-                "Derivatives of regime_rhs by all parameters, an angle as the angle.",
-                by_parameters,
-                "((∂q_1″/∂p_1, …), …)",
-                parameters,
-            ),
-            *_kinks(motion),
-            function(
-                "layers",
-                "Minus the exponents of the sliding speed in the friction law: large where "
-                "they are not felt.",
-                (*moving, *_sides(model)),
-                layers,
-                "(z_1, …)",
-            ),
-            function(
-                "layer_rates",
-                "How they change along a motion with the given accelerations.",
-                (*accelerated, *_sides(model)),
-                tuple(motion.rate(layer, accelerations) for layer in layers),
-                "rates of (z_1, …)",
-            ),
-            *turns,
-            *grips,
-            *_stored(motion, moving),
-            *(
-                function(
-                    named("friction_force", friction),
-                    f"The force of friction{on(friction)}, along what it opposes.",
-                    regime,
-                    motion.friction_force(friction),
-                    "force",
-                )
-                for friction in model.frictions
-            ),
-            function(
-                "power_besides_friction",
-                "Rate at which dampers, and applied forces without a potential, change the energy.",
-                moving if model.clock is None else (*moving, *model.pushings),
-                motion.damper_power + motion.applied_power + motion.clock_power,
-                "power",
-            ),
-            *_clock(model),
-        ),
+        tuple(functions),
     )
 
 
-def _clock(model: Mechanics) -> tuple[Function, ...]:
-    """The rate of the clock, of a model that has one."""
-    if model.clock is None:
-        return ()
-    return (of_page("clock", "The rate of the clock.", model.arguments, model.speed, "rate"),)
-
-
-def _everywhere(motion: Motion, moving: Symbols, shorthands: Names) -> tuple[Function, ...]:
+def _everywhere(motion: Motion) -> Function:
     """The kinked right-hand side."""
     model, signs = motion.model, Names()
     for contact, border in zip(model.contacts, motion.borders, strict=False):
@@ -762,76 +746,67 @@ def _everywhere(motion: Motion, moving: Symbols, shorthands: Names) -> tuple[Fun
     signs |= {friction.side: motion.side(friction) for friction in model.frictions}
     felt = {factor: S.One for it in model.frictions for factor in laws.near(it)}
     touches = all(contact.polynomial for contact in model.contacts)
-    return (
-        of_page(
-            "rhs",
-            "Accelerations, kinked where a border is zero: there those of "
-            f"{'contact' if touches else 'lift-off'}, and of the belt ahead.",
-            moving,
-            motion.accelerations,
-            "(q_1″, …)",
-            {**signs, **felt, **shorthands},
-        ),
+    return of_page(
+        "rhs",
+        "Accelerations, kinked where a border is zero: there those of "
+        f"{'contact' if touches else 'lift-off'}, and of the belt ahead.",
+        motion.moving,
+        motion.accelerations,
+        "(q_1″, …)",
+        {**signs, **felt, **motion.shorthands},
     )
 
 
-def _stored(motion: Motion, moving: Symbols) -> tuple[Function, ...]:
+def _stored(motion: Motion) -> tuple[Function, ...]:
     model = motion.model
-    shorthands = {**directions(model), **model.depths}
+    function = partial(of_page, shorthands={**directions(model), **model.depths})
     return (
-        of_page(
+        function(
             "energy",
             "Kinetic and stored energy, applied forces and contact included."
             if model.gyroscopic.is_zero_matrix and model.still == 0
             else "Jacobi's integral: the part of the kinetic energy quadratic in the rates, less "
             "that without rates, and stored energy, applied forces and contact included.",
-            (*moving, *model.pushings),
+            (*motion.moving, *model.pushings),
             motion.energy,
             "energy",
-            shorthands,
         ),
-        of_page(
+        function(
             "strain_energy",
             "Energy stored in springs, contact and potentials, without the applied forces.",
             (*model.coordinates, *model.arguments, *model.pushings),
             motion.strain_energy,
             "energy",
-            shorthands,
         ),
-        of_page(
+        function(
             "energy_besides_strain",
             "What the energy has besides strain_energy: of the rates, and of the applied forces.",
-            moving,
+            motion.moving,
             model.kinetic - motion.work,
             "energy",
-            shorthands,
         ),
     )
 
 
 def _kinks(motion: Motion) -> tuple[Function, ...]:
     """Every contact's border and every sliding speed."""
-    model, accelerations = motion.model, motion.named
-    variables = (*model.coordinates, *model.rates)
     gaps, slips = ("gap, slip", "gap and the sliding speed")
-    if len(model.contacts) > 1:
+    if len(motion.model.contacts) > 1:
         gaps, slips = "gap_1, …, slip_1, …", "gaps and the sliding speeds"
-    shorthands = directions(model)
+    function = partial(of_page, shorthands=directions(motion.model))
     return (
-        of_page(
+        function(
             "borders",
             f"The {slips}, each zero on a kink of the field; 1 where there is none.",
-            (*variables, *model.arguments),
+            motion.moving,
             motion.borders,
             gaps,
-            shorthands,
         ),
-        of_page(
+        function(
             "border_rates",
             "How the borders change along a motion with the given accelerations.",
-            (*variables, *accelerations, *model.arguments),
-            tuple(motion.rate(border, accelerations) for border in motion.borders),
+            motion.accelerated,
+            tuple(motion.rate(border, motion.named) for border in motion.borders),
             f"rates of {gaps}",
-            shorthands,
         ),
     )

@@ -22,31 +22,20 @@ from .unit_circles import ascending, in_half_angle, polynomial, require
 # quartic in L
 
 
-def cleared(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
-    """|adj(D) b|² − det(D)²."""
-    scaled = D.adjugate() * b
-    return sp.expand(scaled.dot(scaled) - D.det() ** 2)
-
-
-@cache
-def quartic_in_L() -> Row:
-    """Coefficients of (21) and (26), lowest power first: of |adj(D) b|² − det(D)² for the family in
-    n̄, in c0, s0 and the parameters.
-
-    This is (20) times det(D)²: adj(D) = det(D) D⁻¹, and |D⁻¹ b|² = bᵀ D⁻ᵀ D⁻¹ b = bᵀ (D Dᵀ)⁻¹ b.
-    """
-    return ascending(cleared(*equilibrium.matrix_form()), L)
-
-
 #: D and b in shorthands, for the family in n̄.
 MATRIX = sp.Matrix([[sigma - p * L, -M * L], [0, sigma - q * L]])
 RIGHT_SIDE = {b1: -alpha * c0 - M * s0, b2: -B * s0 - kappa}
 
 
 @cache
-def quartic_in_L_shorthand() -> Row:
-    """The same coefficients in terms of b₁, b₂, p, q and M, as (A1)–(A9) write them."""
-    coefficients = ascending(cleared(MATRIX, sp.Matrix([b1, b2])), L)
+def quartic_in_L() -> Row:
+    """Coefficients of (21) and (26), lowest power first: of |adj(D) b|² − det(D)² for the family in
+    n̄, in terms of b₁, b₂, p, q and M, as (A1)–(A9) write them.
+
+    This is (20) times det(D)²: adj(D) = det(D) D⁻¹, and |D⁻¹ b|² = bᵀ D⁻ᵀ D⁻¹ b = bᵀ (D Dᵀ)⁻¹ b.
+    """
+    scaled = MATRIX.adjugate() * sp.Matrix([b1, b2])
+    coefficients = ascending(sp.expand(scaled.dot(scaled) - MATRIX.det() ** 2), L)
     return tuple(sp.factor_terms(sp.collect(value, (b1, b2))) for value in coefficients)
 
 
@@ -148,7 +137,7 @@ def identities() -> dict[str, bool]:
     length, f = state()[L], f_in_parameters()
 
     # In contact; lift-off is the same with β − 1 for β and μ₀ = 0. M, B and κ stay symbols.
-    in_L = polynomial(quartic_in_L_shorthand(), L)
+    in_L = polynomial(quartic_in_L(), L)
     published = (q * s) ** 2 * in_L.subs(RIGHT_SIDE).subs(L, length)
     factored = (sigma - q * length) ** 2 * f * f.subs(c, -c)
 

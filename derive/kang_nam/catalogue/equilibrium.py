@@ -48,7 +48,7 @@ def _quartic(case: dict[sp.Symbol, int]) -> tuple[Row, Names]:
         2 * sigma * p * q * (p + q),
         -((p * q) ** 2),
     )
-    require_same("quartic in L", arranged, elimination.quartic_in_L_shorthand())
+    require_same("quartic in L", arranged, elimination.quartic_in_L())
     _, b = equilibrium.matrix_form()
     names = {
         **shorthands(case),

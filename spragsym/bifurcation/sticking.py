@@ -17,28 +17,27 @@ friction, at every h.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..core.questions import Method, question
-from ..models.forces import named, presses_either
-from ..models.model import Model
+from ..models.forces import named
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
-from ..numerics.interval_arrays import BoolArray, FloatArray, Intervals, quiet, scale_of
+from ..numerics.interval_arrays import Intervals, ends_around, scale_of
 from ..numerics.vectors import TURN, apart
 from ..results.points import Points, StickingStates
 from ..statics.balance import NEGLIGIBLE
-from ..statics.forces import Evaluation, as_intervals
-from ..statics.search import columns
+from ..statics.forces import Evaluation
 from .defining_systems import Augmented, Condition, Family, slope
 from .paths import QuasiStaticContinuation
 from .points import arranged, isolated, nothing
 from .shares import belt_speeds, held
 from .sticking_regions import NotLinear, line, region
-from .sticking_sets import sets
+from .sticking_sets import Patches, Touches, sets, sets_of
 
 
 @question
@@ -118,7 +117,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
             share,
             np.unique(np.concatenate([[-1.0, 1.0], *(points[share] for points in turns)])),
         )
-        return _sets(p, continuation, turns)
+        return _sets(p, Touches(model, own, True), continuation, turns)
     except ConvergenceError as error:
         raise ConvergenceError(
             "not all states of sticking are told apart over the share of the static "
@@ -146,39 +145,8 @@ def _turns(own: ParameterSet, share: str, index: int) -> Points:
     return isolated(family, system.condition, "turn")
 
 
-def _pressing(model: Model) -> int:
-    """The number of the contact on which the only friction that holds acts."""
-    (holding,) = (entry["name"] for entry in model.frictions if entry["holds"])
-    return [entry["name"] for entry in model.contacts].index(holding)
-
-
-def _pressed(continuation: QuasiStaticContinuation, q: FloatArray, error: FloatArray) -> BoolArray:
-    """Whether a given normal force presses at states, shape (n, states); everywhere where it is a
-    contact's.
-    """
-    shape, model = error.shape, continuation.balance.model
-    contact = _pressing(model)
-    if model.contacts[contact]["gap"] is not None or not error.size:
-        return np.ones(shape, dtype=bool)
-    room = error * scale_of(q)
-    given = np.repeat(
-        columns(
-            continuation.p.replace(**{continuation.vary: 0.0}), continuation.balance.parameters
-        ),
-        len(error),
-        1,
-    )
-    with quiet():
-        values = continuation.balance.over(Intervals.point(given))
-        at = continuation.balance.at(list(Intervals.between(q - room, q + room)), values, shape)
-        N = as_intervals(at.contact_force(contact, 1), shape)
-    if (N.holds_zero() & (N.magnitude > NEGLIGIBLE)).any():
-        raise ConvergenceError("whether a normal force presses a state of sticking is not known")
-    return N.low > 0
-
-
 def _sets(
-    p: ParameterSet, continuation: QuasiStaticContinuation, turns: Sequence[Points]
+    p: ParameterSet, it: Touches, continuation: QuasiStaticContinuation, turns: Sequence[Points]
 ) -> StickingStates:
     """Connected sets of states that are followed from node to node, with the folds and borders at
     which they end.
@@ -221,8 +189,8 @@ def _sets(
         for slot in sorted({*range(eq.count[node])} - {*goals}):
             link(node, slot, node - 1, ~continuation.vanishing(node, slot, node - 1))
     error = np.concatenate([eq.error[eq.states], continuation.turns.error])
-    either = presses_either(p.model.contacts[_pressing(p.model)])
-    pressed = np.ones(error.shape, dtype=bool) if either else _pressed(continuation, q, error)
+    ends, share = ends_around(q, error * scale_of(q)), np.zeros((1, error.size))
+    pressed = it.pressed(Patches(share, share, ends, ends, np.ones(error.size, dtype=bool)))
     sets = [labels == label for label in np.unique(labels[pressed])]
     if any(not pressed[one].all() for one in sets):
         raise ConvergenceError("the normal force is 0 in some of connected states of sticking")
@@ -235,17 +203,12 @@ def _sets(
         low[:, k], high[:, k] = low[:, k] - before, high[:, k] - before
         whole = [bool(comes_around[k, one].any()) for one in sets]
         low[whole, k], high[whole, k] = -0.5 * TURN, 0.5 * TURN
-    order = np.lexsort(low.T[::-1])
-    both = zip(balance.coordinates, low[order].T, high[order].T, strict=True)
-    ends = {
-        f"{name}_{end}": column
-        for name, *columns in both
-        for end, column in zip(("low", "high"), columns, strict=True)
-    }
+    columns = np.stack([low.T, high.T], axis=1).reshape(2 * len(q), len(sets))
+    largest = np.array([error[one].max() for one in sets])
+    found = sets_of(p, [*map(Intervals.point, columns)], error=largest)
     parts = [continuation.turns, *turns]
     remarks = dict.fromkeys(
         [*eq.remarks, *(remark for points in parts for remark in points.remarks)]
     )
     complete = bool(eq.whole.all()) and all(points.complete for points in parts)
-    largest = np.array([error[sets[index]].max() for index in order])
-    return StickingStates(p, largest, complete, tuple(remarks), ends)
+    return replace(found, complete=complete, remarks=tuple(remarks))

@@ -43,7 +43,7 @@ from ..numerics.interval_arrays import (
     width_of,
 )
 from ..results.points import StickingStates
-from ..statics.balance import Balance
+from ..statics.balance import NEGLIGIBLE, Balance
 from ..statics.forces import Evaluation, as_intervals
 from ..statics.precise_balance import clusters
 from ..statics.regions import region
@@ -52,7 +52,7 @@ from .tubes import halves
 
 
 @dataclass(frozen=True)
-class _Patches(ByColumn):
+class Patches(ByColumn):
     """States over cells of shares, ``low`` to ``high``, (m, N): in ``ends``, (2, n, N), and where
     ``proved`` one for each point of the cell, the only one in ``alone``.
     """
@@ -66,11 +66,11 @@ class _Patches(ByColumn):
     def __len__(self) -> int:
         return int(self.proved.size)
 
-    def over(self, low: FloatArray, high: FloatArray) -> _Patches:
+    def over(self, low: FloatArray, high: FloatArray) -> Patches:
         """The same states over parts of the cells."""
         return replace(self, low=low, high=high)
 
-    def halved(self, weight: FloatArray) -> _Patches:
+    def halved(self, weight: FloatArray) -> Patches:
         """Both parts of each cell across its side of most weight."""
         # Not in the middle: on simple shares of friction contacts just touch too often.
         _, high, low = halves(self.low, self.high, weight, 0.4873)
@@ -106,20 +106,20 @@ class Touches:
         every.ends[:, self.rows] = -low, high
         return every
 
-    def prepared(self, some: _Patches) -> Intervals:
+    def prepared(self, some: Patches) -> Intervals:
         """Arguments over the cells."""
         return self.balance.prepared(self.bounds(some.low, some.high))
 
-    def state(self, some: _Patches) -> Evaluation:
+    def state(self, some: Patches) -> Evaluation:
         """The states over the cells."""
         return self.balance.state(Intervals(some.ends), self.prepared(some))
 
-    def unused(self) -> _Patches:
+    def unused(self) -> Patches:
         """The origin of the coordinates where no share is used."""
         q, shares = np.zeros((2, self.balance.n, 1)), np.zeros((len(self.rows), 1))
-        return _Patches(shares, shares, q, q, np.zeros(1, dtype=bool))
+        return Patches(shares, shares, q, q, np.zeros(1, dtype=bool))
 
-    def searched(self, cells: _Patches) -> tuple[_Patches, IntArray]:
+    def searched(self, cells: Patches) -> tuple[Patches, IntArray]:
         """All states over cells within their boxes, and the cell of each: proved where one moves
         less over the cell than in a box with room around, else in boxes of a search.
         """
@@ -137,7 +137,7 @@ class Touches:
         others, none = self.alone(replace(cells[owner], ends=hulls, alone=hulls))
         return found.concatenated(others[~none]), np.concatenate([cell, owner[~none]])
 
-    def alone(self, some: _Patches) -> tuple[_Patches, BoolArray]:
+    def alone(self, some: Patches) -> tuple[Patches, BoolArray]:
         """Patches where interval Newton proves one state in boxes with room around; and where there
         is none.
         """
@@ -149,7 +149,7 @@ class Touches:
         made = replace(some, ends=ends, alone=wide, proved=proved)
         return self.narrowed(made), step.none
 
-    def narrowed(self, some: _Patches) -> _Patches:
+    def narrowed(self, some: Patches) -> Patches:
         """The same with smaller boxes."""
         at, ends = self.prepared(some), some.ends
         for _ in range(3):
@@ -157,7 +157,7 @@ class Touches:
             ends = np.where(some.proved, np.fmin(step, ends), ends)
         return replace(some, ends=ends)
 
-    def gaps(self, some: _Patches) -> Intervals:
+    def gaps(self, some: Patches) -> Intervals:
         """Of every contact that opens a gap, with the other sign where it is open: not positive
         where the states are of this combination.
         """
@@ -166,12 +166,12 @@ class Touches:
         ends[:, self.out] = ends[::-1, self.out]
         return Intervals(ends)[: len(self.out)]
 
-    def sides(self, some: _Patches) -> tuple[BoolArray, BoolArray]:
+    def sides(self, some: Patches) -> tuple[BoolArray, BoolArray]:
         """Whether all states are of this combination, and whether none is."""
         gaps = self.gaps(some)
         return np.logical_and.reduce(gaps.high <= 0), np.logical_or.reduce(gaps.low > 0)
 
-    def pressed(self, some: _Patches) -> BoolArray:
+    def pressed(self, some: Patches) -> BoolArray:
         """Whether given normal forces press at all states; an error where that is not known."""
         at = self.state(some)
         none = np.zeros(len(some), dtype=bool)
@@ -179,14 +179,14 @@ class Touches:
             if either or self.balance.model.contacts[k]["gap"] is not None:
                 continue
             force = as_intervals(at.contact_force(k, 1), none.shape)
-            if ((force.low <= 0) & (force.high > 0)).any():
+            if ((force.low <= 0) & (force.high > NEGLIGIBLE)).any():
                 raise ConvergenceError(
                     "the sign of a normal force is not known; change a parameter"
                 )
-            none |= force.high <= 0
+            none |= force.low <= 0
         return ~none
 
-    def pulls(self, some: _Patches) -> Intervals:
+    def pulls(self, some: Patches) -> Intervals:
         """μ_s N of every friction that holds, (m, N)."""
         at = self.state(some)
         names = [self.balance.contacts[k] for k in self.rubbed]
@@ -194,7 +194,7 @@ class Touches:
         forces = [at.contact_force(k, 1) for k in self.rubbed]
         return stacked([a * b for a, b in zip(most, forces, strict=True)], some.proved.shape)
 
-    def slopes(self, some: _Patches) -> tuple[Intervals, Intervals]:
+    def slopes(self, some: Patches) -> tuple[Intervals, Intervals]:
         """K⁻¹ ∇a, (n, m, N), and the slopes of gaps along it, (gaps, m, N); infinite where nothing
         is known.
         """
@@ -218,13 +218,13 @@ class Touches:
             ends[:, g] = one[::-1] if self.out[g] else one
         return by, Intervals(ends)
 
-    def crosses(self, some: _Patches) -> BoolArray:
+    def crosses(self, some: Patches) -> BoolArray:
         """Whether gaps of contacts may have both signs over a patch, (gaps, m, N); not of those of
         the friction itself.
         """
         return (self.gaps(some).high > 0)[:, None] & ~self.theirs[:, :, None]
 
-    def ways(self, some: _Patches, gap_slopes: Intervals) -> IntArray:
+    def ways(self, some: Patches, gap_slopes: Intervals) -> IntArray:
         """Directions of the shares in which gaps that have both signs over a patch all fall, 0
         where these have no sign, (m, N): its states of this combination hang together with those
         where these shares are at that end.
@@ -235,14 +235,14 @@ class Touches:
         some_cross = crosses.any(axis=0)
         return np.where(some_cross, rises.all(axis=0) * -1 + falls.all(axis=0) * 1, 0)
 
-    def most_inside(self, some: _Patches) -> _Patches:
+    def most_inside(self, some: Patches) -> Patches:
         """Patches over the ends of shares to which :meth:`ways` lead, or where none is known."""
         ways = self.ways(some, self.slopes(some)[1])
         low, high = _led(some, ways)
         return self.narrowed(some.over(low, high))
 
 
-def _led(some: _Patches, ways: IntArray) -> tuple[FloatArray, FloatArray]:
+def _led(some: Patches, ways: IntArray) -> tuple[FloatArray, FloatArray]:
     """Cells cut down to the ends of shares to which ways lead."""
     return np.where(ways > 0, some.high, some.low), np.where(ways < 0, some.low, some.high)
 
@@ -271,7 +271,7 @@ def solved(K: Intervals, right: Intervals) -> Intervals:
 # cover
 
 
-def _cover(it: Touches) -> tuple[_Patches, FloatArray, BoolArray]:
+def _cover(it: Touches) -> tuple[Patches, FloatArray, BoolArray]:
     """Patches of one combination that hold all of its states, those that are not proved beside
     them; the region that holds all, and whether that is proved.
     """
@@ -281,7 +281,7 @@ def _cover(it: Touches) -> tuple[_Patches, FloatArray, BoolArray]:
     # States beyond a border are looked for too, so that patches of cells that meet it are whole.
     it.balance = it.balance.extended(room=0.1 * float(box.max()))
     box, whole = region(it.balance, bounds)
-    cells = _Patches(-ends, ends, box, box, none)
+    cells = Patches(-ends, ends, box, box, none)
     found, looked = [cells[none]], 0
     while len(cells):
         looked += len(cells)
@@ -323,7 +323,7 @@ def _sets_of(count: int, *pairs: IntArray) -> IntArray:
 
 
 def _links(
-    parts: Sequence[Touches], patches: Sequence[_Patches], first: IntArray
+    parts: Sequence[Touches], patches: Sequence[Patches], first: IntArray
 ) -> tuple[IntArray, IntArray]:
     """Pairs of patches of all combinations, by their numbers, that are proved to hang together, and
     pairs of which that is not known.
@@ -339,7 +339,7 @@ def _links(
     return sure, open_
 
 
-def _meeting(some: _Patches, others: _Patches) -> tuple[IntArray, IntArray]:
+def _meeting(some: Patches, others: Patches) -> tuple[IntArray, IntArray]:
     """Pairs of patches whose closed cells have a common point."""
     low = np.maximum(some.low[:, :, None], others.low[:, None])
     high = np.minimum(some.high[:, :, None], others.high[:, None])
@@ -347,7 +347,7 @@ def _meeting(some: _Patches, others: _Patches) -> tuple[IntArray, IntArray]:
     return first, second
 
 
-def _joined(it: Touches, some: _Patches) -> tuple[IntArray, IntArray]:
+def _joined(it: Touches, some: Patches) -> tuple[IntArray, IntArray]:
     """Pairs of patches that are proved to hang together, and pairs of which that is not known, each
     (2, pairs).
     """
@@ -370,7 +370,7 @@ def _joined(it: Touches, some: _Patches) -> tuple[IntArray, IntArray]:
 
 
 def _across(
-    one: tuple[Touches, _Patches], other: tuple[Touches, _Patches], contact: int
+    one: tuple[Touches, Patches], other: tuple[Touches, Patches], contact: int
 ) -> tuple[IntArray, IntArray]:
     """The same of patches of two combinations that differ in one contact: of the one and the
     other.
@@ -391,14 +391,14 @@ def _across(
     return pairs[:, sure], pairs[:, ~sure]
 
 
-def _on_border(it: Touches, some: _Patches, ways: IntArray, border: int) -> _Patches:
+def _on_border(it: Touches, some: Patches, ways: IntArray, border: int) -> Patches:
     """Tiny parts of patches that hold a state on a border, ``proved`` where they do."""
     low, high = _led(some, ways)
     inner = 0.5 * (low + high)
     outer = np.where(ways > 0, some.low, np.where(ways < 0, some.high, inner))
     begins, ends = np.zeros(len(some)), np.ones(len(some))
 
-    def at(share: FloatArray) -> _Patches:
+    def at(share: FloatArray) -> Patches:
         point = inner + share * (outer - inner)
         return it.narrowed(some.over(point, point))
 
@@ -428,7 +428,7 @@ class _Aims(ByColumn):
     ``number``.
     """
 
-    patches: _Patches
+    patches: Patches
     row: IntArray
     sign: FloatArray
     number: IntArray
@@ -535,7 +535,7 @@ def sets(p: ParameterSet, own: ParameterSet) -> StickingStates:
 
 def _result(
     p: ParameterSet,
-    parts: Sequence[tuple[Touches, _Patches, int]],
+    parts: Sequence[tuple[Touches, Patches, int]],
     links: tuple[IntArray, IntArray],
     remarks: tuple[str, ...],
 ) -> StickingStates:
@@ -570,17 +570,20 @@ def _result(
 
 
 def sets_of(
-    p: ParameterSet, ends: Sequence[Intervals], further: Sequence[str] = ()
+    p: ParameterSet,
+    ends: Sequence[Intervals],
+    further: Sequence[str] = (),
+    error: FloatArray | float = 0.0,
 ) -> StickingStates:
-    """Enclosures of both ends of every coordinate and of ``further`` columns, or of nothing, as a
-    result.
+    """Enclosures of both ends of every coordinate and of ``further`` columns, or of nothing, whose
+    middles may have an ``error`` besides, as a result.
     """
     names = [f"{name}_{end}" for name in p.model.coordinates for end in ("low", "high")]
     every = ends or [Intervals(np.empty((2, 0)))] * (len(names) + len(further))
     columns = {name: one.middle for name, one in zip([*names, *further], every, strict=True)}
-    error = np.zeros(every[0].shape)
+    error = np.zeros(every[0].shape) + error
     for one in every:
         if np.isfinite(one.ends).all():
             error = np.maximum(error, one.width / scale_of(one.magnitude))
-    order = np.argsort(columns[names[0]])
+    order = np.lexsort([columns[name] for name in reversed(names[::2])])
     return StickingStates(p, error[order], True, (), selected_rows(columns, order))

@@ -50,8 +50,7 @@ from .defining_systems import (
     Condition,
     Family,
     blocks_of,
-    both_touch,
-    fold_on_border,
+    both,
     touch,
     touch_turn,
     turn,
@@ -226,7 +225,7 @@ def extrema(
         yield "end", folds(at_end, along, between=rest, within=within, options=options)
     for one in families if bends else ():
         for contact in one.balance.opens:
-            yield "border", isolated(one.beyond(contact), fold_on_border(contact), "border")
+            yield "border", isolated(one.beyond(contact), both(FOLD, touch(contact)), "border")
 
 
 def border_extrema(family: Family, contact: int) -> Iterator[Points]:
@@ -240,7 +239,7 @@ def border_extrema(family: Family, contact: int) -> Iterator[Points]:
         yield isolated(near, touch_turn(contact), BORDER)
     closed = [other for other in balance.opens if balance.pushing[other] and other > contact]
     for other in closed:  # where a curve of one contact ends at that of another
-        yield isolated(family.beyond(), both_touch(contact, other), BORDER)
+        yield isolated(family.beyond(), both(touch(contact), touch(other)), BORDER)
     low, high = family.spans[0].tolist()
     for end in (low, high):
         value = family.p.ranges[over].reached(end, high - low)

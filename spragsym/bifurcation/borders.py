@@ -157,6 +157,16 @@ def _is_singular(balance: Balance, family: Family) -> bool:
     return bool(len(K) and (np.linalg.matrix_rank(K, rtol=1e-12) < balance.n).all())
 
 
+def at_point(points: Points, row: int) -> tuple[Family, FloatArray, FloatArray]:
+    """The family without closed forms that a point is of, its coordinates and parameters, and a box
+    that holds them exactly, (2, number, 1).
+    """
+    p = points.parameters.of(points.parameters.model.search)
+    family = Family.of(p, points.vary, balance=Balance(p.model, combination(points, row)))
+    z = np.array([float(points[name][row]) for name in (*family.balance.coordinates, *points.vary)])
+    return family, z, ends_around(z, points.error[row] * scale_of(z))[:, :, None]
+
+
 def at_borders(points: Points, found: Ended) -> None:
     """Enter which state ends at border folds, and in which direction of the parameter."""
     for row in np.flatnonzero(points.kind == BORDER_FOLD).tolist():
@@ -170,14 +180,9 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     """Outcome of one border fold: which of its states is stable, and in which direction both
     vanish.
     """
-    model = points.parameters.model
-    p, contact = points.parameters.of(model.search), combination(points, row)
-    family = Family.of(p, points.vary, balance=Balance(p.model, contact))
-    closed = family.balance
-    labels = [label_of(entry) for entry in model.contacts]
-    number = labels.index(points.at_border[row])
-    z = np.array([float(points[name][row]) for name in (*closed.coordinates, *points.vary)])
-    ends = ends_around(z, points.error[row] * scale_of(z))[:, :, None]
+    family, z, ends = at_point(points, row)
+    closed, contacts = family.balance, points.parameters.model.contacts
+    number = [*map(label_of, contacts)].index(points.at_border[row])
     with quiet():
         system = Augmented(family, touch(number))
         slopes = system.jacobian(Intervals(ends), system.fixed(1))

@@ -271,17 +271,14 @@ def touch(contact: int) -> Condition:
 
 
 @cache
-def fold_on_border(contact: int) -> Condition:
-    """det K = 0 and the gap of a contact is 0: a curve of folds leaves the contact."""
+def both(one: Condition, other: Condition) -> Condition:
+    """Two conditions on one state."""
     return Condition(
-        lambda at: (determinant(at.slopes), at.gap(contact)), touching=contact, singular=True
+        lambda at: (*one.equations(at), *other.equations(at)),
+        order=max(one.order, other.order),
+        singular=one.singular or other.singular,
+        touching=other.touching if one.touching is None else one.touching,
     )
-
-
-@cache
-def both_touch(contact: int, other: int) -> Condition:
-    """The gaps of two contacts are 0."""
-    return Condition(lambda at: (at.gap(contact), at.gap(other)), touching=contact)
 
 
 @cache
@@ -359,12 +356,6 @@ def fold_of(block: Block) -> Condition:
     return Condition(lambda at: (_determinant_of(at.slopes, block),))
 
 
-@cache
-def both(one: Condition, other: Condition) -> Condition:
-    """Two conditions on one state."""
-    return Condition(lambda at: (*one.equations(at), *other.equations(at)))
-
-
 def _determinant_of(K: Matrix, block: Block) -> Number:
     return determinant(K if block is None else part_of(K, block))
 
@@ -439,13 +430,11 @@ def undamped_mode(along: int) -> Condition:
 
 
 @cache
-def no_damping(along: int, on_fold: bool = False) -> Condition:
-    """The damping of the coordinate ``along`` is 0, at a fold too: if nothing else damps, every
-    pair of the state crosses.
+def no_damping(along: int) -> Condition:
+    """The damping of the coordinate ``along`` is 0: if nothing else damps, every pair of the state
+    crosses.
     """
-    return Condition(
-        lambda at: (*(FOLD.equations(at) if on_fold else ()), at.damping()[along][along])
-    )
+    return Condition(lambda at: (at.damping()[along][along],))
 
 
 #: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there.

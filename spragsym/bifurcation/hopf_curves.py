@@ -25,6 +25,7 @@ from ..statics.stability import slope_over
 from .bifurcation_sets import FoldCurves, on_lines
 from .borders import joined
 from .defining_systems import (
+    FOLD,
     NO_SLOPE,
     Condition,
     Family,
@@ -404,7 +405,7 @@ def _of_points(systems: OnsetSystems) -> Iterator[tuple[str, Condition, int]]:
     ]
     for row, one in crossed:
         if only is not None and one.frequencies is every:
-            yield "BT", no_damping(only, on_fold=True), row
+            yield "BT", both(FOLD, no_damping(only)), row
             continue
         block = one.block or blocks[0]
         along = None if only is None else block.index(only)

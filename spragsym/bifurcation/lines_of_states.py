@@ -29,6 +29,7 @@ from ..numerics.interval_arrays import (
     Int8Array,
     IntArray,
     Intervals,
+    hulls_of,
     quiet,
     stacked,
 )
@@ -54,8 +55,8 @@ def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
             break
         # Boxes of a point that are kept, or else their hull.
         if np.bincount(point, minlength=1).max() > 100:
-            hulls = [ends[:, :, point == one].max(axis=2) for one in np.unique(point)]
-            return np.stack(hulls, axis=2), np.unique(point)
+            points, which = np.unique(point, return_inverse=True)
+            return hulls_of(ends, which, points.size), points
         row = halving % number
         ends, point = halved(Intervals(ends), row).ends, np.repeat(point, 2)
     return ends, point

@@ -44,7 +44,6 @@ from ..numerics.interval_arrays import (
     FloatArray,
     Intervals,
     Shape,
-    ends_around,
     matrix,
     quiet,
     scale_of,
@@ -64,7 +63,7 @@ from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.stability import with_a_zero
-from .borders import at_borders, borders, combination, joined
+from .borders import at_borders, at_point, borders, joined
 from .defining_systems import (
     FOLD,
     Augmented,
@@ -440,11 +439,8 @@ def _at(points: Points, row: int) -> tuple[str, str]:
     """Outcome of one fold: which of the two states is stable, and in which direction they
     vanish.
     """
-    p = points.parameters.of(points.parameters.model.search)
-    family = Family.of(p, points.vary, balance=Balance(p.model, combination(points, row)))
-    z = np.array([float(points[name][row]) for name in (*family.balance.coordinates, *family.vary)])
-    size = points.error[row] * scale_of(z)
-    side, lower = _normal_form(family, Intervals(ends_around(z, size)[:, :, None]))
+    family, z, ends = at_point(points, row)
+    side, lower = _normal_form(family, Intervals(ends))
     when = "up" if side < 0 else "down"
     if with_a_zero(family.balance, z[:-1, None], family.at(z[-1:, None])) != EquilibriumType.STABLE:
         return "", when

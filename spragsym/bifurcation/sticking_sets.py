@@ -37,6 +37,7 @@ from ..numerics.interval_arrays import (
     FloatArray,
     IntArray,
     Intervals,
+    hulls_of,
     quiet,
     scale_of,
     stacked,
@@ -302,8 +303,7 @@ def _cover(it: Touches) -> tuple[Patches, FloatArray, BoolArray]:
         found.append(replace(some, proved=decided)[left])
         if not again.size:
             break
-        hull = np.full((2, it.balance.n, len(cells)), -np.inf)
-        np.maximum.at(np.moveaxis(hull, 2, 0), cell, np.moveaxis(some.ends, 2, 0))
+        hull = hulls_of(some.ends, cell, len(cells))
         hull = np.fmin(hull + 1e-6 + 0.1 * np.maximum(width_of(hull), 0.0), cells.ends)
         cells = replace(cells, ends=hull, alone=hull)[again]
         cells = cells.halved(cells.high - cells.low)

@@ -34,6 +34,7 @@ from ..numerics.interval_arrays import (
     FloatArray,
     IntArray,
     Intervals,
+    hulls_of,
     quiet,
     rounded_outward,
     scale_of,
@@ -411,10 +412,7 @@ class ClaimOfStates(Claim):
         kept = in_contact & (np.arange(point.size) < found.point.size)
         left = ~(beyond | kept)
         states = Roots.at(ends, point=point).reopened(kept, left)
-        where = np.full(box.shape, -np.inf)
-        np.maximum.at(
-            np.moveaxis(where, 2, 0), point[~beyond], np.moveaxis(ends[:, :, ~beyond], 2, 0)
-        )
+        where = hulls_of(ends[:, :, ~beyond], point[~beyond], len(parts))
         room = 1e-6 + balance.options.margin * np.maximum(width_of(where), 0.0)
         with quiet():  # where there is no state it stays as it is
             where = np.fmin(rounded_outward(where + room), box)

@@ -90,6 +90,15 @@ def spans_of(ends: FloatArray) -> FloatArray:
     return np.stack([-ends[0], ends[1]], axis=-1)
 
 
+def hulls_of(ends: FloatArray, number: IntArray, count: int) -> FloatArray:
+    """Hulls of boxes, shape (2, n, N), of the same number, shape (2, n, count); where there are
+    none their ends are −∞.
+    """
+    out = np.full((*ends.shape[:2], count), -np.inf)
+    np.maximum.at(np.moveaxis(out, 2, 0), number, np.moveaxis(ends, 2, 0))
+    return out
+
+
 def scale_of(values: ArrayLike) -> FloatArray:
     """max(1, |value|), over which errors and widths are told: relative where numbers are large,
     absolute where they are small.

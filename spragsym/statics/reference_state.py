@@ -25,6 +25,7 @@ from ..numerics.interval_arrays import (
     IndexArray,
     Intervals,
     Shape,
+    hulls_of,
     matrix,
     quiet,
     scale_of,
@@ -260,9 +261,7 @@ def _less_strained(
     np.maximum.at(largest, part, strain.magnitude)
     more = strain.low > (own + 2 * SAME_ENERGY * largest)[part]
     left = np.flatnonzero(~(more | (proved & (codes != EquilibriumType.STABLE))))
-    hull = np.moveaxis(ends, 2, 0).copy()
-    np.maximum.at(hull, part[left], np.moveaxis(every, 2, 0)[left])
-    return np.moveaxis(hull, 0, 2)
+    return np.maximum(ends, hulls_of(every[:, :, left], part[left], ends.shape[2]))
 
 
 def _pushing(model: Model, p: ParameterSet, q: Sequence[FloatArray]) -> list[Any]:

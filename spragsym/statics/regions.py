@@ -37,6 +37,7 @@ from ..numerics.interval_arrays import (
     FloatArray,
     IntArray,
     Intervals,
+    hulls_of,
     is_in_another_unit,
     quiet,
     rounded_outward,
@@ -179,9 +180,7 @@ def _cut_in_cells(
                 point, parts = point[some], parts[:, :, some]
                 rounds = balance.options.cell_rounds
                 parts, empty = _squeezed(balance, parameters[:, point], parts, rounds)
-                hull = np.full(ends.shape, -np.inf)
-                for row in np.flatnonzero(~empty):
-                    hull[:, :, point[row]] = np.maximum(hull[:, :, point[row]], parts[:, :, row])
+                hull = hulls_of(parts[:, :, ~empty], point[~empty], count)
                 none = np.isneginf(hull).any(axis=(0, 1))
                 nowhere |= none
                 ends = np.where(none, ends, np.fmin(ends, hull))
@@ -265,8 +264,7 @@ def _in_pieces(
             break
         left, owner = halved(left, int(wide[depth % wide.size])), np.repeat(owner, 2)
         ends, proved = _by_forces(balance, left)
-        for part in np.flatnonzero(proved):
-            hulls[:, :, owner[part]] = np.maximum(hulls[:, :, owner[part]], ends[:, :, part])
+        hulls = np.maximum(hulls, hulls_of(ends[:, :, proved], owner[proved], count))
         left, owner = left[:, ~proved], owner[~proved]
     done = np.isin(np.arange(count), owner, invert=True)
     # Proved parts of a range widen the region, but not without a bound.

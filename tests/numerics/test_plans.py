@@ -16,11 +16,13 @@ import pytest
 import spragsym as ss
 from spragsym import numerics
 from spragsym.bifurcation.defining_systems import (
+    FOLD,
     NO_SLOPE,
     Augmented,
     Family,
-    fold_on_border,
+    both,
     of_kind,
+    touch,
     touch_turn,
     turn,
 )
@@ -79,7 +81,7 @@ def further(name: str) -> Iterator[tuple[str, StateSystem, FloatArray]]:
     conditions = {"turn": turn(0), "BT": of_kind("BT", None)}
     for contact in balance.opens:
         conditions[f"touch turns, {contact}"] = touch_turn(contact)
-        conditions[f"fold on border, {contact}"] = fold_on_border(contact)
+        conditions[f"fold on border, {contact}"] = both(FOLD, touch(contact))
     if balance.n < 3:
         conditions["cusp off mirrors"] = cusp_off_mirrors(family)
     for key, condition in conditions.items():

@@ -5,7 +5,7 @@ the dampers.
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -19,7 +19,7 @@ from ..kang_nam.cusps import cusps as cusps_at_rest
 from ..kang_nam.folds import folds as folds_at_rest
 from ..kang_nam.parameters import NAMES, Parameters
 from ..kang_nam.quartic import solver
-from ..models.parameters import ParameterSet, Ranges
+from ..models.parameters import ParameterSet
 from ..models.quantities import Unit
 from ..results import Equilibria
 from ..results.points import BifurcationSet, Points
@@ -40,15 +40,18 @@ def without_dampers(closed: Callable[..., R]) -> Callable[..., R]:
 
     @functools.wraps(closed)
     def asked(p: ParameterSet, *args: Any, **options: Any) -> R:
-        found: Any = closed(undamped(p), *args, **options)
-        if isinstance(found, Equilibria | Points):
-            found = replace(found, parameters=p)
-        made: R = found
-        return made
+        return _with_parameters(closed(undamped(p), *args, **options), p)
 
     return asked
 
 
+def _with_parameters(found: Any, p: ParameterSet) -> Any:
+    if isinstance(found, BifurcationSet):
+        return replace(found, cusps=replace(found.cusps, parameters=p))
+    return replace(found, parameters=p) if isinstance(found, Equilibria | Points) else found
+
+
+bifurcation_set = without_dampers(bifurcation_set_at_rest)
 border_ends = without_dampers(states.border_ends)
 count = without_dampers(solver.count)
 critical_friction = without_dampers(lowest_fold.critical_friction)
@@ -77,18 +80,6 @@ def linked(
     if turns is None or vary not in NAMES or not eq.complete:
         raise NotInClosedForm
     return states.linked(undamped(p), vary, eq, turns, only=only)
-
-
-def bifurcation_set(
-    p: ParameterSet,
-    vary: Sequence[str] | None = None,
-    n: int | None = None,
-    *,
-    between: Ranges | None = None,
-) -> BifurcationSet:
-    """The closed form of :func:`spragsym.bifurcation_set`."""
-    found = bifurcation_set_at_rest(undamped(p), vary, n, between=between)
-    return replace(found, cusps=replace(found.cusps, parameters=p))
 
 
 def claims(

@@ -305,7 +305,6 @@ class Field:
 
 
 @cache
-@cache
 def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Field:
     """The field whose exponentials are left out where they are below exp(−reach), and whose borders
     are resolved in units of their ``levels``, by default 1.

@@ -7,7 +7,7 @@ from __future__ import annotations
 import itertools
 import math
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, cached_property
 from importlib import import_module
 from inspect import Parameter, Signature
@@ -116,7 +116,7 @@ class Model:
     @property
     def coordinates(self) -> tuple[str, ...]:
         """Names of the coordinates."""
-        return tuple(entry["name"] for entry in self.about["coordinates"])
+        return _names(self.about["coordinates"])
 
     def column(self, name: str) -> Column:
         """The column of a quantity of the model; of any other name a plain number."""
@@ -150,7 +150,7 @@ class Model:
     @property
     def parameters(self) -> tuple[str, ...]:
         """Names of the parameters, in order."""
-        return _names(self.about)
+        return _names(self.about["parameters"])
 
     @property
     def contacts(self) -> Sequence[Mapping[str, Any]]:
@@ -167,7 +167,7 @@ class Model:
         """Names of the contacts with friction; of a model without any that of the first contact,
         whose friction is 0.
         """
-        return tuple(entry["name"] for entry in self.frictions or self.contacts[:1])
+        return _names(self.frictions or self.contacts[:1])
 
     @cached_property
     def clock(self) -> str:
@@ -258,7 +258,7 @@ class Model:
     @property
     def balanced(self) -> tuple[str, ...]:
         """Parameters on which the balance of forces depends, and not the motion alone."""
-        return tuple(entry["name"] for entry in self.about["parameters"] if entry["role"] == "both")
+        return _names(entry for entry in self.about["parameters"] if entry["role"] == "both")
 
     @property
     def plane(self) -> tuple[str, ...]:
@@ -493,7 +493,8 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
     ``where`` is what :func:`spragsym.load` takes for the model, by which a set finds its class
     again in another process.
     """
-    names, base = _names(about), {one["name"]: one["base"] for one in about["parameters"]}
+    names = _names(about["parameters"])
+    base = {one["name"]: one["base"] for one in about["parameters"]}
     made = type(
         "Parameters",
         (ParameterSet,),
@@ -523,8 +524,8 @@ def _imported(module: str, name: str) -> Callable[..., Any]:
     return getattr(import_module(module, "spragsym"), name)
 
 
-def _names(about: Mapping[str, Any]) -> tuple[str, ...]:
-    return tuple(entry["name"] for entry in about["parameters"])
+def _names(entries: Iterable[Mapping[str, Any]]) -> tuple[str, ...]:
+    return tuple(entry["name"] for entry in entries)
 
 
 def _range(about: Mapping[str, Any], entry: Mapping[str, Any]) -> Range:

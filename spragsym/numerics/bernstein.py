@@ -238,8 +238,6 @@ def _refined(parts: Parts, undecided: BoolArray) -> PolynomialRoots:
     undecided = undecided.copy()
     undecided[parts.row[~proved]] = True
     keep = ~undecided[parts.row]
-    w = Rounded((parts.low + parts.width * root)[keep], (parts.width * radius)[keep] + 2 * UNIT)
-    complement = Rounded(
-        ((1 - parts.low) - parts.width * root)[keep], (parts.width * radius)[keep] + 2 * UNIT
-    )
+    low, root, error = parts.low[keep], (parts.width * root)[keep], (parts.width * radius)[keep]
+    w, complement = (Rounded(value, error + 2 * UNIT) for value in (low + root, (1 - low) - root))
     return PolynomialRoots(parts.row[keep], w / complement * SCALE, rising[keep], undecided)

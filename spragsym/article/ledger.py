@@ -38,13 +38,14 @@ class ArticleStatement:
     digits: int = 12  #: of the computed numbers
     tolerance: str = "none: a yes or no"
     command: str
-    test: str  #: in tests/article/test_claims.py
+    test: str  #: in tests/article/test_claims.py, unless its file is named
     #: For those who use the article, where a statement does not hold as it stands.
     consequence: str = ""
 
     def row(self, holds: bool, values: dict[str, Value]) -> Row:
         """A row of the ledger of claims: what is stated and what was found."""
-        row = vars(self) | {"test": f"tests/article/test_claims.py::{self.test}", "values": values}
+        test = self.test if "::" in self.test else f"tests/article/test_claims.py::{self.test}"
+        row = vars(self) | {"test": test, "values": values}
         del row["computed"]
         if not holds:
             row |= {"outcome": f"does not hold: {self.outcome}", "status": "not reproduced"}

@@ -1,6 +1,5 @@
 """The numbers behind the claims and the figures, by other means than those that computed them."""
 
-import ast
 import itertools
 import re
 from collections import defaultdict
@@ -195,15 +194,6 @@ def test_yes_or_no_of_figures_8_to_10(name: str, id: str) -> None:
         )
 
 
-def test_bifurcation_set_by_counts() -> None:
-    for angle in (10.0, 30.0, 50.0, 65.0, 140.0, 170.0):
-        for mu0 in ss.folds(ss.Parameters.article(theta0=np.radians(angle)), "mu0").mu0:
-            counts = {
-                counted(np.radians(angle), **BASE | {"mu0": mu0 + step}) for step in (-1e-6, 1e-6)
-            }
-            assert counts == set(value("fig-12-set", "equilibria on the two sides")), (angle, mu0)
-
-
 # ------------------------------------------------------------------------------------------------
 # jumps
 
@@ -322,19 +312,6 @@ def test_lift_off() -> None:
 
 # ---------------------------------------------------------------------------------------------
 # counts and bounds
-
-
-@pytest.mark.thorough
-def test_one_or_three_by_companion_matrix() -> None:
-    rng, seen = np.random.default_rng(5), set()
-    for _ in range(150):
-        theta0, mu0, sigma = rng.uniform(0.05, 3.09), rng.uniform(0, 2), 10 ** rng.uniform(-2, 0)
-        kappa, alpha, beta = 10 ** rng.uniform(-3, -1), 10 ** rng.uniform(-3, 0), rng.uniform(0, 2)
-        p = {"mu0": mu0, "kappa": kappa, "alpha": alpha, "sigma": sigma, "beta": beta}
-        count = int(ss.equilibria(ss.Parameters(theta0=theta0, **p)).count)
-        assert counted(theta0, **p) == count
-        seen.add(count)
-    assert seen == set(value("claim-one-or-three", "counts"))
 
 
 def test_equation_21_has_one_root_too_many() -> None:
@@ -666,12 +643,9 @@ def test_a_drift_is_seen(change: dict[str, Any], line: str) -> None:
 
 
 def test_every_row_names_a_test_and_a_command_that_exist() -> None:
-    tree = ast.parse(Path(__file__).read_text(encoding="utf-8"))
-    tests = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
     for row in record().values():
         path, name = row["test"].split("::")
-        assert (ROOT / path).samefile(__file__)
-        assert name in tests, row["id"]
+        assert f"\ndef {name}(" in (ROOT / path).read_text(encoding="utf-8"), row["id"]
         program, command, *arguments = row["command"].split()
         assert program == "spragsym"
         found = cli.get_command(click.Context(cli), command)

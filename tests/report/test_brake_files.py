@@ -22,8 +22,6 @@ LINES = {name: number for number, name in enumerate(GOOD, 2)}
 VALUES = [
     ("m", "0.35", ["0.35", "no unit", '"0.35 kg"']),
     ("m", '"0.35 N"', ["'N' (newton) does not measure what kg does", '"0.35 kg"']),
-    ("m", '"0,35 kg"', ["'0,35 kg'", "not a number with a point", '"0.35 kg"']),
-    ("m", '"-0.35 kg"', ["'-0.35 kg'", "above 0"]),
     ("m", '""', ["not a number with a point", '"0.35 kg"']),
     ("m", "true", ["True", "neither text nor a number"]),
     ("m", '"1e400 kg"', ["too large"]),
@@ -37,7 +35,6 @@ VALUES = [
     ),
     ("m", '"0.35 kg; import os"', ["the unit 'kg; import os' can't be read"]),
     ("m", '"' + "9" * 300 + ' kg"', ["303 characters are too many"]),
-    ("k", '"180 N/mm ± 15"', ["tolerance has no unit", '"180 N/mm ± 15 %"']),
     ("k", '"180 N/mm ± -15 %"', ["not a number with a point", '"180 N/mm ± 15 %"']),
     ("k", '"180 ± 15 %"', ["no unit"]),
     ("k", '"[210, 150] N/mm"', ["begins above its end", '"[150, 210] N/mm"']),
@@ -51,7 +48,6 @@ VALUES = [
         ],
     ),
     ("L_0", '"38 degC"', ["'degC' is not known; write m, g"]),
-    ("theta0", '"52"', ["no unit", '"52 deg ± 1 deg"']),
     (
         "theta0",
         '"180 deg"',
@@ -61,11 +57,8 @@ VALUES = [
     ("k", '"150-210 N/mm"', ["not a number with a point", "[150, 210] N/mm"]),
     ("k", '"150 to 210 N/mm"', ["'to 210 N/mm' can't be read", "[150, 210] N/mm"]),
     ("k", '"180 N/mm +15% -10%"', ["'N/mm +15% -10%' can't be read", "[150, 210] N/mm"]),
-    ("F_L", '"42 kg"', ["'kg' (kilogram) does not measure what N does", '"420 N ± 10 %"']),
     ("mu0", '"0.45 N"', ["'N'", "number without unit", '"0.45 ± 10 %"']),
-    ("mu0", '"-0.1"', ["'-0.1'", "supplement"]),
     ("V", '"-1.2 m/s"', ["'-1.2 m/s'", "mirror image"]),
-    ("k", '"180 KN/m"', ["'KN/m' is not known"]),
     ("theta0", '"52 grad"', ["'grad' has two meanings, deg and gon", '"52 deg ± 1 deg"']),
     (
         "mu0",
@@ -76,7 +69,6 @@ VALUES = [
     ("k", '"180 N/mm sd 40 %"', ["tolerance reaches -252 N/mm, out of range"]),
     ("k", '"180 N/mm sd 5 % in [200, 210] N/mm"', ["mean does not lie between"]),
     ("theta0", '"52° 30\'"', ["can't be read", '"52 deg ± 1 deg"']),
-    ("d", '"10 m/s"', ["'m/s' (meter / second) does not measure what s/m does", '"10 s/m"']),
 ]
 
 

@@ -20,6 +20,7 @@ from ..models.parameters import ParameterSet, Ranges, as_count, as_number, as_ra
 from ..models.quantities import Unit, checked_units
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray
 from ..statics.balance import BalanceInUnits
+from ..statics.equilibria import equilibria
 from ..statics.reference_state import reference_place
 from ..statics.search import balances_of, number_of
 from .certificates import (
@@ -157,10 +158,10 @@ class Splitting(Claim):
         )
 
     def point(self, values: FloatArray) -> ParameterSet:
-        """The parameters at a point of the box."""
-        fixed = self.tubes.fixed[:, 0].copy()
+        """The parameters at points of the box, shape (free + 1, …)."""
+        fixed = np.multiply.outer(self.tubes.fixed[:, 0], np.ones(values.shape[1:]))
         fixed[self.rows] = values
-        found = self.balance.scaled(dict(zip(self.balance.parameters, fixed.tolist(), strict=True)))
+        found = self.balance.scaled(dict(zip(self.balance.parameters, fixed, strict=True)))
         return self.model.Parameters(**{name: found[name] for name in self.model.parameters})
 
     def points(self, values: FloatArray) -> Pieces:
@@ -232,6 +233,10 @@ class Splitting(Claim):
         for part in crossed(tubes, tubes.followed(start, goal), goal):
             over = (part.kind != PASSES) & (part.z[-1] + part.error < goal[part.rows])
             ends[rows[part.rows]] = over
+        left = np.flatnonzero(~ends & (found.outcome == Decision.OPEN))
+        if left.size:  # one that grows beyond all bounds meets neither a state nor a border
+            eq = equilibria(self.point(points[:, left]))
+            ends[left] = (eq.count == 0) & eq.decided & eq.whole
         return ends
 
 

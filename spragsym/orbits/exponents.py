@@ -358,6 +358,8 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
     interval = span / count
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
+    # Intervals may be halved this often, all together: one that begins stiffly, or each a little.
+    parts, most_parts = 0, 2**12 + 16 * count
 
     def carried(
         state: FloatArray, frame: FloatArray, span: float
@@ -387,12 +389,14 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
                 else float(np.linalg.slogdet(flow_result.by_state[:m, :m])[1])
             )
             return flow_result.state, turned[:, back], np.log(sizes[back]), volume
-        # Halvings of an interval, at most.
-        if span < interval / 2**12:
+        nonlocal parts
+        parts += 1
+        if parts > most_parts:
             natural = span * (field.scales.time if field.scales else 1.0)
+            units = field.scales.states if field.scales else 1.0
             raise ConvergenceError(
                 f"small deviations shrink by more than {1 / options.lost:g} in {natural:g} time "
-                "units: too stiff"
+                f"units at {field.place(state * units, '.3g')}: too stiff"
             )
         middle, frame, first, shrunk = carried(state, frame, span / 2)
         end, frame, second, more = carried(middle, frame, span / 2)

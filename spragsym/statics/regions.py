@@ -250,11 +250,13 @@ def _in_pieces(
     bound.
     """
     count = bounds.shape[1]
-    by_scales = np.where(
-        outer < FARTHEST * 1e-6,
-        outer,
-        np.minimum(balance.options.near * _scales(balance, bounds), balance.border[:, :, None]),
+    bounded = outer < FARTHEST * 1e-6
+    near = np.maximum(
+        balance.options.near * _scales(balance, bounds),
+        # what is known to lie far away is looked for beyond that
+        np.where(bounded, -10 * outer, 0.0)[::-1],
     )
+    by_scales = np.where(bounded, outer, np.minimum(near, balance.border[:, :, None]))
     hulls = np.full((2, balance.n, count), -np.inf)
     left, owner = bounds, np.arange(count)
     most = balance.options.halvings

@@ -413,7 +413,6 @@ def _equilibrium(it: Derivation, name: str, side: str) -> Object:
         it.places(name),
         "parameters",
         steady=True,
-        side=side,
     )
 
 
@@ -430,7 +429,7 @@ def _state(it: Derivation, name: str, side: str) -> Object:
     names = frozenset(f"{it.model.coordinates[one]}{mark}" for one in place for mark in ("", "_0"))
     by, solved = "mechanics.Mechanics.residuals", stiffness.LUsolve(loads)
     entries = tuple(map(sp.factor, solved))
-    return Object(entries, by, "vector", place, names=names, steady=True, side=side)
+    return Object(entries, by, "vector", place, names=names, steady=True)
 
 
 def _entries(
@@ -447,7 +446,7 @@ def _entries(
         names = frozenset({f"{letter}_{mark}", f"{letter}{mark}"} if places else {letter})
         shape = None if places else (n, n)
         entries = tuple(it.steady(entry, side) for entry in matrix)
-        return Object(entries, by, "form", index, names=names, steady=True, side=side, shape=shape)
+        return Object(entries, by, "form", index, names=names, steady=True, shape=shape)
 
     return derived
 
@@ -467,7 +466,7 @@ def _characteristic(it: Derivation, name: str, side: str) -> Object:
     whole = LAMBDA**2 * mass + LAMBDA * C + K
     polynomial = whole.applyfunc(lambda entry: it.steady(entry, side)).det(method="laplace")
     by = "linearization.damping, statics.jacobian"
-    return Object((polynomial,), by, factor="parameters", steady=True, side=side)
+    return Object((polynomial,), by, factor="parameters", steady=True)
 
 
 def _threshold(it: Derivation, name: str, side: str) -> Object:
@@ -480,7 +479,7 @@ def _threshold(it: Derivation, name: str, side: str) -> Object:
         flutter = sp.numer(sp.together((A[0, 0] - A[1, 1]) ** 2 + 4 * A[0, 1] * A[1, 0]))
     choice = flutter if name in ("", "flutter") and A.rows == 2 else K.det()
     entries = (sp.factor(choice),)
-    return Object(entries, "statics.jacobian", factor="monomial", steady=True, side=side)
+    return Object(entries, "statics.jacobian", factor="monomial", steady=True)
 
 
 def _scale(it: Derivation, name: str, side: str) -> Object:
@@ -506,7 +505,7 @@ def _normal(it: Derivation, name: str, side: str) -> Object:
     contact = it.contact(name)
     value = it.spelled(contact.force, side)
     names = frozenset({str(of_contact(NORMAL, name))})
-    return Object((value,), "mechanics.NormalForce.force", names=names, side=side)
+    return Object((value,), "mechanics.NormalForce.force", names=names)
 
 
 def _friction(it: Derivation, name: str, side: str) -> Object:
@@ -523,7 +522,7 @@ def _gap(it: Derivation, name: str, side: str) -> Object:
         raise NoObject("the normal force is given, and the contact has no gap")
     own = frozenset({str(of_contact(Symbol("gap", real=True), name))})
     value = it.spelled(contact.gap)
-    return Object((value,), "mechanics.NormalForce.gap", names=own, side=side, unit=units.LENGTH)
+    return Object((value,), "mechanics.NormalForce.gap", names=own, unit=units.LENGTH)
 
 
 def _pushing(it: Derivation, name: str, side: str) -> Object:
@@ -532,7 +531,7 @@ def _pushing(it: Derivation, name: str, side: str) -> Object:
         raise NoObject("this contact can't open")
     symbol = it.pushing(contact, BOTH)
     own = frozenset({str(symbol)})
-    return Object((symbol,), "mechanics.NormalForce.force", names=own, side=BOTH)
+    return Object((symbol,), "mechanics.NormalForce.force", names=own)
 
 
 def _direction(it: Derivation, name: str, side: str) -> Object:
@@ -545,11 +544,11 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
         cleared, determinant, parts = _cleared(D, b)
         short = cleared / determinant**2 if word == "norm" else cleared
         entry = short.subs(parts)
-        return Object((entry,), by, steady=True, side=side, short=(short, parts))
+        return Object((entry,), by, steady=True, short=(short, parts))
     if word == "coefficient" and place.isdigit():
         coefficients = it.kept("coefficients", side, lambda: _coefficients(*in_mu))
         entry = coefficients.get(int(place), S.Zero).xreplace(it.at_rest)
-        return Object((entry,), by, names=frozenset({name}), steady=True, side=side)
+        return Object((entry,), by, names=frozenset({name}), steady=True)
     if word not in values or (place and word != "side") or place not in ("", "1", "2"):
         raise NoObject(
             f"direction has matrix, slope, side [1|2], norm, eliminated and coefficient K; {name!r}"
@@ -559,7 +558,7 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
     index = (int(place) - 1,) if place else tuple(range(len(entries)))
     shape = None if place else values[word].shape
     names = frozenset({name})
-    return Object(entries, by, index=index, names=names, steady=True, side=side, shape=shape)
+    return Object(entries, by, index=index, names=names, steady=True, shape=shape)
 
 
 def _cleared(D: sp.Matrix, b: sp.Matrix) -> tuple[Expr, Expr, Names]:
@@ -658,4 +657,5 @@ def derived(it: Derivation, about: str) -> Object:
     if ahead and not (word in MOVING and it.speeds):
         raise NoObject(f"{AHEAD} is of {' and '.join(MOVING)} on a page with friction")
     found = it.kept(word, f"{rest.strip()}, {side}", lambda: OBJECTS[word](it, rest.strip(), side))
-    return replace(found, ahead=ahead)
+    # What tells the sides apart is meant on both.
+    return replace(found, ahead=ahead, side=BOTH if word == "pushing" else side)

@@ -145,6 +145,23 @@ def test_a_print_may_be_meant_to_first_order(sign: str, limit: str, status: str)
     assert row.status == status
 
 
+@pytest.mark.parametrize(
+    ("side", "push", "status"),
+    [
+        ("", "+ y", "confirmed"),
+        (", both", "+ y", "misprint"),
+        (", both", "+ pushing*y", "confirmed"),
+        (", lift-off", "+ pushing*y", "confirmed"),
+        (", lift-off", "+ y", "misprint"),
+    ],
+)
+def test_a_motion_is_judged_on_the_side_that_is_named(side: str, push: str, status: str) -> None:
+    """The contact law without n̄ is right where the mass touches, and on both sides it is not."""
+    forces = f"sigma/L*(1 - L)*(sin(theta0) - y) + beta*y + kappa {push}"
+    assert _judged(f"motion y{side}", f"ay + {forces} = 0").status == status
+    assert _judged(f"acceleration y{side}", f"ay = -({forces})").status == status
+
+
 def test_a_factor_of_the_state_is_no_factor() -> None:
     """An equation times a coordinate is another one, and so is an energy times 2."""
     text = "x*(m*ax + k_x*x + k/2*(x - y) - mu*N)"

@@ -214,7 +214,9 @@ def test_a_box_is_proved_below_the_border_and_refuted_where_states_end_there() -
     ended = found.counterexample
     assert (ended.P > least, ended.mu0 > locks(given)) == (True, True)
     assert outcome(locking / 1.03, least * 1.01).outcome == "undecided"
-    assert outcome(locking, least * (1 + 1e-15)).outcome == "undecided"  # too near to tell
+    # Too near to tell, or seen to be beyond.
+    assert outcome(locking, least * (1 - 1e-15)).outcome in ("undecided", "proved")
+    assert outcome(locking, least * (1 + 1e-15)).outcome in ("undecided", "refuted")
 
 
 @pytest.mark.parametrize(("mu0", "outcome"), [(0.3, "proved"), (1.5, "refuted")])

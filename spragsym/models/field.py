@@ -255,6 +255,11 @@ class Field:
         """Names of the numbers in a state: the coordinates, then their rates as pages call them."""
         return (*self.coordinates, *(f"v{name}" for name in self.coordinates))
 
+    @property
+    def time(self) -> float:
+        """The unit of its times, in that of the model."""
+        return self.scales.time if self.scales else 1.0
+
     def column(self, name: str) -> Column:
         """The column of a parameter or a coordinate; without a model a plain number."""
         return Column(name) if self.model is None else self.model.column(name)

@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
+from itertools import zip_longest
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -140,21 +141,12 @@ class Outcome(Named):
         >>> sorted(tr.outcome().places())
         ['cycle_vx', 'cycle_x', 'rest_x']
         """
-        n = len(self.names) // 2
-        names = (
-            *(f"rest_{name}" for name in self.names[:n]),
-            *(f"cycle_{name}" for name in self.names),
-        )
-        return dict(
-            zip(
-                names,
-                (
-                    *(*self.rest, *(np.nan,) * (n - len(self.rest))),
-                    *(self.cycle or (np.nan,) * 2 * n),
-                ),
-                strict=True,
-            )
-        )
+        coordinates = self.names[: len(self.names) // 2]
+        rest = zip_longest(coordinates, self.rest, fillvalue=np.nan)
+        cycle = zip_longest(self.names, self.cycle, fillvalue=np.nan)
+        return {f"rest_{name}": value for name, value in rest} | {
+            f"cycle_{name}": value for name, value in cycle
+        }
 
     @property
     def limit(self) -> Regime:
@@ -283,10 +275,9 @@ def _sets_that_hold(
     rest: FloatArray, sets: Sets, periodic: WholeTurns, near: FloatArray
 ) -> tuple[int, ...]:
     """Rows of the sets whose boxes hold a place; boxes of several may meet."""
-
-    return tuple(
-        row
-        for row, (low, high) in enumerate(sets)
-        if (in_one_turn(rest, periodic, low - near) <= high + near).all()
-        and (in_one_turn(rest, periodic, low - near) >= low - near).all()
-    )
+    found = []
+    for row, (low, high) in enumerate(sets):
+        place = in_one_turn(rest, periodic, low - near)
+        if ((low - near <= place) & (place <= high + near)).all():
+            found.append(row)
+    return tuple(found)

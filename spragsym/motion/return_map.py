@@ -203,19 +203,12 @@ def leads(statistics: MotionStatistics, problem: Problem) -> bool:
         return False
     if len(statistics.passages) >= options.returns:
         return True
-    swings = [
-        np.ptp(
-            np.append(
-                statistics.maxima[part, statistics.lead], statistics.minima[part, statistics.lead]
-            )
-        )
-        for part in (
-            slice(len(statistics.maxima) // 3),
-            slice(-(len(statistics.maxima) // 3), None),
-        )
-        if len(statistics.maxima) >= options.returns
-    ]
-    return bool(swings and swings[1] > swings[0] / 2)
+    if len(statistics.maxima) < options.returns:
+        return False
+    tops, lows = (each[:, statistics.lead] for each in (statistics.maxima, statistics.minima))
+    third = len(tops) // 3
+    first, last = np.ptp([*tops[:third], *lows[:third]]), np.ptp([*tops[-third:], *lows[-third:]])
+    return bool(last > first / 2)
 
 
 def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:

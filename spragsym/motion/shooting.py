@@ -329,11 +329,6 @@ def natural(orbit: Orbit) -> Orbit:
     )
 
 
-def time_of(orbit: Orbit) -> float:
-    """The unit of an orbit's times, in that of the model."""
-    return orbit.field.scales.time if orbit.field.scales else 1.0
-
-
 def _converted(orbit: Orbit, field: Field, scales: MotionScales) -> Orbit:
     guess = orbit.guess
     states, period = guess.states * scales.states, guess.period * scales.time

@@ -1025,10 +1025,9 @@ def _error(found: Trajectory, problem: Problem) -> FloatArray:
     is, by heyoka where that is installed; NaN where no run is tight enough.
     """
     offered = integrators.offered_for(found.model)
-    installed = [name for name in offered if integrators.is_there(name)]
     beside = tuple(value * (1.0 + np.finfo(float).eps) for value in problem.start)
-    for backend in dict.fromkeys(("heyoka", found.backend, *installed)):
-        if backend not in installed:
+    for backend in dict.fromkeys(("heyoka", found.backend, *offered)):
+        if not integrators.is_there(backend):
             continue
         tightest = TIGHTEST if backend == "heyoka" else RTOL
         try:

@@ -28,7 +28,7 @@ from ..models.parameters import (
     varied_range,
 )
 from ..motion.multipliers import CRITERIA, is_complex_pair
-from ..motion.shooting import Orbit, extent, in_scales, natural, remeshed, time_of
+from ..motion.shooting import Orbit, extent, in_scales, natural, remeshed
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import norm
 from ..results.result import Result
@@ -684,7 +684,7 @@ def cycle_events(
         if event.kind == "grazing"
         else partial(at_zero, event.kind)
     )
-    setting = Setting(orbit.flow, free, event.cycle.period / time_of(orbit), tuple(spans), holds)
+    setting = Setting(orbit.flow, free, event.cycle.period / orbit.field.time, tuple(spans), holds)
     first = point_of(setting, setting.integrated(orbit.guess))
 
     def ahead(point: BranchPoint, length: float) -> BranchPoint:

@@ -392,7 +392,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         nonlocal parts
         parts += 1
         if parts > most_parts:
-            natural = span * (field.scales.time if field.scales else 1.0)
+            natural = span * field.time
             units = field.scales.states if field.scales else 1.0
             raise ConvergenceError(
                 f"small deviations shrink by more than {1 / options.lost:g} in {natural:g} time "

@@ -314,7 +314,7 @@ def _cycle_of(orbit: Orbit) -> Cycle:
     (mean, rms), (lowest, highest) = orbit.moments(), range_of(orbit)
     scales = orbit.field.scales
     size = max(scales.states.tolist()) if scales else 1.0
-    unit = max(scales.time, size) if scales else 1.0
+    unit = max(orbit.field.time, size)
     return Cycle(
         period=orbit.period,
         state=orbit.state.copy(),

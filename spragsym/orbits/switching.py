@@ -11,7 +11,7 @@ import numpy as np
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, as_number
 from ..motion.multipliers import unsure
-from ..motion.shooting import Iterate, Orbit, closed_orbit, extent, time_of
+from ..motion.shooting import Iterate, Orbit, closed_orbit, extent
 from ..numerics.vectors import magnitude, norm
 from .arclength import (
     BranchPoint,
@@ -51,7 +51,7 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     index = cycle.field.parameters.index(branch.vary)
     orbit, crossed = event.found.orbit, event.found.crossed
     setting = Setting(
-        orbit.flow, (index,), cycle.period / time_of(orbit), ((branch.to[1] - branch.to[0]) / 2,)
+        orbit.flow, (index,), cycle.period / orbit.field.time, ((branch.to[1] - branch.to[0]) / 2,)
     )
     if event.kind == "fold" and crossed is None:
         return _beyond(branch, event, step)

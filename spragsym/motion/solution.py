@@ -39,193 +39,187 @@ class Crossing(NamedTuple):
     came: int
 
 
-class Deviations(NamedTuple):
-    """Derivatives of a state by its start and by ``directions`` of the parameters: ``columns``,
-    None where none are carried.
+@dataclass(frozen=True, eq=False)
+class CarriedState:
+    """A state of a motion, with its derivatives by the start and by ``directions`` of the
+    parameters: ``columns``, None where none are carried. Both are moved in place where the field
+    jumps.
     """
 
+    problem: Problem
+    state: FloatArray
     directions: FloatArray | None = None
     columns: FloatArray | None = None
 
+    def initial_mode(self) -> Mode:
+        """The mode in which a motion begins; a state that sticks, and its derivatives, are
+        projected onto the border.
+        """
+        mode = self.problem.field.initial_mode(self.state.tolist(), self.problem.constants)
+        self.project(mode)
+        return mode
 
-def passed(
-    problem: Problem,
-    row: int,
-    mode: Mode,
-    t: float,
-    state: FloatArray,
-    deviations: Deviations,
-) -> tuple[Mode, tuple[Crossing, ...]]:
-    """Continuation of a motion behind a border: its next mode, and the crossings, none where there
-    is no kink; of several at one instant the border's own is the first. What is left at the same
-    instant is left with it.
+    def project(self, mode: Mode) -> None:
+        """Project the state onto the border on which it stays in a mode, and its derivatives onto
+        the tangent of that.
+        """
+        field = self.problem.field
+        for border in field.stays(mode):
+            at, values = border.place, self.state.tolist()
+            ways = [(*mode[:at], side, *mode[at + 1 :]) for side in (1, -1)]
+            rates = [field.level_rate(border, values, self.problem.constants, way) for way in ways]
+            fastest = ways[int(np.argmax(np.abs(rates)))]
+            self.saltation(border, (fastest, mode))
 
-    Where the field jumps, the state and its derivatives are moved: they go on from the border
-    itself, not from where it was noticed; so does one that leaves a border on which it stayed, from
-    which errors of steps may have taken it. An error where the border does not say how.
-    """
-    done, crossings = set[int](), list[Crossing]()
-    following: int | None = row
-    while following is not None:
-        done.add(following)
-        mode, found = _through(problem, following, mode, t, state, deviations)
-        crossings += found
-        following = _met(problem, mode, state, done)
-    return mode, tuple(crossings)
+    def passed(self, row: int, mode: Mode, t: float) -> tuple[Mode, tuple[Crossing, ...]]:
+        """Continuation of a motion behind a border: its next mode, and the crossings, none where
+        there is no kink; of several at one instant the border's own is the first. What is left at
+        the same instant is left with it.
 
+        Where the field jumps, the state and its derivatives are moved: they go on from the border
+        itself, not from where it was noticed; so does one that leaves a border on which it stayed,
+        from which errors of steps may have taken it. An error where the border does not say how.
+        """
+        done, crossings = set[int](), list[Crossing]()
+        following: int | None = row
+        while following is not None:
+            done.add(following)
+            mode, found = self._through(following, mode, t)
+            crossings += found
+            following = self._met(mode, done)
+        return mode, tuple(crossings)
 
-def _met(problem: Problem, mode: Mode, state: FloatArray, done: set[int]) -> int | None:
-    """A border that is left at the same instant, but for rounding; None where there is none."""
-    field, constants, values = problem.field, problem.constants, np.asarray(state).tolist()
-    for row, border in enumerate(field.borders):
-        sign = border.sign(mode)
-        if not sign or row in done:
-            continue
-        inside = sign * border.level(values, constants, mode) + OVERSHOOT * border.kink
-        if inside <= OVERSHOOT / 8 and sign * field.level_rate(border, values, constants, mode) < 0:
-            return row
-    return None
-
-
-def _through(
-    problem: Problem,
-    row: int,
-    mode: Mode,
-    t: float,
-    state: FloatArray,
-    deviations: Deviations,
-) -> tuple[Mode, tuple[Crossing, ...]]:
-    """:func:`passed` through one border, and what begins or ends to stick with it."""
-    if problem.field.sticking_borders:
-        project(problem, mode, state, Deviations())
-    border, constants = problem.field.borders[row], problem.constants
-    last = border.beyond(mode, np.asarray(state).tolist(), constants)
-    crossings = list[Crossing]()
-    # What else begins or ends to stick at the same instant does so through a border of its own; not
-    # where the contact opens on which it sticks.
-    changed = (index for index, (a, b) in enumerate(zip(mode, last, strict=True)) if a != b)
-    others = [index for index in changed if index != border.place and border.slopes]
-    for index in (border.place, *others):
-        at = np.asarray(state).tolist(), constants
-        if index != border.place:
-            row, border = min(
-                (
-                    (number, that)
-                    for number, that in enumerate(problem.field.borders)
-                    if that.place == index and that.sign(mode)
-                ),
-                key=lambda each: each[1].sign(mode) * each[1].level(*at, mode),
-            )
-        after = (*mode[:index], last[index], *mode[index + 1 :]) if others else last
-        crossing = Crossing(t, row, int(border.sign(after)), state.copy(), int(border.sign(mode)))
-        if border.jumps is not None and border.jumps(*at):
-            if border.slopes is not None:
-                late, there = saltation(problem, border, (mode, after), state, deviations)
-                crossing = crossing._replace(t=max(t - late, 0.0), state=there)
-            elif deviations.directions is not None:
-                raise ConvergenceError(JUMPED)
-        crossings += [crossing] * border.kink
-        mode = after
-    return mode, tuple(crossings)
-
-
-def saltation(
-    problem: Problem,
-    border: Border,
-    modes: tuple[Mode, Mode],
-    state: FloatArray,
-    deviations: Deviations,
-) -> tuple[float, FloatArray]:
-    """Move a state and its derivatives by the saltation matrix 1 + (f⁺ − f⁻) ∇h/ḣ⁻ of a border h =
-    0 between two modes; by how long ago it was passed, and the state there.
-
-    Where that is so long ago that its square counts, they are carried back to the border in one
-    mode, and on from there in the other.
-    """
-    border_at = _back(problem, border, modes[0], state, deviations)
-    if border_at is None:
-        return 0.0, state.copy()
-    late, there, own, rate = border_at
-    directions, columns = deviations
-    field, constants, values = problem.field, problem.constants, there.tolist()
-    before, behind = (field.rates(values, constants, mode) for mode in modes)
-    jump = (behind - before) / rate
-    if columns is not None and border.slopes is not None and directions is not None:
-        slopes = np.array(border.slopes(values, constants, modes[0]), dtype=float)
-        turned = slopes[: len(state)] @ own
-        turned[len(state) :] += slopes[len(state) :] @ directions.T if directions.size else 0.0
-        own = own + np.outer(jump, turned)
-    if abs(late) > AT_ONCE and there is not state:
-        state[:], own = carried(problem, modes[1], late, there, deviations._replace(columns=own))
-    else:
-        there = state - late * before
-        state += jump * border.level(values, constants, modes[0])
-    if columns is not None:
-        columns[:] = own
-    return late, there
-
-
-def _back(
-    problem: Problem,
-    border: Border,
-    mode: Mode,
-    state: FloatArray,
-    deviations: Deviations,
-) -> tuple[float, FloatArray, FloatArray, float] | None:
-    """Time since a border was passed, with state, derivatives and the level's rate there: by
-    Newton's method, if that leads back a short time, else to first order; None where nothing brings
-    a motion across.
-    """
-    field, constants, columns = problem.field, problem.constants, deviations.columns
-    own = np.empty((len(state), 0)) if columns is None else columns
-
-    def ago(at: FloatArray) -> tuple[float, float]:
-        values = at.tolist()
-        rate = field.level_rate(border, values, constants, mode)
-        return (float(border.level(values, constants, mode)) / rate if rate else math.inf), rate
-
-    first, rate = ago(state)
-    if not rate:
+    def _met(self, mode: Mode, done: set[int]) -> int | None:
+        """A border that is left at the same instant, but for rounding; None where there is none."""
+        field, constants = self.problem.field, self.problem.constants
+        values = self.state.tolist()
+        for row, border in enumerate(field.borders):
+            sign = border.sign(mode)
+            if not sign or row in done:
+                continue
+            inside = sign * border.level(values, constants, mode) + OVERSHOOT * border.kink
+            if (
+                inside <= OVERSHOOT / 8
+                and sign * field.level_rate(border, values, constants, mode) < 0
+            ):
+                return row
         return None
-    late = first
-    # Newton's method leads back to a border that was passed no longer ago than this.
-    latest = 1.0
-    if AT_ONCE < abs(late) < latest:
-        # Steps of Newton's method, at most.
-        for _ in range(5):
-            there, along = carried(problem, mode, -late, state, deviations)
-            more, rate_there = ago(there)
-            if abs(more) <= AT_ONCE:
-                return late, there, along, rate_there
-            late += more
-            if not abs(late) < latest:
-                break
-    return first, state, own, rate
 
+    def _through(self, row: int, mode: Mode, t: float) -> tuple[Mode, tuple[Crossing, ...]]:
+        """:meth:`passed` through one border, and what begins or ends to stick with it."""
+        field, constants = self.problem.field, self.problem.constants
+        if field.sticking_borders:
+            CarriedState(self.problem, self.state).project(mode)
+        border = field.borders[row]
+        last = border.beyond(mode, self.state.tolist(), constants)
+        crossings = list[Crossing]()
+        # What else begins or ends to stick at the same instant does so through a border of its own;
+        # not where the contact opens on which it sticks.
+        changed = (index for index, (a, b) in enumerate(zip(mode, last, strict=True)) if a != b)
+        others = [index for index in changed if index != border.place and border.slopes]
+        for index in (border.place, *others):
+            at = self.state.tolist(), constants
+            if index != border.place:
+                row, border = min(
+                    (
+                        (number, that)
+                        for number, that in enumerate(field.borders)
+                        if that.place == index and that.sign(mode)
+                    ),
+                    key=lambda each: each[1].sign(mode) * each[1].level(*at, mode),
+                )
+            after = (*mode[:index], last[index], *mode[index + 1 :]) if others else last
+            sign, came = int(border.sign(after)), int(border.sign(mode))
+            crossing = Crossing(t, row, sign, self.state.copy(), came)
+            if border.jumps is not None and border.jumps(*at):
+                if border.slopes is not None:
+                    late, there = self.saltation(border, (mode, after))
+                    crossing = crossing._replace(t=max(t - late, 0.0), state=there)
+                elif self.directions is not None:
+                    raise ConvergenceError(JUMPED)
+            crossings += [crossing] * border.kink
+            mode = after
+        return mode, tuple(crossings)
 
-def carried(
-    problem: Problem,
-    mode: Mode,
-    duration: float,
-    state: FloatArray,
-    deviations: Deviations,
-) -> tuple[FloatArray, FloatArray]:
-    """A state and its derivatives a short time on in a mode, by the classical Runge–Kutta method of
-    fourth order.
-    """
-    directions, columns = deviations
-    begun, m = state if columns is None else np.append(state, columns), len(state)
-    rates = rates_of(problem, mode, None if columns is None else directions)
-    # Steps of the Runge-Kutta method back to the border are no longer than this.
-    parts = math.ceil(abs(duration) / 0.01)
-    step = duration / parts
-    for _ in range(parts):
-        first = rates(0.0, begun)
-        second = rates(0.0, begun + step / 2 * first)
-        third = rates(0.0, begun + step / 2 * second)
-        last = rates(0.0, begun + step * third)
-        begun = begun + step / 6 * (first + 2 * second + 2 * third + last)
-    return begun[:m], begun[m:].reshape(m, -1)
+    def saltation(self, border: Border, modes: tuple[Mode, Mode]) -> tuple[float, FloatArray]:
+        """Move the state and its derivatives by the saltation matrix 1 + (f⁺ − f⁻) ∇h/ḣ⁻ of a
+        border h = 0 between two modes; by how long ago it was passed, and the state there.
+
+        Where that is so long ago that its square counts, they are carried back to the border in one
+        mode, and on from there in the other.
+        """
+        border_at = self._back(border, modes[0])
+        if border_at is None:
+            return 0.0, self.state.copy()
+        late, there, own, rate = border_at
+        directions, m = self.directions, len(self.state)
+        field, constants, values = self.problem.field, self.problem.constants, there.tolist()
+        before, behind = (field.rates(values, constants, mode) for mode in modes)
+        jump = (behind - before) / rate
+        if self.columns is not None and border.slopes is not None and directions is not None:
+            slopes = np.array(border.slopes(values, constants, modes[0]), dtype=float)
+            turned = slopes[:m] @ own
+            turned[m:] += slopes[m:] @ directions.T if directions.size else 0.0
+            own = own + np.outer(jump, turned)
+        if abs(late) > AT_ONCE and there is not self.state:
+            self.state[:], own = replace(self, state=there, columns=own).later(modes[1], late)
+        else:
+            there = self.state - late * before
+            self.state[:] += jump * border.level(values, constants, modes[0])
+        if self.columns is not None:
+            self.columns[:] = own
+        return late, there
+
+    def _back(
+        self, border: Border, mode: Mode
+    ) -> tuple[float, FloatArray, FloatArray, float] | None:
+        """Time since a border was passed, with state, derivatives and the level's rate there: by
+        Newton's method, if that leads back a short time, else to first order; None where nothing
+        brings a motion across.
+        """
+        field, constants = self.problem.field, self.problem.constants
+        own = np.empty((len(self.state), 0)) if self.columns is None else self.columns
+
+        def ago(at: FloatArray) -> tuple[float, float]:
+            values = at.tolist()
+            rate = field.level_rate(border, values, constants, mode)
+            return (float(border.level(values, constants, mode)) / rate if rate else math.inf), rate
+
+        first, rate = ago(self.state)
+        if not rate:
+            return None
+        late = first
+        # Newton's method leads back to a border that was passed no longer ago than this.
+        latest = 1.0
+        if AT_ONCE < abs(late) < latest:
+            # Steps of Newton's method, at most.
+            for _ in range(5):
+                there, along = self.later(mode, -late)
+                more, rate_there = ago(there)
+                if abs(more) <= AT_ONCE:
+                    return late, there, along, rate_there
+                late += more
+                if not abs(late) < latest:
+                    break
+        return first, self.state, own, rate
+
+    def later(self, mode: Mode, duration: float) -> tuple[FloatArray, FloatArray]:
+        """The state and its derivatives a short time on in a mode, by the classical Runge–Kutta
+        method of fourth order.
+        """
+        columns, m = self.columns, len(self.state)
+        begun = self.state if columns is None else np.append(self.state, columns)
+        rates = rates_of(self.problem, mode, None if columns is None else self.directions)
+        # Steps of the Runge-Kutta method back to the border are no longer than this.
+        parts = math.ceil(abs(duration) / 0.01)
+        step = duration / parts
+        for _ in range(parts):
+            first = rates(0.0, begun)
+            second = rates(0.0, begun + step / 2 * first)
+            third = rates(0.0, begun + step / 2 * second)
+            last = rates(0.0, begun + step * third)
+            begun = begun + step / 6 * (first + 2 * second + 2 * third + last)
+        return begun[:m], begun[m:].reshape(m, -1)
 
 
 def rates_of(
@@ -249,33 +243,6 @@ def rates_of(
         return np.append(own, change)
 
     return rates
-
-
-def start_mode(problem: Problem, state: FloatArray, deviations: Deviations) -> Mode:
-    """The mode in which a motion begins; a state that sticks, and its derivatives, are projected
-    onto the border.
-    """
-    mode = problem.field.initial_mode(state.tolist(), problem.constants)
-    project(problem, mode, state, deviations)
-    return mode
-
-
-def project(
-    problem: Problem,
-    mode: Mode,
-    state: FloatArray,
-    deviations: Deviations,
-) -> None:
-    """Project a state onto the border on which it stays in a mode, and its derivatives onto the
-    tangent of that.
-    """
-    field = problem.field
-    for border in field.stays(mode):
-        at, values = border.place, state.tolist()
-        ways = [(*mode[:at], side, *mode[at + 1 :]) for side in (1, -1)]
-        speeds = [abs(field.level_rate(border, values, problem.constants, way)) for way in ways]
-        fastest = ways[int(np.argmax(speeds))]
-        saltation(problem, border, (fastest, mode), state, deviations)
 
 
 class Extremum(NamedTuple):

@@ -15,7 +15,7 @@ from ..models.load import fits
 from ..models.parameters import FloatArray
 from .lobatto import unit_points
 from .problem import MAX_STEPS, Problem, check_stiffness, out_of_range, too_many_steps
-from .solution import Crossing, Deviations, Samples, Solution, assembled, passed
+from .solution import CarriedState, Crossing, Samples, Solution, assembled
 from .with_scipy import Flight
 
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept
@@ -123,7 +123,7 @@ def integrate(problem: Problem) -> Solution:
             )
         if outcome == Stop.ENDED:
             break
-        mode, crossed = passed(problem, border, mode, elapsed, state, Deviations())
+        mode, crossed = CarriedState(problem, state).passed(border, mode, elapsed)
         crossings += crossed
         # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
         clock[:] = 0.0, min(length, problem.t_end - elapsed)

@@ -10,17 +10,18 @@ import threading
 from collections import defaultdict, deque
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from ..core.errors import ConvergenceError
+from ..core.interrupts import held
 from ..models.field import JUMPED, OVERSHOOT, Border, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.arithmetic import Number
 from ..numerics.vectors import makes_turns
-from .heyoka_functions import XP, HeyokaFunctions, library
 from .lobatto import sample_times, unit_points
 from .measures import KEPT_EXTREMA, MotionStatistics
 from .problem import (
@@ -33,17 +34,14 @@ from .problem import (
     too_many_steps,
 )
 from .solution import (
+    CarriedState,
     Crossing,
-    Deviations,
     Extremum,
     FlowResult,
     Samples,
     Solution,
     assembled,
     parted,
-    passed,
-    project,
-    start_mode,
 )
 
 #: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps
@@ -56,6 +54,66 @@ TOLERANCE = 1e-17
 #: Derivatives are carried in this unit, so that they stay below the state: heyoka's error is
 #: relative to the largest of all.
 DEVIATION_UNIT = 1e-4
+
+
+@cache
+def library() -> ModuleType:
+    """The module, which from now on reports errors only: its warnings are of a cache that can't be
+    written, as in a read-only home, and of its search for crossings near a tangency.
+    ``heyoka.set_logger_level_warning()`` brings them back.
+    """
+    with held():
+        import heyoka as hy
+    hy.set_logger_level_error()
+    # Generated functions take abs of parameters, and a field the functions of its numbers.
+    hy.expression.__abs__ = lambda value: value * XP.sign(value)
+    hy.expression.namespace = XP
+    return hy
+
+
+class HeyokaFunctions:
+    """The namespace ``xp`` of heyoka's expressions, whose functions take numbers too, as the 2 of
+    sqrt(2).
+    """
+
+    def __init__(self) -> None:
+        #: Names and arguments of all that was called.
+        self.called: list[tuple[str, Any]] = []
+
+    def __getattr__(self, name: str) -> object:
+        hy = library()
+        found = getattr(hy, name)
+        if isinstance(found, hy.expression):
+            return found
+
+        def call(*values: Number) -> Number:
+            taken = [
+                hy.expression(float(it)) if isinstance(it, int | float) else it for it in values
+            ]
+            self.called.append((name, taken[0]))
+            return found(*taken)
+
+        return call
+
+    def sign(self, value: Number) -> Number:
+        """The sign of an expression: −1, 0 or 1."""
+        hy = library()
+        return hy.select(hy.gt(value, 0.0), 1.0, hy.select(hy.lt(value, 0.0), -1.0, 0.0))
+
+    def tanh(self, value: Number) -> Number:
+        """By exponentials: where heyoka's rounds to 1, all its Taylor coefficients are zero, and a
+        step misses what follows.
+        """
+        hy = library()
+        self.called.append(("tanh", value))
+        up, down = hy.exp(2.0 * value), hy.exp(-2.0 * value)
+        return hy.select(
+            hy.gte(value, 0.0), 1.0 - 2.0 * down / (1.0 + down), 2.0 * up / (1.0 + up) - 1.0
+        )
+
+
+#: One that serves where nobody asks what was called.
+XP = HeyokaFunctions()
 
 
 @dataclass(frozen=True)
@@ -204,7 +262,7 @@ class MotionState:
     def __post_init__(self) -> None:
         """At the start."""
         self.carried = np.array(self.problem.start, dtype=float)
-        self.mode = start_mode(self.problem, self.carried, Deviations())
+        self.mode = CarriedState(self.problem, self.carried).initial_mode()
 
     @property
     def most(self) -> int:
@@ -319,8 +377,8 @@ class BatchIntegrator:
             if direction > 0:
                 raise missed_event(one.problem.time(t))
             columns = self._columns(self.state[:, lane]) if self.field.borders[row].slopes else None
-            deviations = Deviations(self._directions(one), columns)
-            one.mode, crossings = passed(one.problem, row, one.mode, t, state, deviations)
+            carried = CarriedState(one.problem, state, self._directions(one), columns)
+            one.mode, crossings = carried.passed(row, one.mode, t)
         except ConvergenceError as error:
             one.error = error
             return False
@@ -409,8 +467,8 @@ class BatchIntegrator:
         self.pars[:, : len(some)] = np.array(pars, dtype=float).T[: len(self.pars)]
         if self.derivatives:
             columns = np.eye(self.m, (len(self.state) - 2) // self.m - 1)
-            deviations = Deviations(self._directions(some[0]), columns)
-            project(some[0].problem, some[0].mode, self.state[: self.m, 0], deviations)
+            one, state = some[0], self.state[: self.m, 0]
+            CarriedState(one.problem, state, self._directions(one), columns).project(one.mode)
             self.state[self.m : -2, 0] = columns.T.ravel() * DEVIATION_UNIT
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()

@@ -18,17 +18,15 @@ from ..numerics.vectors import magnitude
 from .lobatto import sample_times
 from .problem import MOST_STIFF_STEPS, Problem, check_stiffness, out_of_range, too_many_steps
 from .solution import (
+    CarriedState,
     Crossing,
-    Deviations,
     Extremum,
     FlowResult,
     Samples,
     Solution,
     assembled,
     parted,
-    passed,
     rates_of,
-    start_mode,
 )
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are
@@ -114,6 +112,10 @@ class Flight:
                     pieces.append(((piece.clock + piece.t)[None], piece.samples[None]))
         return replace(assembled(pieces, crossings, begin), implicit=self.stiff)
 
+    def _carried(self, whole: FloatArray) -> CarriedState:
+        m = self.problem.field.size
+        return CarriedState(self.problem, whole[:m], self.directions, whole[m:].reshape(m, -1))
+
     def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         m = self.problem.field.size
         return parted(values[:m], None if self.directions is None else values[m:].reshape(m, -1))
@@ -146,9 +148,7 @@ class Flight:
         field, duration, clock = self.problem.field, self.problem.t_end, 0.0
         m, most = field.size, self.problem.max_steps or MAX_STEPS
         first = None
-        mode = start_mode(
-            self.problem, whole[:m], Deviations(self.directions, whole[m:].reshape(m, -1))
-        )
+        mode = self._carried(whole).initial_mode()
         looked = 0.0
         steps = 0
         # Steps between two looks at whether they have collapsed.
@@ -199,8 +199,8 @@ class Flight:
                 if abs(clear) > OVERSHOOT / 10 and rate:
                     at = max(at - clear / rate, begin)
                     whole = self._stepped(mode, before, begin, at)
-            met, carried = whole.copy(), Deviations(self.directions, whole[m:].reshape(m, -1))
-            after, crossings = passed(self.problem, row, mode, clock + at, whole[:m], carried)
+            met = whole.copy()
+            after, crossings = self._carried(whole).passed(row, mode, clock + at)
             yield _ModeStep(clock, begin, at, met, whole, dense, mode, crossings)
             clock, mode = clock + at, after
 

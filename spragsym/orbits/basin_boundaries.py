@@ -27,7 +27,6 @@ from ..models.parameters import (
     as_numbers,
     as_ranges,
 )
-from ..motion.integrators import Flow
 from ..motion.options import MotionOptions
 from ..motion.scales import MotionScales
 from ..motion.simulation import Trajectory, state_of
@@ -270,26 +269,20 @@ class _Walk:
     points: int
 
     @cached_property
-    def flow(self) -> Flow:
-        """The motion in its units."""
-        return self.system.scaled(self.scales).flow
+    def own(self) -> System:
+        """The system in units of the motion."""
+        return self.system.scaled(self.scales)
 
     @cached_property
     def saddle(self) -> Saddle:
-        """The saddle in units of the motion."""
-        it, states = self.natural, self.scales.states
-        return Saddle(
-            it.state / states,
-            it.growth * self.scales.time,
-            it.left_eigenvector * states,
-            it.attracts,
-        )
+        """The saddle in these units."""
+        return saddle_near(self.own, self.natural.state / self.scales.states)
 
     def off(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
         """Distance of a motion along the direction of growth, and the derivative of that in the
         plane.
         """
-        flow_result = self.flow.flow_map(state, self.system.constants, span)
+        flow_result = self.own.flow.flow_map(state, self.system.constants, span)
         left_eigenvector = self.saddle.left_eigenvector
         return float(left_eigenvector @ (flow_result.state - self.saddle.state)), self.plane @ (
             left_eigenvector @ flow_result.by_state
@@ -342,7 +335,7 @@ class _Walk:
         constants, reach = self.system.constants, 0.1 * magnitude(self.saddle.left_eigenvector)
         part, clock = 0.0, 0.0
         for _ in range(20):
-            state = self.flow.plain(state, constants, 1 / self.saddle.growth).state
+            state = self.own.flow.plain(state, constants, 1 / self.saddle.growth).state
             clock += 1 / self.saddle.growth
             part = float(self.saddle.left_eigenvector @ (state - self.saddle.state))
             if abs(part) > reach:

@@ -27,7 +27,7 @@ from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray, IntArray
 from ..numerics.vectors import norm
 from ..results.result import Result
-from .attractors import attractor_exponents
+from .finding import attractor_exponents
 from .system import System, judged
 
 
@@ -339,8 +339,6 @@ def rates_along(
             f"start = {state.tolist()}: the motion is not defined there; start anywhere else"
         )
     scales = scales or system.scales(state)
-    if scales.trivial:
-        return _rates_along(system, state, span)
     found = _rates_along(system.scaled(scales), state / scales.states, span / scales.time)
     return replace(
         found,

@@ -27,10 +27,17 @@ from ..motion.scales import MotionScales
 from ..motion.simulation import state_of
 from ..numerics.vectors import apart, magnitude
 from ..results.result import Result
-from .attractors import Attractor, attractor, followed, followed_cycle, same
 from .branch import cycle_branch
 from .events import MERGES
-from .finding import cycle_at, returns
+from .finding import (
+    Attractor,
+    attractor,
+    cycle_at,
+    followed,
+    followed_cycle,
+    returns,
+    same,
+)
 from .orbit import distance, same_cycle
 from .system import (
     FateVerdict,

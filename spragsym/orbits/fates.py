@@ -33,9 +33,8 @@ from ..motion.sweeps.many import fingerprint, with_degrees
 from ..motion.sweeps.workers import Computation, Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
 from ..results.result import Result
-from .attractors import attractor_exponents
 from .exponents import rates_along
-from .finding import cycle_near, stands_still
+from .finding import attractor_exponents, cycle_near, stands_still
 from .orbit import distance
 from .system import FateVerdict, System, judged, spectrum
 

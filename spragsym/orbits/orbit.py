@@ -277,28 +277,7 @@ def cycle_of(orbit: Orbit) -> Cycle:
     """The cycle that a closed orbit is, begun anew where the first coordinate that moves is
     largest.
     """
-    found = _cycle_of(in_scales(orbit))
-    scales = found.field.scales
-    if not scales:
-        return found
-    length, events = scales.places[0], found.events
-    return dataclasses.replace(
-        found,
-        period=scales.time * found.period,
-        state=scales.states * found.state,
-        events=dataclasses.replace(
-            events, t=scales.time * events.t, state=scales.states * events.state
-        ),
-        rms=length * found.rms,
-        mean=length * found.mean,
-        amplitude=length * found.amplitude,
-        orbit=natural(found.orbit),
-    )
-
-
-def _cycle_of(orbit: Orbit) -> Cycle:
-    """The same in the orbit's units but for the errors, which are in the model's."""
-    orbit = least_period(orbit.bound().with_lead())
+    orbit = least_period(in_scales(orbit).bound().with_lead())
     orbit = refined(orbit, orbit.top.t if orbit.top else 0.0)
     aside = off_jumps(orbit)
     if aside is not orbit:
@@ -311,24 +290,24 @@ def _cycle_of(orbit: Orbit) -> Cycle:
             f"{found.trivial:.6g} instead of 1; "
             "use another backend, or a less steep friction law"
         )
-    (mean, rms), (lowest, highest) = orbit.moments(), range_of(orbit)
-    scales = orbit.field.scales
+    own, scales = natural(orbit), orbit.field.scales
+    (mean, rms), (lowest, highest) = own.moments(), range_of(own)
     size = max(scales.states.tolist()) if scales else 1.0
     unit = max(orbit.field.time, size)
     return Cycle(
-        period=orbit.period,
-        state=orbit.state.copy(),
+        period=own.period,
+        state=own.state.copy(),
         multipliers=found.values,
         multiplier_errors=found.errors,
         stable=is_stable(orbit),
         error=max(unit * error_of(orbit, difference(orbit)), lost),
         residual=size * orbit.largest_gap,
-        events=events_of(orbit.field, orbit.crossings()),
+        events=events_of(own.field, own.crossings()),
         rms=rms,
         mean=mean,
         amplitude=(highest - lowest) / 2,
-        backend=orbit.flow.backend,
-        orbit=orbit,
+        backend=own.flow.backend,
+        orbit=own,
     )
 
 

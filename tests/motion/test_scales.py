@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 import spragsym as ss
 from spragsym.motion.regimes import Outcome, Regime, same_limit
 from spragsym.motion.scales import scales_of
-from spragsym.orbits.attractors import Attractor, followed
+from spragsym.orbits.finding import Attractor, followed
 from spragsym.orbits.system import System
 from tests.oracles import dry_friction
 from tests.oracles.user_pages import WELLS, model_of

@@ -24,7 +24,7 @@ from spragsym.motion import multipliers
 from spragsym.motion.integrators import Flow
 from spragsym.numerics.decimals import exactly
 from spragsym.numerics.jets import gradient, variables
-from spragsym.orbits import attractors, diagram, exponents, finding, orbit
+from spragsym.orbits import diagram, exponents, finding, orbit
 from spragsym.orbits.system import System, growth_of_cycle
 from tests.oracles import random_motions
 from tests.oracles.second_driver import differences
@@ -558,7 +558,7 @@ def test_a_cycle_is_followed_on_its_own_sheet() -> None:
         ss.errors.ConvergenceError,
         match=rf"the cycle ends near theta0 = {last.value:.2f}\d* on the way",
     ):
-        attractors.followed_cycle(begun, values)
+        finding.followed_cycle(begun, values)
 
 
 @pytest.mark.validate

@@ -175,7 +175,7 @@ class Tabular:
         return schema_of(self)
 
     def _repr_html_(self) -> str:
-        return "\n".join(map(_html, tables(self, self._schema)))
+        return "\n".join(map(as_html, tables(self, self._schema)))
 
 
 @dataclass(frozen=True)
@@ -482,7 +482,8 @@ def _size(shape: tuple[int, ...]) -> str:
 # as HTML, as text
 
 
-def _html(table: Table) -> str:
+def as_html(table: Table) -> str:
+    """A table as a notebook shows it."""
     if not table.header:
         return f"<p>{html.escape(table.title)}</p>"
     head = "".join(f"<th>{html.escape(name)}</th>" for name in table.header)

@@ -7,13 +7,14 @@ from __future__ import annotations
 import html
 import os
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from dataclasses import fields as dataclass_fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .core.errors import MissingExtraError, ParameterError, require_kind
+from .display import Table, as_html
 from .models.load import load, page_of
 
 if TYPE_CHECKING:
@@ -42,16 +43,6 @@ class PaperCheck:
     conventions: tuple[str, ...]
     rows: tuple[Row, ...]
     coordinates: tuple[str, ...] = ()
-
-    @property
-    def id(self) -> tuple[str, ...]:
-        """Names of the statements."""
-        return tuple(row.id for row in self.rows)
-
-    @property
-    def about(self) -> tuple[str, ...]:
-        """Objects that the statements are about."""
-        return tuple(row.about for row in self.rows)
 
     @property
     def status(self) -> tuple[str, ...]:
@@ -131,10 +122,11 @@ class PaperCheck:
         >>> "<h1>A paper</h1>" in PaperCheck("A paper", "kang_nam", (), ()).to_html()
         True
         """
-        parts = [f"<h1>{html.escape(self.paper or 'Printed equations')}</h1>"]
-        parts += [f"<p>Held against {html.escape(self.model)}: {html.escape(self.summary())}.</p>"]
-        parts += [f"<p>{html.escape(convention)}</p>" for convention in self.conventions]
-        parts += [self._table()]
+        parts = ["<!doctype html>", f"<meta charset=utf-8><title>{html.escape(self.paper)}</title>"]
+        parts += [f"<h1>{html.escape(self.paper or 'Printed equations')}</h1>"]
+        said = (f"Held against {self.model}: {self.summary()}.", *self.conventions)
+        parts += [f"<p>{html.escape(text)}</p>" for text in said]
+        parts += [self._table(lambda row: row.repaired)]
         for row in self.rows:
             parts += [f"<h2>{html.escape(row.id)}: {row.status}</h2><dl>"]
             parts += [
@@ -142,9 +134,7 @@ class PaperCheck:
                 for title, text in fields(row).items()
             ]
             parts += ["</dl>"]
-        head = f"<title>{html.escape(self.paper)}</title>"
-        body = "\n".join(parts)
-        return f"<!doctype html>\n<meta charset=utf-8>{head}\n{body}\n"
+        return "\n".join([*parts, ""])
 
     def _shown(self, title: str, text: str) -> str:
         """A text as HTML: formulas as MathML where they can be read."""
@@ -154,22 +144,13 @@ class PaperCheck:
         formula = rendered(text, self.coordinates) if is_formula else None
         return formula or f"<code>{html.escape(text)}</code>"
 
-    def _table(self, rendered: bool = False) -> str:
-        cells = [
-            "".join(f"<td>{html.escape(it)}</td>" for it in (row.id, row.about, row.status))
-            + (rf"<td>\({html.escape(row.repaired_latex)}\)</td>" if row.repaired_latex else "<td>")
-            if rendered
-            else "".join(
-                f"<td>{html.escape(it)}</td>"
-                for it in (row.id, row.about, row.status, row.repaired)
-            )
-            for row in self.rows
-        ]
-        head = "".join(f"<th>{name}</th>" for name in ("id", "about", "status", "right"))
-        return f"<table><tr>{head}</tr>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>"
+    def _table(self, right: Callable[[Row], str]) -> str:
+        """A row for each statement, with what is right in place of it."""
+        rows = tuple((row.id, row.about, row.status, right(row)) for row in self.rows)
+        return as_html(Table(self.summary(), ("id", "about", "status", "right"), rows))
 
     def _repr_html_(self) -> str:
-        return self._table(rendered=True)
+        return self._table(lambda row: row.repaired_latex and rf"\({row.repaired_latex}\)")
 
 
 def fields(row: Row) -> Mapping[str, str]:

@@ -5,7 +5,7 @@ in.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -281,8 +281,7 @@ def print_points(title: str, found: Mapping[str, Any], where: Sequence[str]) -> 
         shown = [{name: value for name, value in row.items() if name not in beside} for row in rows]
         names = [*shown[0]] if shown else []
         after = [name for name in names if "_after" in name]
-        angles = (name for name in after if name.startswith("theta"))
-        room = [*lengths(after), *lengths(names), "error", *angles, *after[::-1]]
+        room = [*left_out_first(names), *after[::-1]]
         print_rows(f"{title} along {' and '.join(where)}", shown, room)
     lost = [
         row
@@ -312,11 +311,14 @@ def print_open(title: str, found: Mapping[str, Any]) -> None:
         click.echo(f"{title}: {remark}")
 
 
-def lengths(columns: Sequence[str] | Mapping[str, Any]) -> list[str]:
-    """Columns that a table without room for them leaves out: lengths of springs, which follow from
-    coordinates.
+def left_out_first(columns: Iterable[str]) -> list[str]:
+    """Columns that a table without room for them leaves out, the first of them first: lengths of
+    springs, which follow from coordinates, the error, and angles before and after a jump.
     """
-    return [name for name in columns if name == "L" or name.startswith("L_")]
+    at_jump = [name for name in columns if "_before" in name or "_after" in name]
+    lengths = [name for name in columns if name == "L" or name.startswith("L_")]
+    angles = [name for name in at_jump if name.startswith("theta")]
+    return [*sorted(lengths, key=lambda name: name not in at_jump), "error", *angles]
 
 
 def summed(boxes: Sequence[Row]) -> str:

@@ -26,7 +26,7 @@ from ..display import columns_of_class, own_name
 from ..models.parameters import INSIDE, ParameterSet
 from ..results.equilibria import Equilibria
 from . import options as o
-from .bifurcation import lengths, summed
+from .bifurcation import left_out_first, summed
 from .case import Case, Row, Span
 from .output import drawn, print_rows
 
@@ -104,7 +104,7 @@ def _print(case: Case, points: list[Row], many: list[str]) -> None:
         for row in point["equilibria"]
     ]
     if rows:
-        print_rows("", rows, [*lengths(rows[0]), "error"])
+        print_rows("", rows, left_out_first(rows[0]))
     elif all(point["complete"] for point in points):
         click.echo("none, proved")
     for state in case.model.regimes.values():
@@ -223,16 +223,7 @@ def path(case: Case, near: tuple[str, ...]) -> object:
     def tables() -> None:
         for title, rows in (("States", states), ("Jumps", jumps)):
             if rows:
-                angles = [
-                    name
-                    for name in rows[0]
-                    if name.startswith("theta") and name.endswith(("_before_deg", "_after_deg"))
-                ]
-                print_rows(
-                    title,
-                    rows,
-                    [name for name in (*lengths(rows[0]), "error", *angles) if name != along.title],
-                )
+                print_rows(title, rows, left_out_first([*rows[0]][1:]))
         if not jumps:
             click.echo("No jumps")
 

@@ -12,6 +12,7 @@ from typing import TypeAlias
 from .damping import remedy
 from .example import example_of
 from .facts import FRICTION, Facts
+from .redesigns import Change
 from .states import State, comes_from_near
 from .study import Study
 from .tolerances import deciding
@@ -185,14 +186,14 @@ def _damping(report: Facts) -> Iterator[str]:
 def next_steps(report: Facts) -> Rows:
     """Verb and object of each step, the most useful first, the command to go on with last."""
     study = report.study
-    steps = [*_changes(report), *_ranges(report), *_measurements(report), *_other_state(report)]
+    found = [*_changes(report), *_ranges(report), *_measurements(report), *_other_state(report)]
     command = (
         f"spragsym explore --data {shlex.quote(study.source)}, to walk over the folds and let it "
         "move"
     )
     run = [("run", command)] if study.source else []
     # Steps, at most.
-    yield from (*steps[: 5 - len(run)], *run)
+    yield from (*found[: 5 - len(run)], *run)
 
 
 def _changes(report: Facts) -> Rows:
@@ -200,10 +201,7 @@ def _changes(report: Facts) -> Rows:
     if study.load is None and study.kind.rises:
         yield "name", f'what rises until it jumps, in the file, as vary = "{study.kind.rises}"'
     for one in report.redesign[:1]:
-        values = " and ".join(
-            f"{name} from {study.shown(name, old)} to {study.shown(name, one.after[name])}"
-            for name, old in one.before.items()
-        )
+        values = " and ".join(steps(study, one))
         then = (
             "it does not jump"
             if math.isnan(one.jump_at)
@@ -220,6 +218,12 @@ def _changes(report: Facts) -> Rows:
             "wider ranges in may_change, or smaller tolerances: no change within them was "
             "found that keeps it from jumping",
         )
+
+
+def steps(study: Study, change: Change) -> Iterator[str]:
+    """Each quantity of a change with its old and its new value."""
+    for name, old in change.before.items():
+        yield f"{name} from {study.shown(name, old)} to {study.shown(name, change.after[name])}"
 
 
 def _ranges(report: Facts) -> Rows:

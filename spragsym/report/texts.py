@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import fields
 from typing import Any, TypeAlias
 
 from .._version import __version__
@@ -13,7 +14,7 @@ from ..design.jumps import verb_of
 from ..design.probability import JumpProbability
 from ..models.load import USUAL, WITH_DAMPERS
 from ..statics.stability import NEUTRAL_GROWTH
-from .advice import Rows, next_steps, warnings
+from .advice import Rows, next_steps, steps, warnings
 from .facts import Facts, percent_beyond
 from .redesigns import LARGEST_FACTOR
 from .states import SHARE_BEYOND_FOLD, JumpPeak, Oscillation, State, in_units
@@ -597,11 +598,7 @@ def _changes(report: Facts) -> Rows:
     if report.searched and not report.redesign:
         yield "none", "no change of one quantity or of several was found that does it"
     for one in report.redesign:
-        values = "; ".join(
-            f"{name} from {study.shown(name, one.before[name])} to "
-            f"{study.shown(name, one.after[name])}"
-            for name in one.after
-        )
+        values = "; ".join(steps(study, one))
         then = f"then it jumps at {study.load_text(one.jump_at)}"
         if math.isnan(one.jump_at):
             looked = study.changed(one.after).search_range  # up to where depends on its units
@@ -646,8 +643,6 @@ def as_json(report: Facts) -> Json:
     def both(name: str) -> Json:
         return {"rest": getattr(state, name, None), "oscillation": getattr(alive, name, None)}
 
-    # Attributes of a report, of a state, and of the jump as a motion that stand in JSON as
-    # they are.
     plain = (
         "mu_jump",
         "theta0_jump_deg",
@@ -660,19 +655,8 @@ def as_json(report: Facts) -> Json:
         "margin_percent",
     )
     peak = ("spring_force_N", "contact_force_N", "lifts_off", "settles", "followed_s")
-    of_state = (
-        "current",
-        "stability",
-        "undamped",
-        *(("touching",) if report.study.kind.model.has_regimes else ()),
-        "direction_deg",
-        "spring_length_mm",
-        "spring_force_N",
-        "contact_force_N",
-        "frequencies_hz",
-        "damping_ratio",
-        "growth_per_s",
-    )
+    named_apart = {"places"} if study.kind.model.has_regimes else {"places", "touching"}
+    of_state = [one.name for one in fields(State) if one.name not in named_apart]
     return _some(report, plain) | {
         "states": [{**_some(each, of_state), **each.places} for each in report.states],
         "frequencies_hz": state and list(state.frequencies_hz),
@@ -748,7 +732,7 @@ def as_json(report: Facts) -> Json:
     }
 
 
-def _some(thing: object, names: tuple[str, ...]) -> Json:
+def _some(thing: object, names: Sequence[str]) -> Json:
     """Some attributes by name; no word is None."""
     found = {name: getattr(thing, name) for name in names}
     return {

@@ -202,33 +202,8 @@ NOT_ALGEBRA |= {f"eq-{number}" for number in (16, 17, 20, 21, 22, 23, 26, 27)}
 ALGEBRA = [id for id in PRINTED if id not in NOT_ALGEBRA]
 
 
-#: Those whose LaTeX takes longest to be parsed.
-LONG = (
-    "A2",
-    "A3",
-    "A4",
-    "A6",
-    "A7",
-    "A8",
-    "A9",
-    "def-n",
-    "eq-6",
-    "eq-8",
-    "eq-9",
-    "eq-12",
-    "eq-13",
-    "eq-14",
-    "eq-15",
-    "eq-18",
-    "eq-19",
-    "eq-24",
-    "eq-28",
-)
-
-
-@pytest.mark.parametrize(
-    "id", [pytest.param(id, marks=pytest.mark.thorough) if id in LONG else id for id in ALGEBRA]
-)
+@pytest.mark.thorough
+@pytest.mark.parametrize("id", ALGEBRA)
 def test_the_print_is_read_as_another_reader_reads_it(id: str) -> None:
     for own, other in zip(read(id), typeset(PRINTED[id]), strict=True):
         assert sp.expand(own - other) == 0

@@ -15,7 +15,6 @@ pytest.importorskip("matplotlib")
 pytest.importorskip("jinja2")
 
 from spragsym.figures import planes
-from spragsym.figures.motions import draw_harmonics
 from spragsym.figures.report_pages import _around, report_page
 
 #: A pad that squeals, without any tolerance and without a jump.
@@ -88,21 +87,6 @@ def test_a_function_is_computed_where_its_sign_changes(seed: int) -> None:
 
     x, y, found = planes.sampled_by_sign(inside, (0.0, units[0]), (0.0, units[1]))
     assert ((found > 0) == (inside(x, y[:, None]) > 0)).all()
-
-
-@pytest.mark.thorough
-def test_stems_hold_all_of_a_cycle() -> None:
-    """Parseval: mean² and half of the squares of all amplitudes make the square of the rms."""
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    cycle = ss.cycle(ss.load("stick_slip").Parameters(V=0.5))
-    _, ax = pyplot.subplots()
-    stems = draw_harmonics(cycle, "x", ax, shown=(("f", 2.0), ("x", 10.0)))
-    ends = np.array([end for _, end in stems.get_segments()])
-    n = np.arange(1, len(ends) + 1)
-    np.testing.assert_allclose(ends[:, 0], 2.0 * n / cycle.period, rtol=1e-12)
-    power = cycle.mean**2 + ((ends[:, 1] / 10.0) ** 2).sum() / 2
-    assert power == pytest.approx(cycle.rms**2, rel=1e-3)
-    pyplot.close("all")
 
 
 def test_axes_of_the_map_fit_its_curves_and_the_brake() -> None:

@@ -257,14 +257,10 @@ def test_a_cycle_that_is_its_own_mirror_image_has_odd_multiples_alone() -> None:
         "field": SimpleNamespace(model=ss.load("stick_slip")),
     }
     _, ax = pyplot.subplots()
-    stems = draw_harmonics(
-        object.__new__(type("Mirror", (ss.results.Cycle,), kept)),
-        "x",
-        ax,
-        shown=(("f", 1.0), ("x", 1.0)),
-    )
+    cycle = object.__new__(type("Mirror", (ss.results.Cycle,), kept))
+    stems = draw_harmonics(cycle, "x", ax, shown=(("f", 2.0), ("x", 10.0)))
     ends = np.array([end for _, end in stems.get_segments()])
-    np.testing.assert_allclose(ends, [[1 / 3, 1], [2 / 3, 0], [1, 1 / 9]], atol=1e-12)
+    np.testing.assert_allclose(ends, [[2 / 3, 10], [4 / 3, 0], [2, 10 / 9]], atol=1e-11)
     pyplot.close("all")
 
 

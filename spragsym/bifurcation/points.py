@@ -46,8 +46,6 @@ from ..numerics.interval_arrays import (
     width_of,
 )
 from ..numerics.jets import Jet, constant, gradient, order_of, variables
-from ..numerics.plans import Exclusions
-from ..numerics.tape import Tape
 from ..results.points import Points
 from ..statics import stability
 from ..statics.balance import NEGLIGIBLE, Balance
@@ -56,6 +54,7 @@ from ..statics.namespaces import SCALED, XP, NoChart, Scaled
 from ..statics.precise_balance import on_contact_side, reduced_by_turns
 from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
+from ..statics.systems import WithoutTapes
 from .defining_systems import Augmented, Condition, Family, OfFamily, refined_roots, slope
 from .lines_of_states import lines_of_states
 
@@ -410,7 +409,7 @@ def escapes(family: Family) -> Points:
     )
 
 
-class _AtInfinity(OfFamily):
+class _AtInfinity(OfFamily, WithoutTapes):
     """G at w = 0 and |u| = 1; unknowns are u, angles that come around, and one parameter or two.
 
     With two the curve of values at infinity turns back in the last one: the Jacobian of G, |u|² by
@@ -451,14 +450,6 @@ class _AtInfinity(OfFamily):
         gaps = map(_regular, self.state(list(unknowns), parameters).gaps() or [0])
         shape = unknowns.shape[1:]
         return self.balance.sides([as_intervals(constant(gap), shape) for gap in gaps])[1]
-
-    def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
-        """No exclusion by tape."""
-        return Exclusions()
-
-    def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes that are excluded for any reason."""
-        return self.excluded(unknowns, parameters)
 
     def side(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
         """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not

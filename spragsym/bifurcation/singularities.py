@@ -148,19 +148,17 @@ class Mirror:
         rows = [self.along(row) for row in K]
         return [list(row) for row in zip(*map(self.along, zip(*rows, strict=True)), strict=True)]
 
-    def along(self, parts: Sequence[Any]) -> list[Any]:
+    def along(self, parts: Sequence[Any], way: int = 1) -> list[Any]:
         """Of two numbers that belong to exchanged coordinates the sum and the difference."""
         out = list(parts)
         for j, (i, sign) in self.partners.items():
-            out[i], out[j] = parts[i] + sign * parts[j], parts[j] - sign * parts[i]
+            out[i] = parts[i] + way * sign * parts[j]
+            out[j] = parts[j] - way * sign * parts[i]
         return out
 
     def state(self, parts: Sequence[Any]) -> list[Any]:
         """Coordinates with these means and half differences."""
-        out = list(parts)
-        for j, (i, sign) in self.partners.items():
-            out[i], out[j] = parts[i] - sign * parts[j], parts[j] + sign * parts[i]
-        return out
+        return self.along(parts, -1)
 
 
 def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:

@@ -65,7 +65,9 @@ class Balance(Forces, StateSystem):
         of the one that it was extended beyond: those on the border are then inside.
         """
         other = Balance(self.model, self.contact, self.law, self.options)
-        other.count_beyond(room, self.beyond if contact is None else contact)
+        other.beyond = self.beyond if contact is None else contact
+        other.room, other.border = room, other.border + room
+        other.rooms = [room if other.beyond in (None, k) else 0.0 for k in other.opens]
         return other
 
     @property

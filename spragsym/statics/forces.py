@@ -195,14 +195,6 @@ class Forces:
         """The evaluation at coordinates, which functions of parameters alone do not need."""
         return Evaluation(self, q if len(q) else [0] * self.n, values, shape, xp)
 
-    def count_beyond(self, room: float, contact: int | None = None) -> None:
-        """Count states that far beyond the border of a contact, or of all, too: where those on it
-        are looked for.
-        """
-        self.border += room - self.room
-        self.room, self.beyond = room, contact
-        self.rooms = [room if contact in (None, k) else 0.0 for k in self.opens]
-
     def sides(self, gaps: Sequence[Intervals]) -> tuple[BoolArray, BoolArray]:
         """Mask of points where gaps are on this side of their contacts' borders or on them, and
         where one is beyond; all on this side where none opens.

@@ -40,7 +40,7 @@ and those that can't be told from one on the border are undecided.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -62,17 +62,15 @@ from ..numerics.interval_arrays import (
     stacked,
     width_of,
 )
-from ..numerics.plans import Exclusions
-from ..numerics.tape import Tape
 from .balance import SCALE, Balance
 from .forces import Evaluation, Values, as_intervals
 from .namespaces import XP
 from .precise_balance import reduced_by_turns, refined, refined_in_digits
-from .systems import StateSystem
+from .systems import WithoutTapes
 
 
 @dataclass(frozen=True)
-class Polar(StateSystem):
+class Polar(WithoutTapes):
     """The balance along and across a spring's line; unknowns are φ, the length, and the other
     coordinates.
 
@@ -200,14 +198,6 @@ class Polar(StateSystem):
         return at.beside_border()[1] | np.logical_or.reduce(
             width_of(self.balance.with_directions(at)) < 0
         )
-
-    def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
-        """No exclusion by tape."""
-        return Exclusions()
-
-    def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes that are excluded for any reason."""
-        return self.excluded(unknowns, parameters)
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""

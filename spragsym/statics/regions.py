@@ -288,7 +288,9 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
     Forces balance where Newton's method has come to rest, from 0 and from steps of the lengths
     along each coordinate; where it has not, it tells nothing.
     """
-    scale = np.zeros(bounds.shape[1])
+    scale, none = np.zeros(bounds.shape[1]), np.zeros((balance.n, 1))
+    # Ahead and back along each of the coordinates.
+    ways = np.concatenate([step * np.eye(balance.n) for step in (1, -1, 10, -10, 100, -100)])
     with quiet():
         # Bound on lengths of the model: a machine's, told in nanometres.
         farthest = 1e12
@@ -304,8 +306,8 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
             lines = np.where(sizes < farthest, sizes, 0.0).max(axis=0, initial=0.0)
             scale = np.maximum(scale, lines)
             reach = np.maximum(lines, 1.0)
-            for number, way in enumerate((np.zeros((balance.n, 1)), *_ways(balance.n))):
-                near = balance.guessed(way * reach + origin, parameters)
+            for number, way in enumerate((none, *ways)):
+                near = balance.guessed(way.reshape(-1, 1) * reach + origin, parameters)
                 guess = balance.guessed(near, parameters)
                 rests = np.abs(guess - near).max(axis=0) <= 1e-9 * np.abs(guess).max(axis=0)
                 size = np.abs(guess).max(axis=0)
@@ -315,11 +317,6 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
                     reach = np.where(is_in_another_unit(scale), scale, reach)
     # A page in SI units may have states of nanometres.
     return np.where(scale > 0, np.maximum(scale, np.minimum(1.0, 10 * scale)), 1.0)
-
-
-def _ways(n: int) -> FloatArray:
-    """Steps of 1, 10 and 100 ahead and back along each of n coordinates, shape (6 n, n, 1)."""
-    return np.concatenate([step * np.eye(n) for step in (1, -1, 10, -10, 100, -100)])[:, :, None]
 
 
 def _any_direction(balance: Balance, count: int) -> list[Intervals]:

@@ -167,22 +167,9 @@ class StateSystem(EquationSystem):
         """
         n = self.balance.n
         near = unknowns[:n].middle
-        given = self.contraction(*self.directed_entries(), unknowns, near, parameters)
+        found = self.taped(*self.directed_entries(), unknowns, Intervals.point(near), parameters)
+        given = as_linear(found, unknowns.ends[:, :n], near)
         return np.fmin(contractors.newton(*given).ends, unknowns.ends[:, :n])
-
-    def contraction(
-        self,
-        key: Hashable,
-        rows: Rows,
-        unknowns: Intervals,
-        near: FloatArray,
-        parameters: Intervals,
-    ) -> Linear:
-        """Linear system that contractors take, from the entries ``rows`` of unknowns, points of
-        their boxes and parameters.
-        """
-        found = self.taped(key, rows, unknowns, Intervals.point(near), parameters)
-        return as_linear(found, unknowns.ends[:, : self.balance.n], near)
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Residuals on any side: torsion angles that jump in a box have any value there."""
@@ -287,6 +274,18 @@ class StateSystem(EquationSystem):
         return []
 
 
+class WithoutTapes(StateSystem):
+    """A system of which no tape excludes boxes."""
+
+    def exclusions(self, made: Callable[..., Tape]) -> Exclusions:
+        """None."""
+        return Exclusions()
+
+    def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """Boxes that are excluded for any reason."""
+        return self.excluded(unknowns, parameters)
+
+
 #: Gaps of the contacts that open, and vectors to the anchors of springs.
 GAPS: Entries = "gap", lambda at: at.gaps() or [0]
 ANCHORS: Entries = "anchors", lambda at: [part for line in at.geometry for part in line[:2]]
@@ -316,13 +315,6 @@ class Boxes:
         parts = list(self.taped(*ANCHORS))
         return list(zip(parts[::2], parts[1::2], strict=True))
 
-    @property
-    def near_anchors(self) -> list[BoolArray]:
-        """Of each spring which boxes are no farther from its anchor than their size."""
-        return [
-            np.hypot(dx.mignitude, dy.mignitude) <= dx.width + dy.width for dx, dy in self.anchors
-        ]
-
     def some(self, rows: IntArray) -> Boxes:
         """Some of the boxes."""
         return Boxes(self.system, self.unknowns[:, rows], self.parameters[:, rows])
@@ -336,12 +328,14 @@ class Boxes:
 def at_anchors(
     boxes: Boxes, among: BoolArray, excludes: Callable[[Boxes, int], BoolArray]
 ) -> BoolArray:
-    """Boxes of which something is told of all directions of a spring, among those at its anchor.
+    """Boxes of which something is told of all directions of a spring, among those that are no
+    farther from its anchor than their size.
 
     Farther from there the direction is known so well that the equations themselves tell.
     """
     out = np.zeros(boxes.shape, dtype=bool)
-    for spring, near in enumerate(boxes.near_anchors):
+    for spring, (dx, dy) in enumerate(boxes.anchors):
+        near = np.hypot(dx.mignitude, dy.mignitude) <= dx.width + dy.width
         rows = np.flatnonzero(among & ~out & near)
         if rows.size:
             out[rows] = excludes(boxes.some(rows), spring)

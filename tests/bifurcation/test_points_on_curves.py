@@ -3,7 +3,6 @@ many there are.
 """
 
 import itertools
-import tracemalloc
 
 import numpy as np
 import pytest
@@ -65,17 +64,3 @@ def test_pairs_are_all_that_no_decided_line_separates(number: int) -> None:
     np.add.at(got, (found.min(axis=0), found.max(axis=0)), True)
     assert found.shape[1] == got.sum()
     np.testing.assert_array_equal(got, expected)
-
-
-def test_pairs_of_many_points_fit_into_memory() -> None:
-    """30,000 points on 300 lines: all pairs are 900 million."""
-    rng = np.random.default_rng(5)
-    lines = [np.linspace(0, 1, 300)] * 2
-    places = np.array([rng.choice(lines[0], 30_000), rng.uniform(0, 1, 30_000)])
-    tracemalloc.start()
-    known = [np.ones(300, dtype=np.bool_)] * 2
-    pairs = bifurcation_sets._pairs(places, lines, known, np.array([[0.0, 1.0]] * 2))
-    peak = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
-    assert 0 < pairs.shape[1] < 3_000_000
-    assert peak < 100e6

@@ -40,15 +40,15 @@ def without_dampers(closed: Callable[..., R]) -> Callable[..., R]:
 
     @functools.wraps(closed)
     def asked(p: ParameterSet, *args: Any, **options: Any) -> R:
-        return _with_parameters(closed(undamped(p), *args, **options), p)
+        found: Any = closed(undamped(p), *args, **options)
+        if isinstance(found, BifurcationSet):
+            found = replace(found, cusps=replace(found.cusps, parameters=p))
+        elif isinstance(found, Equilibria | Points):
+            found = replace(found, parameters=p)
+        made: R = found
+        return made
 
     return asked
-
-
-def _with_parameters(found: Any, p: ParameterSet) -> Any:
-    if isinstance(found, BifurcationSet):
-        return replace(found, cusps=replace(found.cusps, parameters=p))
-    return replace(found, parameters=p) if isinstance(found, Equilibria | Points) else found
 
 
 bifurcation_set = without_dampers(bifurcation_set_at_rest)

@@ -161,9 +161,9 @@ def test_points_without_an_answer_are_marked_with_their_reason(
 @pytest.mark.parametrize("contact", [True, False])
 def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch, contact: bool) -> None:
     p = _points(8 if contact else 4)
-    whole = ss.equilibria(p, contact=contact)
+    whole, in_blocks = ss.equilibria(p, contact=contact), solver._in_blocks
     monkeypatch.setattr(solver, "BLOCK", 7)
-    monkeypatch.setattr(block, "A_THREAD", 7)
+    monkeypatch.setattr(solver, "_in_blocks", lambda p, _, work: in_blocks(p, 7, work))
     for threads in (1, 3):
         ss.kang_nam.set_backend("numpy", threads=threads)
         pieces = ss.equilibria(p, contact=contact)

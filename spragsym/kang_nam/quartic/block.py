@@ -19,11 +19,6 @@ from ...generated import kernel
 from ...numerics.double_double import DoubleDouble, cosine_and_sine
 from ...numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArray, quiet
 
-#: Points that are worth a thread of their own.
-A_THREAD = 1 << 16
-#: Points that are, where they are only counted.
-A_COUNTING_THREAD = 1 << 19
-
 
 @quiet()
 def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:

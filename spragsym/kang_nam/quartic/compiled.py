@@ -10,11 +10,6 @@ from ...models.load import fits
 from ...numerics.interval_arrays import FloatArray, Int8Array, IntArray
 from .block import COLUMNS, Slots
 
-#: Points that are worth a thread of their own.
-A_THREAD = 1 << 15
-#: Points that are, where they are only counted.
-A_COUNTING_THREAD = 1 << 17
-
 
 def available() -> bool:
     """Whether the extension module was built, and from the C library that was generated with the

@@ -115,7 +115,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     backend = chosen()
     unsettled = _in_blocks(
         p,
-        backend.A_THREAD,
+        1 << (15 if backend is compiled else 16),
         lambda values, begin, size: begin + backend.solve(values, contact, out, begin, size),
     )
     left = np.concatenate([np.empty(0, dtype=int), *unsettled])
@@ -155,7 +155,9 @@ def count(p: Parameters) -> Int8Array:
     p.require("theta0", "mu0")
     backend = chosen()
     blocks = _in_blocks(
-        p, backend.A_COUNTING_THREAD, lambda values, _, size: backend.count(values, size)
+        p,
+        1 << (17 if backend is compiled else 19),
+        lambda values, _, size: backend.count(values, size),
     )
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
@@ -175,7 +177,7 @@ def _in_blocks(
     """``work(values, begin, size)`` for every block of points, in order; values have the block's
     size, or are one number.
 
-    No more threads than have ``a_thread`` points each.
+    No more threads than have ``a_thread`` points each, as many as are worth one.
     """
     given = [_column(p, name) for name in NAMES]
     size = math.prod(p.shape)

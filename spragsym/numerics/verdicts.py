@@ -94,38 +94,26 @@ class Judged:
 
 def judged(boxes: Looked, rules: Rules) -> Judged:
     """Verdicts by NumPy, where no plan has them by compiled code."""
-    middle, wide = boxes.middle, boxes.wide
+    middle, before, wide = boxes.middle, boxes.ends, boxes.wide
     found = contractors.newton(
         boxes.values, boxes.slopes, middle, contractors.distance(wide, middle)
     )
-    proved = contractors.inside(found.ends, wide)
-    rest = np.flatnonzero(~proved & ~found.none & ~contractors.apart(found.ends, boxes.ends))
-    ends = found.ends[:, :, rest]
+    ends, dropped = found.ends, found.none | contractors.apart(found.ends, before)
     if rules.sharp:
-        middle, before = middle[:, rest], boxes.ends[:, :, rest]
         by_rows, none = contractors.by_each_row(
-            boxes.values[:, rest],
-            boxes.slopes[:, :, rest],
-            middle,
-            contractors.distance(before, middle),
+            boxes.values, boxes.slopes, middle, contractors.distance(before, middle)
         )
         ends = np.fmin(ends, by_rows)
-        some = np.flatnonzero(
-            ~(none | np.logical_or.reduce(width_of(ends) < 0) | contractors.apart(ends, before))
-        )
-        ends, rest = ends[:, :, some], rest[some]
-    noise = found.noise[:, rest]
-    now = with_room(ends, boxes.ends[:, :, rest], noise, rules.margin)
-    closed = np.logical_and.reduce(found.ends[:, :, rest] < wide[:, :, rest])
-    verdicts, along = proved.astype(np.int8), np.zeros(proved.size, dtype=int)
-    left = np.zeros_like(boxes.ends)
-    left[:, :, rest] = now
-    verdicts[rest] = _divided(boxes, rest, now, noise, closed, rules)
-    cut = verdicts[rest] == BoxVerdict.HALVED
-    along[rest[cut]] = _most_told(
-        now[:, :, cut], boxes.slopes[:, :, rest[cut]], closed[:, cut], rules.spans
-    )
-    return Judged(found.ends, left, verdicts, along)
+        empty = np.logical_or.reduce(width_of(ends) < 0) | contractors.apart(ends, before)
+        dropped |= none | empty
+    now = with_room(ends, before, found.noise, rules.margin)
+    closed = np.logical_and.reduce(found.ends < wide)
+    verdicts = np.select(  # the first that holds
+        [np.logical_and.reduce(closed), dropped],
+        [BoxVerdict.PROVED, BoxVerdict.DROPPED],
+        _divided(boxes, now, found.noise, closed, rules),
+    ).astype(np.int8)
+    return Judged(found.ends, now, verdicts, _most_told(now, boxes.slopes, closed, rules.spans))
 
 
 def with_room(
@@ -138,20 +126,13 @@ def with_room(
 
 
 def _divided(
-    boxes: Looked,
-    rows: IntArray,
-    now: FloatArray,
-    noise: FloatArray,
-    closed: BoolArray,
-    rules: Rules,
+    boxes: Looked, now: FloatArray, noise: FloatArray, closed: BoolArray, rules: Rules
 ) -> IntArray:
     """Ways in which boxes that are neither dropped nor proved are divided."""
-    widths = width_of(now)
-    single, spent = boxes.single[rows], boxes.spent[rows]
+    widths, single, spent = width_of(now), boxes.single, boxes.spent
     scale = scale_of(now).max(axis=0)
     # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
-    before = width_of(boxes.given[:, :, rows])
-    ratio = np.where(widths <= NARROW * scale, 1.0, widths / before)
+    ratio = np.where(widths <= NARROW * scale, 1.0, widths / width_of(boxes.given))
     moved = ~np.logical_and.reduce(noise < rules.spread * widths)
     stuck = np.logical_or.reduce(noise >= rules.spread * widths) & np.logical_and.reduce(
         widths <= rules.small * scale

@@ -21,6 +21,8 @@ from tests.support import box_of
 
 pytest.importorskip("sympy")
 
+#: A worn drum.
+GIVEN = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
 #: A search that takes a few seconds.
 FEW = ss.MarginOptions(rays=1, rounds=2)
 
@@ -109,7 +111,7 @@ def a_margin(given: Any, P: float) -> tuple[Any, float]:
 
 @pytest.mark.thorough
 def test_the_nearest_design_that_jumps_is_on_the_border() -> None:
-    given = {"mu0": 1.5, "b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
+    given = GIVEN | {"mu0": 1.5}
     found, distance = a_margin(given, 0.005)
     np.testing.assert_allclose(found.distance, distance, rtol=1e-9)
     changed = given | {"d": float(found.parameters.d)}
@@ -125,13 +127,12 @@ def test_the_nearest_design_that_jumps_is_on_the_border() -> None:
 
 @pytest.mark.thorough
 def test_the_share_that_jumps_is_that_of_what_locks_and_touches() -> None:
-    given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
-    asked = {**given, "P": (0.01, 0.02), "mu0": (1.0, 1.5)}
+    asked = {**GIVEN, "P": (0.01, 0.02), "mu0": (1.0, 1.5)}
     # Without indices the points are proved by parts of the box, where these tell them.
     found = ss.jump_probability(
         asked, model=shoe(), vary="P", begin=-0.1, n=8192, rng=1, sobol=False, max_boxes=50
     )
-    exact = (0.02 - touches(given)) / 0.01 * (1.5 - locks(given)) / 0.5
+    exact = (0.02 - touches(GIVEN)) / 0.01 * (1.5 - locks(GIVEN)) / 0.5
     assert found.low < exact < found.high
     assert found.high - found.low < 0.003
     assert found.proved is not None
@@ -199,20 +200,19 @@ def test_a_tube_is_of_the_state_that_was_given() -> None:
 @pytest.mark.thorough
 def test_a_box_is_proved_below_the_border_and_refuted_where_states_end_there() -> None:
     """Where the shoe locks; where it does not its state passes, of which nothing is told."""
-    given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
-    locking = locks(given) * 1.01
+    locking = locks(GIVEN) * 1.01
 
     def outcome(mu0: float, P: float) -> Any:
-        low = shoe().Parameters(**given, mu0=mu0, P=0.01)
+        low = shoe().Parameters(**GIVEN, mu0=mu0, P=0.01)
         high = low.replace(P=P, mu0=mu0 * 1.01)
         return ss.certify(low, between=box_of(low, high), vary="P", begin=-0.1, max_boxes=50)
 
-    least = touches(given)
+    least = touches(GIVEN)
     assert outcome(locking, least * 0.99).outcome == "proved"
     found = outcome(locking, least * 1.01)
     assert found.outcome == "refuted"
     ended = found.counterexample
-    assert (ended.P > least, ended.mu0 > locks(given)) == (True, True)
+    assert (ended.P > least, ended.mu0 > locks(GIVEN)) == (True, True)
     assert outcome(locking / 1.03, least * 1.01).outcome == "undecided"
     # Too near to tell, or seen to be beyond.
     assert outcome(locking, least * (1 - 1e-15)).outcome in ("undecided", "proved")
@@ -221,8 +221,7 @@ def test_a_box_is_proved_below_the_border_and_refuted_where_states_end_there() -
 
 @pytest.mark.parametrize(("mu0", "outcome"), [(0.3, "proved"), (1.5, "refuted")])
 def test_states_of_all_combinations_are_counted(mu0: float, outcome: str) -> None:
-    given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s": 0.2, "s_0": 0.3}
-    low = shoe().Parameters(**given, mu0=mu0, P=0.01)
+    low = shoe().Parameters(**GIVEN, mu0=mu0, P=0.01)
     assert (int(ss.equilibria(low).count) == 1) == (outcome == "proved")
     assert (
         ss.certify(
@@ -235,14 +234,13 @@ def test_states_of_all_combinations_are_counted(mu0: float, outcome: str) -> Non
 @pytest.mark.thorough
 def test_border_folds_are_curves_of_the_bifurcation_set() -> None:
     """As far as the leading shoe locks; where it does not the state passes."""
-    given = {"b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s_0": 0.3}
-    p = shoe().Parameters(**given, mu0=1.5)
+    p = shoe().Parameters(**GIVEN, mu0=1.5)
     plane = {"s": (0.0, 1.0), "P": (-0.1, 0.2)}
     found = ss.bifurcation_set(p, ("s", "P"), 10, between=plane)
     (curve,) = found.curves
     assert found.complete
     assert (curve["s"].min(), curve["s"].max()) == (0.0, 1.0)
-    np.testing.assert_allclose(curve["P"], touches(given | {"s": curve["s"]}), rtol=1e-12)
+    np.testing.assert_allclose(curve["P"], touches(GIVEN | {"s": curve["s"]}), rtol=1e-12)
     assert {*curve["touching"]} == {"leading, trailing"}
     assert {*curve["at_border"]} == {"leading"}
     assert not ss.bifurcation_set(p.replace(mu0=1.0), ("s", "P"), 10, between=plane).curves
@@ -260,7 +258,7 @@ def a_lowest_end(given: Any) -> Any:
 
 @pytest.mark.thorough
 def test_the_lowest_end_is_at_the_place_of_least_wear() -> None:
-    given = {"mu0": 1.5, "b": 0.7, "c": 0.9, "k": 0.3, "l": 1.5, "d": 0.05, "s_0": 0.3}
+    given = GIVEN | {"mu0": 1.5}
     found = a_lowest_end(given)
     assert (found.kind, found.complete) == ("border", True)
     np.testing.assert_allclose([found.P, found.s], [touches(given | {"s": 0.3}), 0.3], rtol=1e-12)

@@ -39,9 +39,6 @@ from .planes import draw_onset_curves as draw_onset_curves
 from .planes import stability_figure as stability_figure
 from .plotting import FIGURES as FIGURES
 from .plotting import plot as plot
-from .report_pages import draw_operating_point as draw_operating_point
-from .report_pages import draw_rising as draw_rising
-from .report_pages import draw_shares as draw_shares
 from .report_pages import report_page as report_page
 from .style import FORMATS as FORMATS
 from .style import Sheet as Sheet

@@ -16,8 +16,6 @@ from urllib.parse import quote
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.container import BarContainer
-from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.style import context
 
@@ -26,7 +24,6 @@ import spragsym as ss
 from ..bifurcation.defining_systems import ranges
 from ..bifurcation.hopf_curves import OnsetCurves
 from ..core.errors import ConvergenceError, SpragsymError
-from ..core.questions import model_of
 from ..files.text import filled
 from ..models.load import mechanism
 from ..models.parameters import ParameterSet, Ranges, Span
@@ -45,11 +42,9 @@ from .style import (
     GREY,
     SKY,
     VERMILION,
+    Shown,
     house_style,
     in_units,
-    label,
-    own_axes,
-    own_unit,
     single,
     symbol,
     write_along,
@@ -57,7 +52,7 @@ from .style import (
 from .style import picture as content
 
 if TYPE_CHECKING:
-    from matplotlib.artist import Artist
+    pass
 
 
 def report_page(report: Facts) -> str:
@@ -129,30 +124,29 @@ def _planes(report: Facts) -> Rows:
         )
         box = {angle: (angles.low, angles.high), friction: (low, high)}
         works = "Where the brake works (dot)" + " and its tolerances (box)" * _varies(box)
+        top = _top(high, jump)
+
+        def draw(ax: Axes) -> None:
+            draw_plane(ax, p, {friction: (0.0, top)}, n=40)
+            mark_brake(ax, p, box, jump)
+
         with suppress(SpragsymError):
-            # Lines of a bifurcation set.
-            yield (
-                picture(partial(draw_operating_point, p, box, jump, n=40)),
-                f"{works}. {caption}",
-            )
+            yield picture(draw), f"{works}. {caption}"
     unit, size = unit_of(study)
     # Angles are drawn in degrees by the picture itself.
-    # Values along the friction.
-    options: dict[str, Any] = dict(
-        length=size if unit == "mm" else 1.0, up=f"{first['name']} in {unit}", n=80
-    )
-    load, vary = "the friction", study.loading.name
+    up = f"{first['name']} in {unit}", size if unit == "mm" else 1.0
+    load, vary, begin, along = "the friction", study.loading.name, 0.0, (r"friction $\mu$", 1.0)
     if not study.of_friction:
         load, scale = study.loading.quantity, study.load_scale
         low, high, one = low / scale, high / scale, study.quantities[load]
         drawn = math.radians(1.0) if study.kind.units[load] == "rad" else 1.0
-        options["begin"] = study.start()
-        options["size"] = study.in_file(load, drawn * scale)
-        options["across"] = f"{load} in {one.unit}" if one.unit else load
+        begin = study.start()
+        title = f"{load} in {one.unit}" if one.unit else load
+        along = title, study.in_file(load, drawn * scale)
     meaning = first["meaning"].partition(",")[0]
     turns, varies = vary in report.folds and len(report.folds[vary]) > 0, high > low
     yield (
-        picture(partial(draw_rising, p, vary, between={vary: (low, high)}, **options)),
+        picture(lambda ax: draw_rising(ax, p, vary, (low, high), begin, (along, up))),
         f"{meaning[:1].upper()}{meaning[1:]} as {load} rises "
         f"(orange{', with its jumps' * turns}); grey: all states, full where stable."
         + " Dots: folds, where two states meet and end." * turns
@@ -185,7 +179,7 @@ def _stability_map(report: Facts) -> Rows:
 
         def draw(ax: Axes) -> None:
             draw_onset_curves(onsets, ax, shown=shown)
-            mark_brake(ax, p, box[angle], box[friction])
+            mark_brake(ax, p, box)
 
         here = report.current
         what = (
@@ -289,61 +283,24 @@ _FAR = 3.0
 _MORE = 0.15
 
 
-def draw_operating_point(
-    p: ParameterSet,
-    between: Ranges,
-    jump: float = float("nan"),
-    ax: Axes | None = None,
-    *,
-    n: int = 60,
-) -> Line2D:
-    """The bifurcation set of any model over inclination and friction, the point where a brake
-    works, its tolerances and its jump.
-
-    Parameters
-    ----------
-    p : Parameters
-        Scalars, with the friction that works.
-    between : mapping
-        Ends of the tolerances of both, by their names, radians.
-    jump : float
-        Friction at which the followed state jumps at θ₀, NaN if it never does, or is not to be
-        shown.
-    ax : Axes, optional
-    n : int
-        Lines of either parameter on which a search looks for folds.
-
-    Returns
-    -------
-    matplotlib line of the point
-    """
-    vary = model_of(p).two(None)
-    p.scalars(*vary)  # a set with units is refused before anything is drawn
-    ax = own_axes(ax)
-    angles, friction = (between[name] for name in vary)
-    draw_plane(ax, p, {vary[1]: (0.0, _top(friction[1], jump))}, n=n)
-    return mark_brake(ax, p, angles, friction, jump)
-
-
 def _top(most: float, jump: float) -> float:
     """Upper end of a plane's friction: beyond that in use, and that of the jump if there is one."""
     return max(_TOP, 1.15 * most, 1.15 * jump if jump < _FAR else 0.0)
 
 
-def mark_brake(
-    ax: Axes, p: ParameterSet, angles: Span, frictions: Span, jump: float = float("nan")
-) -> Line2D:
+def mark_brake(ax: Axes, p: ParameterSet, box: Ranges, jump: float = float("nan")) -> None:
     """A brake in the plane of inclination in degrees and friction: its point, the box of its
     tolerances, and where it jumps, if it does.
     """
     radians, friction = p.scalars(*p.model.axes)
     angle = np.degrees(radians)
-    low, high = np.degrees(angles)
+    (left, right), (low, high) = (box[name] for name in p.model.axes)
+    corner, width = (np.degrees(left), low), np.degrees(right) - np.degrees(left)
     ax.add_patch(
         Rectangle(
-            (low, frictions[0]),
+            corner,
+            width,
             high - low,
-            frictions[1] - frictions[0],
             facecolor=SKY,
             edgecolor=BLUE,
             linewidth=0.8,
@@ -351,76 +308,49 @@ def mark_brake(
             zorder=3,
         )
     )
-    (point,) = ax.plot(angle, friction, "o", color=BLUE, markersize=4.5, zorder=5)
+    ax.plot(angle, friction, "o", color=BLUE, markersize=4.5, zorder=5)
     if np.isfinite(jump):
         ax.plot(angle, jump, marker="x", color=BLACK, markersize=5, zorder=5)
         ax.annotate(
             f"jump at {jump:.3f}", (angle, jump), (6, -2), textcoords="offset points", va="top"
         )
-    return point
 
 
 def draw_rising(
-    p: ParameterSet,
-    vary: str,
-    ax: Axes | None = None,
-    *,
-    between: Ranges,
-    begin: float = 0.0,
-    length: float = 1.0,
-    up: str | None = None,
-    size: float = 1.0,
-    across: str = r"friction $\mu$",
-    n: int = 200,
-) -> list[Artist]:
-    """The states of any model over the loading parameter, the one followed as it does, and the
-    range of its tolerance shaded.
+    ax: Axes, p: ParameterSet, vary: str, ends: Span, begin: float, shown: tuple[Shown, Shown]
+) -> list[Any]:
+    """The states over the loading parameter, the one followed as it rises, and its tolerance
+    shaded; returns the artists of the path.
 
     Parameters
     ----------
+    ax : Axes
     p : Parameters
         Scalars, of which the one that rises is not used.
     vary : str
         The loading parameter.
-    ax : Axes, optional
-    between : mapping
-        Ends of its tolerance, by its name.
+    ends : pair of float
+        Ends of its tolerance.
     begin : float
         From where.
-    length, size : float
-        What one of the first coordinate, and of the loading parameter, is in the unit that the axis
-        shows; of an angle, what a degree is.
-    up, across : str, optional
-        Of these axes.
-    n : int
-        Points of each piece.
-
-    Returns
-    -------
-    list of artists
-        Of the path.
+    shown : pair of (str, float)
+        Title of either axis, and what one is on it of the loading parameter and of the first
+        coordinate; of an angle, what a degree is.
     """
-    model = model_of(p)
-    ax, first = own_axes(ax), model.coordinates[0]
-    ends = between[vary]
+    model, first = p.model, p.model.coordinates[0]
     allowed, end = p.ranges[vary], ranges(p, (vary,), {})[0, 1]
     high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
-    least, far = (
-        (_TOP, _FAR)
-        if vary == model.coefficient
-        else (further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end)
-    )
+    least, far = further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end
+    if vary == model.coefficient:
+        least, far = _TOP, _FAR
     turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})
     marked = [value + _MORE * abs(value) for value in turns[vary].tolist() if begin < value < far]
     top = min(max(least, further, *marked), high)
     top = top if top > begin else end  # nothing is applied yet, and nothing ends
-    draw_branches(
-        curves_between(p, vary, (begin, top), turns, True, n),
-        first,
-        ax=ax,
-        color=GREY,
-        linewidth=0.8,
-    )
+    # Points of each piece.
+    n = 80
+    curves = curves_between(p, vary, (begin, top), turns, True, n)
+    draw_branches(curves, first, ax=ax, color=GREY, linewidth=0.8)
     artists: list[Any] = []
     with suppress(
         ConvergenceError
@@ -428,18 +358,16 @@ def draw_rising(
         path = ss.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
         artists += draw_path(path, first, ax=ax, color=VERMILION)
     mark_folds(turns, first, ax=ax, between={vary: (begin, top)})
-    varied, height = model.column(vary), model.column(first)
-    tolerance = np.multiply(varied.size, ends)
+    size = model.column(vary).size
+    tolerance = np.multiply(size, ends)
     ax.axvspan(*tolerance, color=SKY, alpha=0.25, linewidth=0, zorder=0)
-    ax.set_xlim(varied.size * begin, varied.size * top)
-    in_units(ax.xaxis, (across, size))
-    in_units(ax.yaxis, (up or label(height, own_unit(model, height)), length))
+    ax.set_xlim(size * begin, size * top)
+    for axis, one in zip((ax.xaxis, ax.yaxis), shown, strict=True):
+        in_units(axis, one)
     return artists
 
 
-def draw_shares(
-    indices: Mapping[str, tuple[float, float, float]], ax: Axes | None = None
-) -> BarContainer:
+def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes) -> None:
     """Sobol' indices as bars: the total effect of every quantity, its own share within, and the
     interval of the total.
 
@@ -447,9 +375,8 @@ def draw_shares(
     ----------
     indices : mapping of str to (float, float, float)
         First order, total, and half-width of the total's interval.
-    ax : Axes, optional
+    ax : Axes
     """
-    ax = own_axes(ax)
     names = list(indices)[::-1]
     first, total, error = np.nan_to_num([indices[name] for name in names]).reshape(-1, 3).T
     places = np.arange(len(names))
@@ -461,9 +388,8 @@ def draw_shares(
         height=0.62,
         error_kw={"elinewidth": 0.8, "ecolor": GREY},
     )
-    bars = ax.barh(places, np.maximum(first, 0.0), color=BLUE, height=0.3)
+    ax.barh(places, np.maximum(first, 0.0), color=BLUE, height=0.3)
     ax.set_yticks(places, [f"${symbol(name)}$" if name.isidentifier() else name for name in names])
     ax.set(xlabel="share of the variance of “it jumps”", xlim=(0, 1.05))
     if names:
         write_along(ax, "inner: alone; outer: with others", 0.98, -0.1, ha="right", color=GREY)
-    return bars

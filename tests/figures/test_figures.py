@@ -130,7 +130,7 @@ def test_what_is_no_set_of_parameters_and_no_result_is_refused_by_its_name() -> 
         (draw, *inspect.signature(draw).parameters) for draw in drawn if inspect.isfunction(draw)
     ]
     of_parameters = [(draw, more) for draw, *more in asked if more[:1] == ["p"]]
-    assert len(of_parameters) == 7
+    assert len(of_parameters) == 5
     for draw, more in of_parameters:
         needed = {key: {"theta0": (0.0, 1.0)} for key in {"vary", "between"} & {*more}}
         with pytest.raises(

@@ -168,11 +168,9 @@ def basin_boundary(
     units = scales.states[axes]
     widths = units * [3.0 if name in model.coordinates else 1.0 for name in plane]
     given = as_ranges("between", between, {name: model.any_of(name) for name in plane})
-    default_ranges = zip(
-        plane, saddle_point.state[axes] - widths, saddle_point.state[axes] + widths, strict=True
-    )
-    ranges = [given.get(name, (low, high)) for name, low, high in default_ranges]
-    ranges = [(low / unit, high / unit) for (low, high), unit in zip(ranges, units, strict=True)]
+    about = zip(plane, saddle_point.state[axes], widths, strict=True)
+    ranges = np.array([given.get(name, (at - width, at + width)) for name, at, width in about])
+    ranges /= units[:, None]
     low, high = ranges[0]
     # Distance of neighbours on the curve by default, as a share of the range.
     whole = (high - low) * (1 / 300)
@@ -264,7 +262,7 @@ class _Walk:
     scales: MotionScales
     natural: Saddle
     plane: FloatArray
-    to: Any
+    to: FloatArray
     step: float
     points: int
 
@@ -408,10 +406,8 @@ class _Walk:
                 if step < 1e-4:
                     return found, "it could not be followed farther"
                 continue
-            if not all(
-                low <= value <= high
-                for value, (low, high) in zip(self.plane @ ahead, self.to, strict=True)
-            ):
+            low, high = np.transpose(self.to)
+            if not ((low <= self.plane @ ahead) & (self.plane @ ahead <= high)).all():
                 return found, "the range ends"
             found.append((ahead, error))
             state, way, step, span = ahead, along, min(self.step, 1.5 * step), later

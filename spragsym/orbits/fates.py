@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 from functools import partial
 from pathlib import Path
@@ -150,52 +150,40 @@ def fate(
     state = state_of(p.model, start, p=p)
     if t_end is not None:
         t_end = as_number("t_end", t_end, POSITIVE)
-    try:
-        return _followed(system, state, t_end)
-    except ConvergenceError as failed:
-        return _undecided(system, f"{UNFOLLOWED}: {failed}", 0.0, float("inf"), state)
-
-
-def _undecided(system: System, why: str, t: float, scale: float, end: FloatArray) -> Fate:
-    """Nothing is known of the motion but why."""
     none, nothing = np.full(system.field.deviations, np.nan), Outcome(names=system.field.components)
-    return Fate("undecided", why, t, nothing, none, none, -1, scale, "", end)
+    begun = Fate("undecided", "", 0.0, nothing, none, none, -1, float("inf"), "", state)
+    try:
+        return _followed(system, begun, t_end)
+    except ConvergenceError as failed:
+        return replace(begun, why=f"{UNFOLLOWED}: {failed}")
 
 
-def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
+def _followed(system: System, begun: Fate, t_end: float | None) -> Fate:
+    start = begun.end
     scales, looks = system.scales(start), system.options.times
     t_end = looks[-1] * scales.time if t_end is None else t_end
     times = (*(t * scales.time for t in looks if t * scales.time < t_end / 2), t_end)
     verdict = judged(system, start, times=times)
     scale, nearby = _time_scale(system, verdict)
+    found = replace(begun, t=verdict.t, time_scale=scale, end=verdict.end)
     if verdict.decided:
         why = f"it comes to {verdict.described()}"
         held = verdict.kind == Regime.EQUILIBRIUM and system.field.clock
         why += ", where friction holds it in every phase of the clock" if held else ""
         try:
             kind, spectrum, error = attractor_exponents(system, verdict)
-            moves = held or verdict.kind == Regime.LIMIT_CYCLE
-            trivial = int(np.flatnonzero(spectrum == 0)[0]) if moves else -1
-            return Fate(
-                kind,
-                why,
-                verdict.t,
-                verdict.outcome,
-                spectrum,
-                error,
-                trivial,
-                scale,
-                "",
-                verdict.end,
-            )
         except ConvergenceError as failed:
-            return _undecided(
-                system,
-                f"{why}, which Newton's method does not find again: {failed}",
-                verdict.t,
-                scale,
-                verdict.end,
-            )
+            return replace(found, why=f"{why}, which Newton's method does not find again: {failed}")
+        moves = held or verdict.kind == Regime.LIMIT_CYCLE
+        return replace(
+            found,
+            kind=kind,
+            why=why,
+            outcome=verdict.outcome,
+            exponents=spectrum,
+            error=error,
+            trivial=int(np.flatnonzero(spectrum == 0)[0]) if moves else -1,
+        )
     # Exponents are looked at over a share of this time, and where one may be positive over the rest
     # as well.
     rates = rates_along(system, verdict.end, 0.2 * t_end, scales)
@@ -216,12 +204,17 @@ def _followed(system: System, start: FloatArray, t_end: float | None) -> Fate:
         "a transient it would live for more "
         f"than {lasting:.2g} on the average (95 %)"
     )
-    kind = "undecided" if why else "chaotic"
-    exponents = rates.exponents[rates.order]
-    error = rates.error[rates.order]
-    t = verdict.t + rates.span
-    return Fate(
-        kind, reason, t, verdict.outcome, exponents, error, rates.trivial, scale, near, rates.end
+    return replace(
+        found,
+        kind="undecided" if why else "chaotic",
+        why=reason,
+        t=verdict.t + rates.span,
+        outcome=verdict.outcome,
+        exponents=rates.exponents[rates.order],
+        error=rates.error[rates.order],
+        trivial=rates.trivial,
+        near=near,
+        end=rates.end,
     )
 
 

@@ -4,7 +4,6 @@ comes to, and its cycles.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -95,13 +94,7 @@ def simulate(
     units = None if case.study is None else case.study.scales
     drawn(plot, "drawing the motion", lambda: ss.figures.motion_figure(tr, transient, units))
 
-    def table() -> None:
-        for name, value in {"model": case.model.name, **summary}.items():
-            click.echo(
-                f"{name:18} {value:.10g}" if isinstance(value, float) else f"{name:18} {value}"
-            )
-
-    return summary, table
+    return summary, lambda: _print_summary(case, summary)
 
 
 def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple[float, float]:
@@ -237,6 +230,7 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
 @o.of_model(spanned=0)
 @click.option(
     "--near",
+    type=o.NumberList(),
     metavar="{state}",
     help="A state near the cycle, angles in degrees. Default: the motion from rest at 0.",
 )
@@ -263,7 +257,7 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
 @o.as_json
 def cycles(
     case: Case,
-    near: str | None,
+    near: float | FloatArray | None,
     points: int,
     whole: bool,
     prove: bool,
@@ -300,7 +294,11 @@ def cycles(
     names = case.model.components
     # A state is printed as it is typed, to be typed again.
     ones = np.array([case.of(name)[1] for name in names])
-    start = None if near is None else _state(near, names) / ones
+    if near is not None and np.size(near) != len(names):
+        raise ParameterError(
+            f"--near has {np.size(near)} numbers, and a state {len(names)}: {', '.join(names)}"
+        )
+    start = None if near is None else near / ones
     p = case.set(
         **(
             {along.name: along.ends[0]}
@@ -361,13 +359,7 @@ def cycles(
         levels["sound"] = surface_levels(case.study, found)
 
     def tables() -> None:
-        print_rows(
-            "",
-            [
-                {"": name, " ": _shown(value)}
-                for name, value in {"model": case.model.name, **summary}.items()
-            ],
-        )
+        _print_summary(case, summary)
         for title, rows in {"phases": phases, **levels, **branch}.items():
             print_rows(title.rpartition("_")[2].capitalize(), rows)
 
@@ -446,18 +438,6 @@ def _diagram(
     return {"labels": labels, "branches": branches, "remarks": remarks}, tables
 
 
-def _state(text: str, names: Sequence[str]) -> FloatArray:
-    try:
-        numbers = [float(part) for part in text.split(",")]
-    except ValueError:
-        numbers = []
-    if len(numbers) != len(names):
-        raise ParameterError(
-            f"--near {text!r} is not {len(names)} numbers with commas, {', '.join(names)}"
-        )
-    return np.array(numbers)
-
-
 def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
     """The branch of a cycle within a range, which must hold the cycle itself, and what happens on
     it.
@@ -504,6 +484,11 @@ def _touching(case: Case, held: Int8Array) -> str:
     some = tuple(name for name, touches in opening.items() if touches)
     regime: Touching = len(some) == len(opening) or (some or False)
     return "contact" if regime is True else case.model.regimes[regime]
+
+
+def _print_summary(case: Case, summary: Row) -> None:
+    rows = {"model": case.model.name, **summary}
+    print_rows("", [{"": name, " ": _shown(value)} for name, value in rows.items()])
 
 
 def _shown(value: object) -> object:

@@ -56,7 +56,8 @@ def print_rows(title: str, rows: Sequence[Mapping[str, Any]], optional: Sequence
     if rows:
         columns = _fitted([(name, [row[name] for row in rows]) for name in rows[0]], optional)
         head, *lines = aligned(list(zip(*columns, strict=True)))
-        click.secho(head, bold=True)
+        if head.strip():
+            click.secho(head, bold=True)
         click.echo("\n".join(lines))
 
 

@@ -129,7 +129,7 @@ COMMANDS: list[tuple[str, tuple[str, ...]]] = [
     ("equilibria --theta0 nan", ("--theta0 = nan",)),
     ("equilibria --theta0 49 --sigma 0", ("sigma = 0", "(0, inf)")),
     ("path --vary mu0=1:0", ("--theta0 has no value while mu0 varies",)),
-    ("cycles --near 1,2", ("--near '1,2'", "4 numbers")),
+    ("cycles --near 1,2", ("--near has 2 numbers", "a state 4: x, y")),
     ("critical --theta0 49 --vary mu0=0:1 --vary theta0", ("--vary", "2 times")),
     ("bifurcation --plot a.txt", ("a.txt", ".pdf, .png or .svg")),
     ("bifurcation --plot missing/a.pdf", ("missing/a.pdf", "existing folder")),

@@ -347,6 +347,14 @@ def _forced(theta: Any, newton: Any) -> tuple[Any, LineBalance]:
     return t, LineBalance(a, 0 * t, newton / s - a * c, 0 * t, 0 * t, 0 * t, 1.0)
 
 
+def _directions(rng: np.random.Generator, n: int) -> tuple[Array, Point]:
+    """Directions of either sign, and points in contact."""
+    theta0, theta = rng.uniform(0.01, 3.13, n), rng.choice([-1, 1], n) * rng.uniform(0.01, 3.13, n)
+    return theta, Point(
+        np.cos(theta0), np.sin(theta0), *(10.0 ** rng.uniform(-2, 1.5, (5, n))), nbar=1.0
+    )
+
+
 def _moved(theta: Any, radius: Any, point: Point) -> list[Any]:
     """By how much θ, L, x and y change at most within the radius, and each at θ."""
     rest = point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar
@@ -376,10 +384,9 @@ def test_the_radius_moves_the_state_by_no_more_than_the_error(size: float) -> No
     """
     rng = np.random.default_rng(20)
     n = 40000
-    theta0, theta = rng.uniform(0.01, 3.13, n), rng.choice([-1, 1], n) * rng.uniform(0.01, 3.13, n)
-    nbar = rng.integers(0, 2, n) * 1.0
-    mu0, kappa, alpha, sigma, beta = 10.0 ** rng.uniform(-2, 1.5, (5, n))
-    point = Point(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, nbar)
+    theta, point = _directions(rng, n)
+    point = point._replace(nbar=rng.integers(0, 2, n) * 1.0)
+    _, _, _, kappa, _, sigma, *_ = point
     t, line = _forced(theta, size * np.abs(np.sin(theta)))
     root = kernel.at_root(t, point, line, 0.0)
     np.testing.assert_allclose(root.radius, 1.0001 * size * np.abs(np.sin(theta)), rtol=1e-5)
@@ -491,13 +498,13 @@ def test_the_error_has_the_roundings_of_every_part(nbar: int) -> None:
     """
     rng = np.random.default_rng(21)
     n, u = 40000, 1e-4
-    theta0, theta = rng.uniform(0.01, 3.13, n), rng.choice([-1, 1], n) * rng.uniform(0.01, 3.13, n)
-    mu0, kappa, alpha, sigma, beta = 10.0 ** rng.uniform(-2, 1.5, (5, n))
-    point = Point(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, float(nbar))
+    theta, point = _directions(rng, n)
+    point = point._replace(nbar=float(nbar))
     t, line = _forced(theta, 0.0)
     root = kernel.at_root(t, point, line, u)
     c, s = np.cos(theta), np.sin(theta)
-    L, _, y = kernel.state(c, Sized(s), point.cos0, point.sin0, kappa, sigma, beta, nbar)
+    rest = point.cos0, point.sin0, point.kappa, point.sigma, point.beta, nbar
+    L, _, y = kernel.state(c, Sized(s), *rest)
     count = kernel.COUNT_STATE * u
     off_x = count * (2 * L.size * np.abs(c) + np.abs(point.cos0))
     parts = [

@@ -97,6 +97,13 @@ def _rationals(seed: int, number: int) -> Iterator[list[Fraction]]:
         yield [kappa, alpha * (trial % 3 != 1), sigma, beta * (trial % 2)]
 
 
+def _with_angle_and_friction(
+    rng: np.random.Generator, values: list[Fraction]
+) -> dict[str, Fraction]:
+    theta0, mu0 = Fraction(int(rng.integers(40, 130)), 100), Fraction(int(rng.integers(2, 15)), 10)
+    return dict(zip(NAMES, [theta0, mu0, *values], strict=True))
+
+
 def _scanned(vary: str, fixed: dict[str, float], values: np.ndarray) -> np.ndarray:
     """Cells of a grid between whose ends the number of equilibria changes."""
     return np.flatnonzero(np.diff(ss.equilibria(ss.Parameters(**fixed | {vary: values})).count))
@@ -112,11 +119,7 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str) -> None:
     grid = grids.get(vary, np.geomspace(1e-4, 10, 1500))
     total = 0
     for values in _rationals(NAMES.index(vary), 5):
-        angle_and_friction = [
-            Fraction(int(rng.integers(40, 130)), 100),
-            Fraction(int(rng.integers(2, 15)), 10),
-        ]
-        exact = dict(zip(NAMES, [*angle_and_friction, *values], strict=True))
+        exact = _with_angle_and_friction(rng, values)
         with balls.precision(300):
             points = [fold.point for fold in folds.proved_folds(vary, exact, 300)]
             for point in points:
@@ -148,11 +151,7 @@ def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str)
     place, seen = NAMES.index(vary), set()
     rng = np.random.default_rng([8, place])
     for values in _rationals(70 + place, 10):
-        angle_and_friction = [
-            Fraction(int(rng.integers(40, 130)), 100),
-            Fraction(int(rng.integers(2, 15)), 10),
-        ]
-        exact = dict(zip(NAMES, [*angle_and_friction, *values], strict=True))
+        exact = _with_angle_and_friction(rng, values)
         with balls.precision(300):
             found = list(folds.proved_folds(vary, exact, 300))
         for fold in found:

@@ -65,6 +65,7 @@ CASES = {
 }
 #: theta0, kappa, alpha, sigma, mu0.
 THETA0, KAPPA, ALPHA, SIGMA = 0.8, 0.007, 0.007, 0.1
+VALUES = {"theta0": THETA0, "kappa": KAPPA, "alpha": ALPHA, "sigma": SIGMA}
 
 
 @pytest.fixture(scope="module", params=few(CASES, "powers", "log"))
@@ -94,7 +95,7 @@ def forces(case: Case, x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
 @pytest.mark.thorough
 def test_states_are_those_of_the_equations(model: Any) -> None:
     case, it = model
-    p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
+    p = it.Parameters(**VALUES)
     found = ss.equilibria(p)
     assert bool(found.complete)
     assert int(found.count) >= 1
@@ -112,7 +113,7 @@ def test_states_are_those_of_the_equations(model: Any) -> None:
 
 def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
     case, it = model
-    p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
+    p = it.Parameters(**VALUES)
     taken = [float(value) for value in it.arguments(p)]
     x, y, mu = 0.13, -0.07, 0.4
     ((dx, dy, _),) = it.algebra.geometry(x, y, *taken)
@@ -134,7 +135,7 @@ def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
 def test_tolerances_are_proved_with_any_law(model: Any) -> None:
     """Over a box of parameters the laws are asked for in affine arithmetic."""
     _, it = model
-    middle = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA, mu0=0.1)
+    middle = it.Parameters(**VALUES, mu0=0.1)
     low, high = (
         middle.replace(sigma=SIGMA * (1 + side), d=10 * (1 + side), mu0=0.1 * (1 + side))
         for side in (-0.02, 0.02)
@@ -156,7 +157,7 @@ def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
     if backend == "heyoka":
         pytest.importorskip("heyoka")
     case, it = model
-    p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
+    p = it.Parameters(**VALUES)
     start, t_end = (0.05, 0.01, 0.6, -0.05), 12.0
     found = ss.simulate(p, start=start, t_end=t_end, rtol=1e-11, backend=backend)
 

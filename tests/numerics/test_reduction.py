@@ -32,6 +32,8 @@ def bent(roots):
 
 
 SINGULAR = np.array([[1.0, 1.0], [-1.0, -1.0]])
+#: A box, a Jacobian and bits of a double root of x at 0.
+DOUBLE = [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200
 
 
 @pytest.mark.thorough
@@ -64,9 +66,7 @@ def test_two_complex_roots_are_none():
         x, y = q
         return [y - x**2, y + 1e-20]
 
-    found = reduced_roots(
-        evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200
-    )
+    found = reduced_roots(evaluate, *DOUBLE)
     assert not found.undecided
     assert not found.roots
 
@@ -77,9 +77,7 @@ def test_a_double_root_is_left():
         x, y = q
         return [y - x**2, y * 1]
 
-    found = reduced_roots(
-        evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200
-    )
+    found = reduced_roots(evaluate, *DOUBLE)
     assert not found.roots
     assert any(box[0][0] <= 0 <= box[0][1] for box in found.undecided)
 

@@ -41,7 +41,7 @@ def held(p: ParameterSet, holding: Sequence[str] | None = None) -> ParameterSet:
 def _model_held(model: Model, holding: tuple[str, ...]) -> type[ParameterSet]:
     """The class of such parameters."""
     about, arguments = dict(model.about), model.about["arguments"]
-    shares, laws = [named("held", name) for name in holding], _laws(model, holding)
+    shares = [named("held", name) for name in holding]
     share = {
         "meaning": "share of the static friction coefficient that is used",
         "unit": "1",
@@ -57,45 +57,35 @@ def _model_held(model: Model, holding: tuple[str, ...]) -> type[ParameterSet]:
     about["contacts"] = [
         {**entry, "border": None} if presses_either(entry) else entry for entry in model.contacts
     ]
-    about["arguments"] = arguments | {name: [*arguments["motion"], *shares] for name in laws}
+    laws = {
+        named("friction_by_parameters", entry["name"]): _slopes(model, holding, entry["name"])
+        for entry in model.frictions
+    }
+    for name, share_name in zip(holding, shares, strict=True):
+        for law in (named(f"friction_at_{it}", name) for it in ("rest", "speed")):
+            laws[law] = getattr(model.algebra, named("friction_held", name))
+            arguments = arguments | {law: [*arguments["motion"], share_name]}
+    about["arguments"] = arguments
     kind: Any = parameter_class(about, model.where)
     module: Any = SimpleNamespace(**vars(model.algebra) | laws)
     kind._model = Model(model.where, about, lambda: module, kind)
     return kind
 
 
-def _laws(model: Model, holding: tuple[str, ...]) -> dict[str, Any]:
-    """Friction coefficients, and their slopes by the parameters, as functions of the shares too,
-    the last arguments.
+def _slopes(model: Model, holding: tuple[str, ...], name: str) -> Callable[..., Any]:
+    """Slopes of a friction coefficient by the parameters, and by the shares behind them, in which
+    it is linear.
     """
-    laws, count = dict[str, Any](), len(holding)
-    for entry in model.frictions:
-        name = entry["name"]
-        slopes, position = named("friction_by_parameters", name), None
-        own = undecorated(getattr(model.algebra, slopes))
-        if name in holding:
-            own = undecorated(getattr(model.algebra, named("friction_held", name)))
-            position = holding.index(name)
+    count, held_name = len(model.parameters), named("friction_held", name)
+    own = undecorated(getattr(model.algebra, named("friction_by_parameters", name)))
 
-        def law(
-            *given: Any, xp: object = None, own: Callable[..., Any] = own, position: Any = position
-        ) -> Number:
-            return own(*given[:-count], given[position - count], xp=xp)
+    def by_parameters(*given: Any, xp: object = None) -> Sequence[Number]:
+        return [*own(*given, xp=xp), *[0] * len(holding)]
 
-        def by_parameters(
-            *given: Any,
-            xp: object = None,
-            own: Callable[..., Any] = own,
-            position: int | None = position,
-        ) -> tuple[Number, ...]:
-            fixed, added = given[:-count], [0] * count
-            if position is None:
-                return *own(*fixed, xp=xp), *added
-            none, whole = (own(*fixed, share, xp=xp) for share in (0, 1))
-            added[position] = whole - none  # μ is linear in the share
-            return *[0] * len(model.parameters), *added
+    def by_shares(*given: Any, xp: object = None) -> Sequence[Number]:
+        law, slopes = undecorated(getattr(model.algebra, held_name)), [0] * (count + len(holding))
+        none, whole = (law(*given, share, xp=xp) for share in (0, 1))
+        slopes[count + holding.index(name)] = whole - none
+        return slopes
 
-        laws[slopes] = by_parameters
-        if position is not None:
-            laws |= {named(f"friction_at_{it}", name): law for it in ("rest", "speed")}
-    return laws
+    return by_shares if name in holding else by_parameters

@@ -188,12 +188,15 @@ class Touches:
         return ~none
 
     def pulls(self, some: Patches) -> Intervals:
-        """μ_s N of every friction that holds, (m, N)."""
-        at = self.state(some)
-        names = [self.balance.contacts[k] for k in self.rubbed]
-        most = [at.call(named("friction_held", name), (), 1) for name in names]
-        forces = [at.contact_force(k, 1) for k in self.rubbed]
-        return stacked([a * b for a, b in zip(most, forces, strict=True)], some.proved.shape)
+        """μ_s N of every friction that holds, (m, N): its change by the share that is used, which
+        is no limit of a law that is larger one way.
+        """
+        at, found = self.state(some), list[Intervals]()
+        for k in self.rubbed:
+            law = named("friction_held", self.balance.contacts[k])
+            none, whole = (at.call(law, (), share) for share in (0, 1))
+            found.append((whole - none) * at.contact_force(k, 1))
+        return stacked(found, some.proved.shape)
 
     def slopes(self, some: Patches) -> tuple[Intervals, Intervals]:
         """K⁻¹ ∇a, (n, m, N), and the slopes of gaps along it, (gaps, m, N); infinite where nothing

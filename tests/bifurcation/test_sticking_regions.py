@@ -30,6 +30,20 @@ def test_two_blocks_at_rest_stick_in_a_parallelogram() -> None:
         np.testing.assert_allclose(found["measure"], [4 * f_1 * f_2 / det], rtol=1e-12)
 
 
+def test_a_law_that_is_larger_one_way_holds_more_there() -> None:
+    """From −μ_s to 1.5 μ_k: no share is none of the friction, and no edge is μ_s N."""
+    page = BLOCKS.replace("mu_k * sgn(v)", "mu_k * (sgn(v) + sgn(v) ** 2 / 2)")
+    p = model_of(page, "uneven_blocks").Parameters(mu_s=0.6, mu_k=0.5, V=0.0)
+    found = ss.sticking_states(p)
+    K = np.array([[1 + p.kappa, -p.kappa], [-p.kappa, p.beta + p.kappa]], dtype=float)
+    N = np.array([p.N_1, p.N_2], dtype=float)
+    highest, lowest = (np.linalg.solve(K, mu * N) for mu in (0.75, -0.6))
+    np.testing.assert_allclose(found["x_1_high"], [highest[0]], rtol=1e-12)
+    np.testing.assert_allclose(found["x_2_low"], [lowest[1]], rtol=1e-12)
+    measure = 1.35**2 * N.prod() / np.linalg.det(K)
+    np.testing.assert_allclose(found["measure"], [measure], rtol=1e-12)
+
+
 def test_nothing_sticks_where_a_block_is_lifted_and_what_is_not_answered_says_so() -> None:
     p = model_of(BLOCKS, "blocks").Parameters(V=0.0)
     assert len(ss.sticking_states(p.replace(N_2=0.0))) == 0

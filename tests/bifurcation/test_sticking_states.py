@@ -109,7 +109,7 @@ def test_the_slope_of_the_friction_by_the_share() -> None:
     found, own = ss.sticking_states(uneven), sticking.held(uneven, [""])
     low, high = (own._model.algebra.friction_at_rest(0.5, 0.4, 0.0, share) for share in (-1, 1))
     assert [found.x_low[0], found.x_high[0], low, high] == pytest.approx([-0.5, 0.6, -0.5, 0.6])
-    assert own._model.algebra.friction_by_parameters(0.5, 0.4, 0.0, 0.3)[-1] == pytest.approx(
+    assert own._model.algebra.friction_by_parameters(0.5, 0.4, 0.0)[-1] == pytest.approx(
         (high - low) / 2
     )
 

@@ -460,16 +460,14 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
 
 def _is_single(value: object) -> bool:
     """Whether something fits on the line above a table."""
-    if isinstance(value, Tabular) and value.in_a_line:
-        return True
-    if isinstance(value, np.ndarray):
-        return value.ndim == 0
-    few = (
-        isinstance(value, tuple) and bool(value) and all(isinstance(part, float) for part in value)
-    )
-    return few or (
-        not is_dataclass(value) and (isinstance(value, str) or not isinstance(value, Sequence))
-    )
+    match value:
+        case np.ndarray():
+            return value.ndim == 0
+        case tuple() if value and all(isinstance(part, float) for part in value):
+            return True
+        case str() | Tabular(in_a_line=True):
+            return True
+    return not is_dataclass(value) and not isinstance(value, Sequence)
 
 
 def _size(shape: tuple[int, ...]) -> str:

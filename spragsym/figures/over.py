@@ -37,11 +37,10 @@ def verdict_figure(found: Verdicts) -> Figure:
             style = {"color": colours[word], "markersize": 4, "label": f"{word}, {state}"}
             if state == "unstable":
                 style["markerfacecolor"] = "white"
-            missing = here & np.isnan(values)  # at the upper edge: it would jump at no value
-            ax.plot(first[here & ~missing], values[here & ~missing], "o", **style)
-            edge = np.full(np.count_nonzero(missing), 0.97)
+            ax.plot(first[here], values[here], "o", **style)
+            missing = first[here & np.isnan(values)]  # at the upper edge: it jumps at no value
             kept = style | {"label": "", "transform": ax.get_xaxis_transform()}
-            ax.plot(first[missing], edge, "o", **kept)
+            ax.plot(missing, np.full_like(missing, 0.97), "o", **kept)
         if not several:
             ax.plot(first, values, color="#777777", linewidth=0.8, zorder=0)
         ax.set_ylabel(f"{found.titles[1 + row]}{': none' * none}")

@@ -28,7 +28,7 @@ from .cycles import (
 )
 from .motions import draw_motion
 from .planes import draw_bifurcation_set, draw_onset_curves
-from .style import BLACK, Sheet, own_axes, styled
+from .style import BLACK, Sheet, own_axes, places, styled
 
 if TYPE_CHECKING:
     from matplotlib.lines import Line2D
@@ -71,7 +71,14 @@ def plot(result: Result, ax: Axes | None = None, **options: Any) -> Any:
     1
     """
     require_kind("result", result, Result, "what a question gives, as ss.folds(p)")
-    return _whole(result, **options) if ax is None else _drawn(result, ax=ax, **options)
+    whole: dict[type, Callable[..., Sheet]] = {
+        Diagram: diagram_figure,
+        CycleBranch: branch_figure,
+        FateMap: fate_map_figure,
+    }
+    if ax is None and type(result) in whole:
+        return whole[type(result)](result, **options)
+    return _drawn(result, ax=ax, **options)
 
 
 @singledispatch
@@ -97,12 +104,6 @@ def _drawn(result: Result, ax: Axes | None, **options: Any) -> object:
     return ax.plot(x, y, ".", **options)
 
 
-@singledispatch
-def _whole(result: Result, **options: Any) -> object:
-    """A result as a figure of its own, of kinds that are registered; others on pyplot's axes."""
-    return _drawn(result, ax=None, **options)
-
-
 @_drawn.register(Points)
 def _points(
     points: Points, ax: Axes | None, quantity: str | None = None, **options: Any
@@ -125,13 +126,14 @@ def _equilibria(
     ax, model, rows = own_axes(ax), eq.parameters.model, eq.data()
     up = quantity or model.coordinates[0]
     across = next((name for name in rows if name in model.parameters), None)
-    along = np.arange(len(rows[up])) if across is None else model.column(across).size * rows[across]
-    name_axes(ax, model, across or up, up)
+    (height,), along = places(model, (up,), rows), np.arange(eq.count.sum())
     if across is None:
         ax.set_xlabel("state")
-    if across is not None:
+    else:
+        (along,) = places(model, (across,), rows)
         given = np.broadcast_to(eq.parameters[across], eq.count.shape)[~eq.decided]
         shade(ax, model, across, np.stack([given, given], axis=1))
+    name_axes(ax, model, across or up, up)
     lines = []
     # Marks of equilibria by their stability.
     marks = {"stable": "o", "neutral": "d", "unstable": "x"}
@@ -146,7 +148,7 @@ def _equilibria(
                 "label": kind,
                 **options,
             }
-            lines += ax.plot(along[here], model.column(up).size * rows[up][here], **style)
+            lines += ax.plot(along[here], height[here], **style)
     return lines
 
 
@@ -166,9 +168,3 @@ for _kind, _on_axes in (
     (FateMap, draw_fate_map),
 ):
     _drawn.register(_kind, _on_axes)
-for _kind, _figure in (
-    (Diagram, diagram_figure),
-    (CycleBranch, branch_figure),
-    (FateMap, fate_map_figure),
-):
-    _whole.register(_kind, _figure)

@@ -60,13 +60,19 @@ def xarray() -> ModuleType:
 
 
 def dataset(
-    data: Mapping[str, Any],
+    data: Mapping[str, tuple[Any, Any]],
     coords: Mapping[str, Any],
     attributes: Mapping[str, Any],
     columns: Columns,
 ) -> Dataset:
-    """An ``xarray.Dataset``, with unit and meaning of every column, and the words of its codes."""
-    made = xarray().Dataset(data, coords=coords, attrs=attributes)
+    """An ``xarray.Dataset`` of columns and their dimensions, with unit and meaning of every column,
+    and the words of its codes.
+    """
+    variables = {
+        name: (dims, values.astype(object) if values.dtype.kind == "U" else values)
+        for name, (dims, values) in data.items()
+    }
+    made = xarray().Dataset(variables, coords=coords, attrs=attributes)
     for name in made.variables:
         column = columns.get(name, Column(name, ""))
         described = {"units": column.dimension, "long_name": column.meaning}

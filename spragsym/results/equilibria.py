@@ -325,10 +325,7 @@ class Equilibria(OfStates):
         inputs = {name: p[name] for name in p.ranges if p[name] is not None}
         axes = axes_of(inputs, shape)
         names = [name for name in self._rows(self.states) if name not in p.ranges]
-        variables = {
-            name: ((*axes, state), column.astype(object) if column.dtype.kind == "U" else column)
-            for name, column in ((name, self[name]) for name in names)
-        }
+        variables = {name: ((*axes, state), self[name]) for name in names}
         variables[self._own("count")] = (axes, self.count)
         coords = along_axes(inputs, axes, shape)
         return storage.dataset(variables, coords, {}, self._in_model_units)

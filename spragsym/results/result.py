@@ -188,12 +188,8 @@ class Result(Tabular):
         """
         variables = {}
         for name, column in self.data().items():
-            dims = (
-                ("row",)
-                if column.ndim == 1
-                else tuple(f"axis_{index}" for index in range(column.ndim))
-            )
-            variables[name] = (dims, column.astype(object) if column.dtype.kind == "U" else column)
+            axes = [f"axis_{index}" for index in range(column.ndim)]
+            variables[name] = (axes if column.ndim != 1 else ["row"], column)
         return storage.dataset(variables, {}, {}, self._in_model_units)
 
     def to_units(self, units: Units) -> InUnits:

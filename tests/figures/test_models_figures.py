@@ -99,36 +99,26 @@ def test_a_motion_on_the_command_line_is_drawn_in_the_units_of_the_file(tmp_path
     monkeypatch.setattr(
         figures, "motion_figure", lambda *args: seen.append(drawn(*args)) or seen[-1]
     )
-    for name, more in (("kang_nam", ""), ("sprag_rod", "")):
-        model = ss.load(name)
-        rows = [f'model = "{name}"']
-        units = {entry["name"]: entry["unit"] for entry in model.about["units"]}
-        units |= {entry["quantity"]: entry["quantity_unit"] for entry in model.about["parameters"]}
-        size = {
-            "kg": 0.35,
-            "N/m": 1.5e6,
-            "m": 0.038,
-            "rad": 0.7,
-            "N": 420.0,
-            "1": 0.3,
-            "m/s": 1.2,
-            "s/m": 10.0,
-        }
-        rows += [
-            f'{key} = "{size.get(unit, 0.01)!r} {unit if unit != "1" else ""}"'
-            for key, unit in units.items()
-        ]
-        file = tmp_path / f"{name}.toml"
-        file.write_text("\n".join(["[brake]", *rows, more]), encoding="utf-8")
-        run(
-            "simulate",
-            "--data",
-            str(file),
-            "--t-end",
-            "60",
-            "--plot",
-            str(tmp_path / f"{name}.svg"),
-        )
+    size = {
+        "kg": 0.35,
+        "N/m": 1.5e6,
+        "m": 0.038,
+        "rad": 0.7,
+        "N": 420.0,
+        "1": 0.3,
+        "m/s": 1.2,
+        "s/m": 10.0,
+    }
+    file, picture = tmp_path / "brake.toml", tmp_path / "motion.svg"
+    for name in ("kang_nam", "sprag_rod"):
+        about = ss.load(name).about
+        units = {entry["name"]: entry["unit"] for entry in about["units"]}
+        units |= {entry["quantity"]: entry["quantity_unit"] for entry in about["parameters"]}
+        rows = ["[brake]", f'model = "{name}"']
+        for key, unit in units.items():
+            rows.append(f'{key} = "{size.get(unit, 0.01)!r} {unit if unit != "1" else ""}"')
+        file.write_text("\n".join(rows), encoding="utf-8")
+        run("simulate", "--data", str(file), "--t-end", "60", "--plot", str(picture), "--force")
     article, rod = seen
     assert [ax.get_ylabel() for ax in article.axes[:2]] == ["$x$ (mm)", r"$\dot{x}$ (mm/s)"]
     assert len(article.axes) == 3 * 2

@@ -322,10 +322,7 @@ class Sweep(Named):
         shape = self.rms.shape
         dims = axes_of(self.inputs, shape)
         inputs = along_axes(with_degrees(self.model, self.inputs), dims, shape)
-        results = {
-            name: (dims, values.astype(object) if values.dtype.kind == "U" else values)
-            for name, values in self._words_and_measures().items()
-        }
+        results = {name: (dims, values) for name, values in self._words_and_measures().items()}
         return storage.dataset(results, inputs, self._attributes(), self._in_model_units)
 
     def _words_and_measures(self) -> dict[str, NDArray[Any]]:

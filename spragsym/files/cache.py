@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from ..core.errors import SpragsymError
-from .storage import put
+from .storage import put, sealed, verified
 
 
 def cached(
@@ -21,15 +21,12 @@ def cached(
     """
     key = hashlib.sha256(json.dumps(made_of, sort_keys=True).encode()).hexdigest()
     path = cache_folder() / f"{key}.json"
-    with suppress(OSError, ValueError):
-        digest, text = path.read_text(encoding="utf-8").split("\n", 1)
-        if digest == hashlib.sha256(text.encode()).hexdigest():
-            files: dict[str, str] = json.loads(text)
-            return files
+    with suppress(SpragsymError):
+        files: dict[str, str] = json.loads(verified(path))
+        return files
     files = make()
-    text = json.dumps(files)
     with suppress(OSError, SpragsymError):
-        put(path, f"{hashlib.sha256(text.encode()).hexdigest()}\n{text}", made=True)
+        put(path, sealed(json.dumps(files).encode()), made=True)
         for old in sorted(path.parent.glob("*.json"), key=os.path.getmtime)[:-most]:
             old.unlink()
     return files

@@ -140,7 +140,7 @@ def write(
     path = check_target(path, 0)
     # In memory first: HDF5 ends the process when a disk fills while it writes.
     if path.suffix == ".nc":
-        put(path, _sealed(_netcdf(dataset()) + b"\n"))
+        put(path, sealed(_netcdf(dataset()) + b"\n"))
     else:
         put(path, _csv(columns, attrs, described))
 
@@ -173,10 +173,10 @@ def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], described: Column
         f"# {each.name} [{each.dimension}]: {each.meaning}\n" for each in described_columns
     )
     writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
-    return _sealed(text.getvalue().encode())
+    return sealed(text.getvalue().encode())
 
 
-def _sealed(data: bytes) -> bytes:
+def sealed(data: bytes) -> bytes:
     """The content, followed by a last line with its checksum."""
     return data + _TRAILER + hashlib.sha256(data).hexdigest().encode() + b"\n"
 
@@ -199,7 +199,7 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Columns, flat, and attributes of a file that :func:`write` wrote; a StoreError if a bit of it
     has changed.
     """
-    content = _verified(path)
+    content = verified(path)
     if path.suffix != ".nc":
         columns, attributes = _read_csv(printed(str(path), content.decode(), allowed="\n"))
     else:
@@ -227,7 +227,7 @@ def read_own(path: Path, key: str) -> dict[str, Any]:
     return columns
 
 
-def _verified(path: Path) -> bytes:
+def verified(path: Path) -> bytes:
     """The part of a file that its checksum covers."""
     try:
         data = resolved(path).read_bytes()
@@ -240,7 +240,7 @@ def _verified(path: Path) -> bytes:
             "else; "
             "remove it to compute it again, or give another path"
         )
-    if data != _sealed(covered):
+    if data != sealed(covered):
         raise DamagedError(
             f"{path} is damaged or was changed: its {len(data)} bytes do not give its checksum; "
             "take it from a copy, or remove it to compute it again"

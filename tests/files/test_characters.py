@@ -91,7 +91,7 @@ def result(folder: Path, text: str) -> Any:
 
 def table(folder: Path, text: str) -> Any:
     data = f"x,reason\n# model: {text}\n# x [1]: a\n1,b\n".encode()
-    (folder / "r.csv").write_bytes(storage._sealed(data))
+    (folder / "r.csv").write_bytes(storage.sealed(data))
     return storage.read(folder / "r.csv")
 
 
@@ -101,7 +101,7 @@ def columns_of_netcdf(folder: Path, text: str) -> Any:
     column, model = ("a", text) if len(text) % 2 else (text, "a")
     words = np.array(["a", column], dtype=object)
     data = xarray.Dataset({"reason": (("x",), words)}, attrs={"model": model})
-    (folder / "r.nc").write_bytes(storage._sealed(storage._netcdf(data) + b"\n"))
+    (folder / "r.nc").write_bytes(storage.sealed(storage._netcdf(data) + b"\n"))
     return storage.read(folder / "r.nc")
 
 

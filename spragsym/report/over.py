@@ -11,13 +11,11 @@ from ..core.errors import ParameterError, SpragsymError, hint
 from ..core.progress import doing
 from ..design.jumps import verb_of
 from ..models.parameters import FloatArray
-from ..models.quantities import factor
 from ..statics.equilibria import equilibria
 from .damping import modal_dampers
 from .facts import percent_beyond, reach_of, speed_of_jump
 from .states import current, states
 from .study import Study
-from .units import Measured
 
 #: What is said of a point by where its state ends, see :attr:`Facts.reach`, in the words of an
 #: :class:`~spragsym.design.jumps.EndVerb`.
@@ -102,7 +100,7 @@ def verdicts_over(study: Study, over: Mapping[str, FloatArray]) -> Verdicts:
             remark = hint(name, quantities) or f"; choose of {', '.join(quantities)}"
             raise ParameterError(f"over: {name!r} is no quantity of the brake{remark}")
         for value in values.tolist():
-            _placed(study, name, value)  # an error for one out of range, before anything is asked
+            _in_si(study, name, value)  # an error for one out of range, before anything is asked
     points = list(itertools.product(*(one.tolist() for one in over.values())))
     rows, reason = [], ""
     for number, point in enumerate(points, 1):
@@ -140,19 +138,18 @@ def brake_at(study: Study, values: Mapping[str, float]) -> Study:
     """The brake with quantities at values in the units of the file; a damping ratio holds for every
     mode there, too, unless one of its dampers is among them.
     """
-    measured = dict(study.quantities)
-    measured |= {name: _placed(study, name, value) for name, value in values.items()}
+    new = study.changed({name: _in_si(study, name, value) for name, value in values.items()})
     dampers = study.kind.dampers
     if study.damping_ratio is not None and not set(dampers) & set(values):
-        others = {name: one for name, one in measured.items() if name not in dampers}
-        measured |= modal_dampers(study.kind, others, study.damping_ratio)
-    return study.with_quantities(measured)
+        others = {name: one for name, one in new.quantities.items() if name not in dampers}
+        found = modal_dampers(study.kind, others, study.damping_ratio)
+        new = new.with_quantities({**new.quantities, **found})
+    return new
 
 
-def _placed(study: Study, name: str, value: float) -> Measured:
-    """A quantity at a value in the unit of the file."""
-    one, unit, allowed = study.quantities[name], study.kind.units[name], study.kind.ranges()[name]
-    si = value * factor(one.unit, unit)
+def _in_si(study: Study, name: str, value: float) -> float:
+    """A value in the unit of the file; an error for one out of range."""
+    si, allowed = value * study.unit_size(name), study.kind.ranges()[name]
     if not allowed.contains(si):
         raise ParameterError(f"over: {name} = {study.shown(name, si)} is not in {allowed}")
-    return one.scaled(si, unit != "rad")
+    return si

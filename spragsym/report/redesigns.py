@@ -19,7 +19,6 @@ from ..design.design_space import Design, EndOfState, space
 from ..design.margins import jump_margin, redesign
 from ..display import Column
 from ..models.parameters import Range, Span
-from ..models.quantities import factor
 from ..numerics.interval_arrays import BoolArray
 from ..results import Result
 from .study import Study
@@ -348,7 +347,7 @@ def _rounded(study: Study, name: str, after: float, further: int) -> float:
     """A value rounded away from the old one to few digits in its unit, and then by single units of
     the last digit farther.
     """
-    before, unit = study.values[name], factor(study.quantities[name].unit, study.kind.units[name])
+    before, unit = study.values[name], study.unit_size(name)
     old, new = before / unit, after / unit
     # Digits of a new value.
     digits = 3

@@ -481,15 +481,18 @@ class Study:
             one.value if value is None else value, one.unit, self.kind.units[name], digits
         )
 
+    def unit_size(self, name: str) -> float:
+        """Size in SI of the unit in which a quantity came."""
+        return factor(self.quantities[name].unit, self.kind.units[name])
+
     def in_file(self, name: str, value: float) -> float:
         """A value of a quantity in the unit in which it came."""
-        return value / factor(self.quantities[name].unit, self.kind.units[name])
+        return value / self.unit_size(name)
 
     def in_units(self) -> dict[str, tuple[float, str, float]]:
         """Every quantity as it came: its value, its unit, and what one of that is in SI."""
-        si = self.kind.units
         return {
-            name: (self.in_file(name, one.value), one.unit, factor(one.unit, si[name]))
+            name: (self.in_file(name, one.value), one.unit, self.unit_size(name))
             for name, one in self.quantities.items()
         }
 

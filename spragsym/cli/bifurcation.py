@@ -24,7 +24,7 @@ from .case import Case, Row
 from .output import drawn, print_rows
 
 
-@o.of_model(statics=True)
+@o.of_model(varies=1, statics=True)
 @o.vary(
     "What varies: a parameter, with --data a quantity of the file too; with a range as "
     "mu0=0:1. Default: {last}."
@@ -51,7 +51,7 @@ def folds(case: Case) -> object:
     return {"vary": along.title, **answer}, lambda: print_points("Folds", answer, [along.title])
 
 
-@o.of_model(statics=True)
+@o.of_model(varies=2, statics=True)
 @o.vary(
     "A parameter, with a range as theta0=5:175. Of two, folds and onsets are looked for along "
     "the first, cusps in the plane of "
@@ -152,7 +152,7 @@ def _draw(
     drawn(path, drawing, figure, lambda: [[*map(case.axis, vary)]])
 
 
-@o.of_model(statics=True, spanned=2)
+@o.of_model(varies=2, statics=True, spanned=2)
 @o.vary("A parameter, with a range as theta0=5:175; give two. Default: {axes}.", several=True)
 @o.undamped
 @o.plot("the map of stability")

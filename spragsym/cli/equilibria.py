@@ -230,7 +230,7 @@ def path(case: Case, near: tuple[str, ...]) -> object:
     return {"vary": along.title, "states": states, "jumps": jumps}, tables
 
 
-@o.of_model(statics=True)
+@o.of_model(varies=1, statics=True)
 @o.vary(
     "What moves: a parameter, with --data a quantity of the file too; with a range, from its "
     "first end on. Default: {last}."

@@ -284,7 +284,7 @@ class OfModel(Command):
 
     Texts of help may name ``{time}``, the unit of time, ``{axes}``, what varies unless told
     otherwise, ``{last}`` of them, ``{coordinate}``, the first, and ``{state}``, all of the initial
-    state. What ``--vary`` names there is its default.
+    state. Without ``--vary`` so many of the axes vary as ``varies`` says, from the last on.
     """
 
     def __init__(
@@ -295,11 +295,12 @@ class OfModel(Command):
         statics: bool = False,
         values: bool = False,
         spanned: int = 1,
+        varies: int = 0,
         **more: Any,
     ) -> None:
         super().__init__(*args, **more)
         self.kind, self.start, self.statics, self.own = kind, start, statics, self.params
-        self.values, self.spanned = values, spanned
+        self.values, self.spanned, self.varies = values, spanned, varies
         self.text, self.work = self.help, self.callback
         self._be_about(load(USUAL))
 
@@ -312,10 +313,6 @@ class OfModel(Command):
             "coordinate": model.coordinates[0],
             "state": ",".join(model.components).upper(),
         }
-        # What varies unless told otherwise: what the help of --vary names as its default.
-        usual = {"{axes}": model.axes, "{last}": model.axes[-1:]}
-        texts = str([getattr(one, "help", "") for one in self.own])
-        self.varied = [name for word, names in usual.items() if word in texts for name in names]
         kind = self.kind(FINITE)
         start = [
             click.Option(
@@ -396,7 +393,8 @@ class OfModel(Command):
             if self.start
         }
         ask = {"method": given.pop("method", None), "within": units.box(given.pop("within", ()))}
-        asked = given.pop("vary", None) or [Span(name, name) for name in self.varied]
+        usual = self.model.axes[-self.varies :] if self.varies else ()
+        asked = given.pop("vary", None) or [Span(name, name) for name in usual]
         asked = [asked] if isinstance(asked, Span) else asked
         spans = tuple(
             units.spanning(one, self.values, index < self.spanned)

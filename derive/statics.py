@@ -90,8 +90,113 @@ def module(model: Mechanics) -> Module:
     if alone:
         cancelled.append("coordinates, where none balances the rest,")
     others = [1 - sum(factor for factor, _ in alone.get(i, ())) for i in range(len(summed))]
-    apart: tuple[Function, ...] = (
-        (
+    turned = " A torsion spring adds k φ (c ∂dy − s ∂dx)/l." if model.torsions else ""
+    functions = [
+        function(
+            "geometry",
+            "The vector from the mass's end of every spring to its anchor, and its "
+            "undeformed length.",
+            variables,
+            tuple((line.dx, line.dy, line.rest) for line in model.lines),
+            "((dx, dy, rest), …)",
+        ),
+        *(
+            function(
+                named("contact_gap", contact),
+                _border(contact),
+                variables,
+                contact.border or contact.gap or sp.S.Zero,
+                "minus N" if contact.either_face else "gap",
+            )
+            for contact in model.contacts
+        ),
+        function(
+            "mirror",
+            'The image of a state in the model\'s mirror, if it has one: see "mirror" in '
+            "model.json.",
+            variables,
+            tuple(map(mirror.image, model.coordinates)),
+            "image",
+        ),
+        *(it for friction in model.frictions for it in _friction(model, friction)),
+    ]
+    if model.torsions:
+        functions += [
+            function(
+                "turnings",
+                "Cosine and sine of the turning φ of every torsion spring: φ in (−π, π].",
+                (*model.coordinates, *model.directions, *arguments(model)),
+                tuple((torsion.cosine, torsion.sine) for torsion in model.torsions),
+                "((cos φ_1, sin φ_1), …)",
+            ),
+            function(
+                "torsions",
+                "The stiffness of every torsion spring.",
+                variables,
+                tuple(torsion.stiffness for torsion in model.torsions),
+                "(k_1, …)",
+            ),
+        ]
+    functions += [
+        function(
+            "forces",
+            "Minus the sum of forces along each coordinate.",
+            state,
+            model.residuals,
+            "(F_1, …)",
+        ),
+        function(
+            "stiffnesses",
+            "The stiffness of every spring.",
+            variables,
+            model.stiffnesses,
+            "(k_1, …)",
+        ),
+        function(
+            "spring_forces",
+            "The tension of every spring, negative where it pushes.",
+            variables,
+            tuple(
+                k * (line.l - line.rest)
+                for k, line in zip(model.stiffnesses, model.lines, strict=True)
+            ),
+            "(T_1, …)",
+        ),
+        *(
+            function(
+                named("contact_force", contact),
+                f"The normal force of the contact{contact.name and f' {contact.name}'}.",
+                (*model.coordinates, *model.arguments, contact.pushing),
+                contact.force,
+                "N",
+            )
+            for contact in model.contacts
+        ),
+        function(
+            "forces_apart",
+            "The forces without those springs; each adds its tension times (c ∂dx + s "
+            f"∂dy).{turned}",
+            state,
+            model.residuals_apart,
+            "(F_1, …)",
+        ),
+        function(
+            "forces_jacobian",
+            "K: derivatives of the forces by the coordinates, directions following.",
+            state,
+            rows(K),
+            "((∂F_1/∂q_1, …), …)",
+        ),
+        function(
+            "forces_by_parameters",
+            "Derivatives of the forces by the parameters, an angle as the angle, and by mu.",
+            state,
+            by_parameters(model, model.residuals),
+            "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)",
+        ),
+    ]
+    if cancelled:
+        functions += [
             function(
                 "balance",
                 f"Sums of the forces, in which those of {' and of '.join(cancelled)} cancel.",
@@ -109,147 +214,33 @@ def module(model: Mechanics) -> Module:
                 rows(sp.diag(*others) * slopes),
                 "((∂F_1/∂q_1, …), …)",
             ),
-        )
-        if cancelled
-        else ()
-    )
+        ]
     if not constant:
         # What follows states along a parameter follows these rows, in which nothing stiff cancels.
-        apart += (
+        functions.append(
             function(
                 "balance_by_parameters",
                 "Their derivatives by the parameters, an angle as the angle, and by mu.",
                 state,
                 by_parameters(model, summed),
                 "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)",
-            ),
+            )
         )
-    turned = " A torsion spring adds k φ (c ∂dy − s ∂dx)/l." if model.torsions else ""
-    turnings = (
-        ()
-        if not model.torsions
-        else (
-            function(
-                "turnings",
-                "Cosine and sine of the turning φ of every torsion spring: φ in (−π, π].",
-                (*model.coordinates, *model.directions, *arguments(model)),
-                tuple((torsion.cosine, torsion.sine) for torsion in model.torsions),
-                "((cos φ_1, sin φ_1), …)",
-            ),
-            function(
-                "torsions",
-                "The stiffness of every torsion spring.",
-                variables,
-                tuple(torsion.stiffness for torsion in model.torsions),
-                "(k_1, …)",
-            ),
-        )
-    )
-    # With G the roots λ without damping come in pairs ± λ where K is symmetric.
-    circulatory = (
-        ()
-        if model.gyroscopic.is_zero_matrix
-        else (
+    if not model.gyroscopic.is_zero_matrix:
+        # With G the roots λ without damping come in pairs ± λ where K is symmetric.
+        functions.append(
             function(
                 "circulatory",
                 "K − Kᵀ: what friction and forces without a potential bring.",
                 state,
                 rows((K - K.T).applyfunc(model.tidy)),
                 "((0, K_12 − K_21, …), …)",
-            ),
+            )
         )
-    )
     return Module(
         "statics",
         "The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).",
-        (
-            function(
-                "geometry",
-                "The vector from the mass's end of every spring to its anchor, and its "
-                "undeformed length.",
-                variables,
-                tuple((line.dx, line.dy, line.rest) for line in model.lines),
-                "((dx, dy, rest), …)",
-            ),
-            *(
-                function(
-                    named("contact_gap", contact),
-                    _border(contact),
-                    variables,
-                    contact.border or contact.gap or sp.S.Zero,
-                    "minus N" if contact.either_face else "gap",
-                )
-                for contact in model.contacts
-            ),
-            function(
-                "mirror",
-                'The image of a state in the model\'s mirror, if it has one: see "mirror" in '
-                "model.json.",
-                variables,
-                tuple(map(mirror.image, model.coordinates)),
-                "image",
-            ),
-            *(it for friction in model.frictions for it in _friction(model, friction)),
-            *turnings,
-            function(
-                "forces",
-                "Minus the sum of forces along each coordinate.",
-                state,
-                model.residuals,
-                "(F_1, …)",
-            ),
-            function(
-                "stiffnesses",
-                "The stiffness of every spring.",
-                variables,
-                model.stiffnesses,
-                "(k_1, …)",
-            ),
-            function(
-                "spring_forces",
-                "The tension of every spring, negative where it pushes.",
-                variables,
-                tuple(
-                    k * (line.l - line.rest)
-                    for k, line in zip(model.stiffnesses, model.lines, strict=True)
-                ),
-                "(T_1, …)",
-            ),
-            *(
-                function(
-                    named("contact_force", contact),
-                    f"The normal force of the contact{contact.name and f' {contact.name}'}.",
-                    (*model.coordinates, *model.arguments, contact.pushing),
-                    contact.force,
-                    "N",
-                )
-                for contact in model.contacts
-            ),
-            function(
-                "forces_apart",
-                "The forces without those springs; each adds its tension times (c ∂dx + s "
-                f"∂dy).{turned}",
-                state,
-                model.residuals_apart,
-                "(F_1, …)",
-            ),
-            function(
-                "forces_jacobian",
-                "K: derivatives of the forces by the coordinates, directions following.",
-                state,
-                rows(K),
-                "((∂F_1/∂q_1, …), …)",
-            ),
-            function(
-                "forces_by_parameters",
-                "Derivatives of the forces by the parameters, an angle as the angle, and by mu.",
-                state,
-                by_parameters(model, model.residuals),
-                "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)",
-            ),
-            *apart,
-            *circulatory,
-        ),
+        tuple(functions),
     )
 
 
@@ -259,24 +250,11 @@ def _border(contact: NormalForce) -> str:
     return f"The gap{on(contact)}: contact where it is not positive."
 
 
-def _friction(model: Mechanics, friction: FrictionForce) -> tuple[Function, ...]:
+def _friction(model: Mechanics, friction: FrictionForce) -> list[Function]:
     """The friction coefficient of one contact."""
     at_rest = laws.friction_at_rest(friction)
-    held = (
-        (
-            of_page(
-                named("friction_held", friction),
-                "The friction coefficient while it sticks, by the share of the static one "
-                "that is used.",
-                (*model.arguments, laws.HELD),
-                laws.friction_held(friction),
-                "mu",
-            ),
-        )
-        if friction.holds is not None
-        else ()
-    )
-    return (
+    slopes = (model.derivative(at_rest, symbol) for symbol in map(number, model.parameters))
+    found = [
         of_page(
             named("friction_at_rest", friction),
             f"The friction coefficient{on(friction)} at steady sliding.",
@@ -296,11 +274,19 @@ def _friction(model: Mechanics, friction: FrictionForce) -> tuple[Function, ...]
             named("friction_by_parameters", friction),
             "Its derivatives by all parameters, an angle as the angle.",
             model.arguments,
-            tuple(
-                model.tidy(model.derivative(at_rest, symbol))
-                for symbol in map(number, model.parameters)
-            ),
+            tuple(map(model.tidy, slopes)),
             "(∂mu/∂p_1, …)",
         ),
-        *held,
-    )
+    ]
+    if friction.holds is not None:
+        found.append(
+            of_page(
+                named("friction_held", friction),
+                "The friction coefficient while it sticks, by the share of the static one that is "
+                "used.",
+                (*model.arguments, laws.HELD),
+                laws.friction_held(friction),
+                "mu",
+            )
+        )
+    return found

@@ -41,8 +41,6 @@ def test_the_digest_is_that_of_what_is_committed() -> None:
 
 
 OLD = {name: text.encode() for name, text in write.listed({"old.py": "old\n"}).items()}
-#: What is written in the place of that.
-NEW = write.listed({"new.py": "a\n", "c/deep.h": "b\n"})
 
 
 @pytest.fixture
@@ -153,38 +151,3 @@ def test_what_is_not_proved_writes_nothing(
     assert command.main(["--out", str(target), *options]) == 1
     assert untouched(target)
     assert f"not proved: {words}" in capsys.readouterr().err
-
-
-# -----------------------------------------------------------------------------------------
-# interrupted writes
-
-
-@pytest.mark.parametrize("error", [KeyboardInterrupt, OSError, MemoryError])
-def test_an_interrupted_write_leaves_the_old_files(
-    error: type[BaseException], target: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    write_text = Path.write_text
-
-    def interrupted(self: Path, text: str, **options: str) -> int:
-        if self.name == "second.py":
-            write_text(self, text[:1])
-            raise error
-        return write_text(self, text, **options)
-
-    monkeypatch.setattr(Path, "write_text", interrupted)
-    with pytest.raises(error):
-        write.write({"first.py": "1\n", "second.py": "2\n"}, target)
-    assert untouched(target)
-
-
-def test_a_write_replaces_what_was_written_and_nothing_else(target: Path) -> None:
-    (target / "notes.txt").write_text("mine")
-    (target / "new.py").write_text("mine")
-    with pytest.raises(FileExistsError, match=r"new\.py: written by something else"):
-        write.write(NEW, target)
-    (target / "new.py").unlink()
-    write.write(NEW, target)
-    assert files_of(target) == {name: text.encode() for name, text in NEW.items()} | {
-        "notes.txt": b"mine"
-    }
-    assert not list(target.glob(".*"))

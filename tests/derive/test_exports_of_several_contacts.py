@@ -1,5 +1,5 @@
-"""Exports of pages with several contacts: the functions and the example of each language against
-Python, and what is refused.
+"""Exports of pages with several contacts: the example against Python, and the kinked field against
+the modes of a motion. Their functions are those of shipped pages, in ``tests/conformance``.
 """
 
 import shutil
@@ -13,10 +13,8 @@ pytest.importorskip("sympy")
 
 import spragsym as ss
 from spragsym.cli import main
-from tests.oracles import exports
 from tests.oracles.contact_pages import BLOCKS, PAD, PADS, TIED_BLOCKS
-from tests.oracles.emission import arguments
-from tests.oracles.exports import CC, RUN
+from tests.oracles.exports import CC
 from tests.oracles.user_pages import derived
 
 
@@ -25,31 +23,6 @@ def exported(text: str, name: str, language: str, out: Path) -> Path:
     with pytest.raises(SystemExit, match="0"):
         main([*command, "--out", str(out)])
     return out
-
-
-@pytest.mark.thorough
-@pytest.mark.by_hand("blocks")
-@pytest.mark.parametrize("language", RUN)
-@pytest.mark.parametrize(("name", "text"), [("pad_on_2", PAD), ("blocks", BLOCKS)])
-def test_functions_of_several_contacts_are_those_of_python(
-    name: str, text: str, language: str, tmp_path: Path
-) -> None:
-    needed, there, run = RUN[language]
-    if there is None:
-        pytest.skip(f"there is no {needed} on this machine")
-    model, rng = ss.load(derived(text, name)), np.random.default_rng(79)
-    calls = [
-        call
-        for _ in range(3)
-        for call in exports.calls(
-            model, lambda names: dict(zip(names, arguments(names, rng), strict=True))
-        )
-    ]
-    own = {f"contact_force_{one['name']}" for one in model.contacts}
-    assert own | {"rhs", "regime_rhs"} <= {call.function for call in calls}
-    found = run(exported(text, name, language, tmp_path), calls)
-    known = np.concatenate([call.results for call in calls])
-    np.testing.assert_allclose(found, known, rtol=1e-13, atol=1e-13 * max(1.0, abs(known).max()))
 
 
 @pytest.mark.thorough

@@ -116,22 +116,30 @@ def test_what_was_edited_is_named(tmp_path: Path) -> None:
         (folder / name).write_text("edited\n")
         with pytest.raises(FileExistsError, match=f"{name}: edited since it was written; move it"):
             write.write(NEW, folder, mark=MARK)
+    folder = written(tmp_path / "foreign", OLD | {"sub/fresh.py": "mine"})
+    with pytest.raises(FileExistsError, match=r"fresh\.py: written by something else; move it"):
+        write.write(NEW, folder, mark=MARK)
     # The page from which it is derived again may be the one in the folder.
     folder = written(tmp_path / "again", {**OLD, "page.py": NEW["page.py"]})
     write.write(NEW, folder, mark=MARK)
     assert (folder / "algebra.py").read_text() == "new\n"
 
 
+FULL = OSError(errno.ENOSPC, "No space left on device")
+
+
 class Failing:
     """A function of the system that fails at its n-th call, or from there on."""
 
-    def __init__(self, function: Callable[..., Any], n: int, on: bool) -> None:
-        self.function, self.left, self.on = function, n, on
+    def __init__(
+        self, function: Callable[..., Any], n: int, on: bool, error: BaseException = FULL
+    ) -> None:
+        self.function, self.left, self.on, self.error = function, n, on, error
 
     def __call__(self, *arguments: Any, **options: Any) -> Any:
         self.left -= 1
         if self.left == 0 or (self.on and self.left < 0):
-            raise OSError(errno.ENOSPC, "No space left on device")
+            raise self.error
         return self.function(*arguments, **options)
 
 
@@ -146,9 +154,13 @@ STEPS: list[tuple[Any, str]] = [
 ]
 
 
-@pytest.mark.parametrize("on", [False, True], ids=["once", "from then on"])
+@pytest.mark.parametrize(
+    ("on", "error"),
+    [(False, FULL), (True, FULL), (False, KeyboardInterrupt()), (False, MemoryError())],
+    ids=["once", "from then on", "interrupted", "without memory"],
+)
 def test_a_step_that_fails_leaves_every_byte(
-    on: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    on: bool, error: BaseException, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     failed = 0
     for owner, name in STEPS:
@@ -156,14 +168,14 @@ def test_a_step_that_fails_leaves_every_byte(
             folder = written(tmp_path / f"{name}{n}", {**OLD, "data.csv": "mine"})
             before = all_of(folder)
             with monkeypatch.context() as patched:
-                function = Failing(getattr(owner, name), n, on)
+                function = Failing(getattr(owner, name), n, on, error)
                 patched.setattr(owner, name, lambda *a, f=function, **k: f(*a, **k))
                 if name == "copy2":  # it is asked where there are no links
                     patched.setattr(os, "link", Failing(os.link, 1, True))
                 try:
                     write.write(NEW, folder, mark=MARK)
                     ended = True
-                except OSError:
+                except type(error):
                     ended = False
             if ended:
                 assert (folder / "algebra.py").read_text() == "new\n"

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import sympy as sp
-from sympy import Expr, S, Symbol
+from sympy import Dummy, Expr, S, Symbol, expand
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
@@ -42,10 +42,8 @@ def expanded(expression: Expr) -> Expr:
         for node in expression.atoms(sp.Pow)
         if node.exp.is_Integer and node.exp.is_negative and node.base.is_Add
     }
-    kept = {node: sp.Dummy() for node in below | expression.atoms(sp.exp)}
-    return sp.expand(expression.xreplace(kept)).xreplace(
-        {dummy: node for node, dummy in kept.items()}
-    )
+    kept = {node: Dummy() for node in below | expression.atoms(sp.exp)}
+    return expand(expression.xreplace(kept)).xreplace({dummy: node for node, dummy in kept.items()})
 
 
 def reached(level: Expr) -> Expr:
@@ -64,14 +62,14 @@ def quotients(expression: Expr) -> list[sp.Pow]:
 
 def reduce_circles(polynomial: Expr, circles: Circles) -> Expr:
     """Normal form of a polynomial modulo cos² = 1 − sin² on each unit circle."""
-    polynomial = sp.expand(polynomial)
+    polynomial = expand(polynomial)
     for cosine, sine in circles:
         if not polynomial.has(cosine):
             continue
         even_odd = [S.Zero, S.Zero]
         for (power,), coefficient in sp.Poly(polynomial, cosine).terms():
             even_odd[power % 2] += coefficient * (1 - sine**2) ** (power // 2)
-        polynomial = sp.expand(even_odd[0] + cosine * even_odd[1])
+        polynomial = expand(even_odd[0] + cosine * even_odd[1])
     return polynomial
 
 
@@ -86,8 +84,8 @@ class Gap:
     """A difference in symbols: what stands for functions, and for roots with their bases."""
 
     value: Expr
-    unknowns: dict[Expr, sp.Dummy]
-    roots: dict[Expr, sp.Dummy]
+    unknowns: dict[Expr, Dummy]
+    roots: dict[Expr, Dummy]
     order: int  #: the power of every root that is its base
 
 
@@ -120,25 +118,25 @@ def gap(left: Expr, right: Expr, circles: Circles) -> Gap:
             times, exponent = -times, -exponent
         return named(sp.exp(exponent)) ** times
 
-    def named(node: Expr) -> sp.Dummy:
-        return unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}"))
+    def named(node: Expr) -> Dummy:
+        return unknowns.setdefault(node, Dummy(f"u{len(unknowns)}"))
 
     odd = sp.sign | sp.tan | sp.sinh | sp.tanh | sp.atan | sp.asin
     even = sp.Abs | sp.cosh
-    unknowns: dict[Expr, sp.Dummy] = {}
+    unknowns: dict[Expr, Dummy] = {}
     value = (sp.sympify(left) - sp.sympify(right)).replace(
         lambda node: isinstance(node, sp.Function | sp.Piecewise),
         unknown,
     )
     order = math.lcm(*(node.exp.q for node in value.atoms(sp.Pow) if node.exp.is_Rational))
-    roots: dict[Expr, sp.Dummy] = {}
+    roots: dict[Expr, Dummy] = {}
 
     def root(node: sp.Pow) -> Expr:
         """A power of the symbol that stands for the root of a base; of 1 it is 1."""
         base = normal(node.base)
         if (power := base**node.exp).is_Rational:
             return power
-        return roots.setdefault(base, sp.Dummy(f"r{len(roots)}")) ** (order * node.exp)
+        return roots.setdefault(base, Dummy(f"r{len(roots)}")) ** (order * node.exp)
 
     value = value.replace(lambda node: isinstance(node, sp.Pow) and not node.exp.is_Integer, root)
     return Gap(value, unknowns, roots, order)
@@ -240,7 +238,7 @@ def manifestly_positive(polynomial: Expr) -> bool:
     for being positive, not necessary.
     """
     symbols = sorted(polynomial.free_symbols, key=str)
-    terms = sp.Poly(sp.expand(polynomial), *symbols).terms()
+    terms = sp.Poly(expand(polynomial), *symbols).terms()
     return (
         all(symbol.is_nonnegative for symbol in symbols)
         and all(value.is_number and value > 0 for _, value in terms)

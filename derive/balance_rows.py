@@ -5,14 +5,14 @@ coordinates, and symmetry.
 import itertools
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, Matrix
 
 from . import symmetry
 from .algebra import Row, equal, expanded
 from .mechanics import Mechanics, NormalForce
 
 
-def sums(model: Mechanics) -> sp.Matrix:
+def sums(model: Mechanics) -> Matrix:
     """T, of det T = 1: in the rows of T F springs between two coordinates and normal forces whose
     direction turns act in as few as may be.
 
@@ -47,7 +47,7 @@ def sums(model: Mechanics) -> sp.Matrix:
 
 
 def without_coordinates(
-    model: Mechanics, rows: Row, stiffness: sp.Matrix
+    model: Mechanics, rows: Row, stiffness: Matrix
 ) -> dict[int, list[tuple[Expr, Expr]]]:
     """Sums of rows in which no coordinate stands: where such a sum is not 0 nothing balances it,
     and these contacts touch in no state.
@@ -57,7 +57,7 @@ def without_coordinates(
     is singular there whatever the coordinates, and the sum is F times a vector that Kᵀ turns to 0.
     """
     found: dict[int, list[tuple[Expr, Expr]]] = {}
-    F = sp.Matrix(rows)
+    F = Matrix(rows)
     moving = {*model.coordinates, *model.directions, *model.turned}
     opening = [one for one in model.pushings if F.has(one)]
     for touching in itertools.product((1, 0), repeat=len(opening)):
@@ -100,20 +100,20 @@ def _directions(model: Mechanics, row: Expr) -> set[sp.Symbol]:
     return row.free_symbols & set(model.directions)
 
 
-def symmetric(model: Mechanics, stiffness: sp.Matrix) -> bool:
+def symmetric(model: Mechanics, stiffness: Matrix) -> bool:
     """Whether K is symmetric where the friction coefficient is 0: not with a force that follows a
     coordinate, for one.
     """
     return _symmetric(model, stiffness.subs(dict.fromkeys(model.coefficients, 0)))
 
 
-def circulatory(model: Mechanics, stiffness: sp.Matrix) -> list[bool]:
+def circulatory(model: Mechanics, stiffness: Matrix) -> list[bool]:
     """Whether each friction makes K asymmetric: not one that opposes a coordinate with a normal
     force of that coordinate alone. K is linear in the coefficients.
     """
     return [not _symmetric(model, stiffness.diff(mu)) for mu in model.coefficients]
 
 
-def _symmetric(model: Mechanics, K: sp.Matrix) -> bool:
+def _symmetric(model: Mechanics, K: Matrix) -> bool:
     circles = tuple((line.c, line.s) for line in model.lines)
     return all(equal(K[i, j], K[j, i], circles) for i in range(K.rows) for j in range(i))

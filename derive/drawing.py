@@ -14,7 +14,7 @@ import textwrap
 from pathlib import Path
 
 import sympy as sp
-from sympy import Expr, S
+from sympy import Dummy, Expr, S, diff
 
 from .algebra import Pair, Symbols
 from . import pages
@@ -106,7 +106,7 @@ def _is_anchor(end: Point, symbols: Symbols) -> bool:
     moving = end[0].free_symbols & set(symbols)
     return not end[1].free_symbols & set(symbols) and (
         not moving
-        or (len(moving) == 1 and not moving & set(symbols[:2]) and sp.diff(end[0], *moving) == 1)
+        or (len(moving) == 1 and not moving & set(symbols[:2]) and diff(end[0], *moving) == 1)
     )
 
 
@@ -168,7 +168,7 @@ def _is_ball(page: Page) -> bool:
     """
     if page.normal is None or page.normal.gap is None:
         return False
-    depth = sp.Dummy(positive=True)
+    depth = Dummy(positive=True)
     return not sp.sympify(page.normal.law(depth)).is_polynomial(depth)
 
 
@@ -179,13 +179,13 @@ def _body(drawing: Drawing, page: Page) -> None:
     else:
         drawing.box(-half, half, style="ink body")
     rate = page.coordinates[0].rate
-    mass = "m" if page.inertia is None else _letter(sp.diff(page.inertia[0], rate, 2))
+    mass = "m" if page.inertia is None else _letter(diff(page.inertia[0], rate, 2))
     drawing.name(mass, 7j)
 
 
 def _terms(contact: Contact) -> list[Expr]:
     """Terms of the contact law by their powers, at a penetration of 1."""
-    depth = sp.Dummy(positive=True)
+    depth = Dummy(positive=True)
     terms = sp.Add.make_args(sp.expand(sp.sympify(contact.law(depth))))
     powers = {it: sp.degree(it, depth) if it.is_polynomial(depth) else 0 for it in terms}
     return [it.subs(depth, 1) for it in sorted(terms, key=powers.__getitem__)]
@@ -327,7 +327,7 @@ def _slopes(page: Page, energy: Expr) -> list[Expr]:
     """Slopes of a potential along the coordinates; none where it does not act on a mass in the
     plane.
     """
-    slopes = [sp.diff(energy, symbol) for symbol in page.places]
+    slopes = [diff(energy, symbol) for symbol in page.places]
     return [] if len(slopes) < 2 or slopes[:2] == [0, 0] else slopes
 
 
@@ -380,7 +380,7 @@ def _forces(drawing: Drawing, page: Page) -> None:
     given = [force.components for force in page.forces if len(force.place) == 2]
     given += [force for energy, _ in page.energies if (force := _weight(page, energy))]
     if page.normal is not None and page.normal.gap is None:
-        given.append((S.Zero, -sp.sympify(page.normal.law(sp.Dummy(positive=True)))))
+        given.append((S.Zero, -sp.sympify(page.normal.law(Dummy(positive=True)))))
     for index, components in enumerate(given):
         x, y = (float(component.subs(values)) for component in components)
         if x == y == 0:  # as that of a follower where nothing is displaced
@@ -410,7 +410,7 @@ def _frame(drawing: Drawing, page: Page) -> None:
     """
     energy, _ = page.inertia or (S.Zero, 0)
     still = dict.fromkeys(page.rates, 0)
-    slopes = sp.Tuple(*(sp.diff(energy, rate).subs(still) for rate in page.rates))
+    slopes = sp.Tuple(*(diff(energy, rate).subs(still) for rate in page.rates))
     speeds = slopes.free_symbols - set(page.places)
     speeds -= sp.hessian(energy, page.rates).free_symbols
     if speeds:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import sympy as sp
+from sympy import Dummy
 
 from . import (
     balance_rows,
@@ -309,7 +310,7 @@ def _ties(it: Mechanics, index: int) -> list[str]:
 
 def _of_law(sliding: Friction) -> list[str]:
     """Quantities of the page on which its friction law depends, at the belt's speed or at rest."""
-    speed = sp.Dummy(positive=True)
+    speed = Dummy(positive=True)
     at_belt = sp.sympify(sliding.law(speed)).xreplace({speed: sliding.belt})
     return sorted(map(str, sp.Tuple(at_belt, sliding.at_rest or at_belt).free_symbols))
 
@@ -333,8 +334,8 @@ def _roles(it: Mechanics) -> dict[str, str | None]:
 
 def _is_proportional(sliding: Friction, datum: Datum) -> bool:
     """Whether a friction law and what it holds are proportional to a parameter."""
-    times = sp.Dummy(positive=True)
-    laws_of = (sp.sympify(sliding.law(sp.Dummy(positive=True))), sliding.holds or sp.S.Zero)
+    times = Dummy(positive=True)
+    laws_of = (sp.sympify(sliding.law(Dummy(positive=True))), sliding.holds or sp.S.Zero)
     return laws_of[0].has(datum.symbol) and all(
         sp.simplify(law.subs(datum.symbol, times * datum.symbol) - times * law) == 0
         for law in laws_of

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import sympy as sp
-from sympy import Expr, S
+from sympy import Add, Dummy, Expr, Matrix, S, expand
 
 from . import units
 from .algebra import quotients
@@ -143,7 +143,7 @@ class _MethodReader:
         )
         still = dict.fromkeys(self.rates, 0)
         self.stored = -whole.subs(still)
-        self.kinetic = sp.expand(whole + self.stored)
+        self.kinetic = expand(whole + self.stored)
 
     def plain(self, expression: Expr) -> Expr:
         """An expression in the page's symbols."""
@@ -157,8 +157,8 @@ class _MethodReader:
             raise self.refused(f"{value} varies in time by itself: {Limit.FORCING}")
         return value
 
-    def gradient(self, expression: Expr) -> sp.Matrix:
-        return sp.Matrix([expression]).jacobian(self.places).T
+    def gradient(self, expression: Expr) -> Matrix:
+        return Matrix([expression]).jacobian(self.places).T
 
     def named(
         self, what: str, given: tuple[Any, ...] | Mapping[str, Any] | None, names: tuple[str, ...]
@@ -190,7 +190,7 @@ class _MethodReader:
 
         return law
 
-    def split(self, contact: dict[str, Any], friction: dict[str, Any]) -> sp.Matrix:
+    def split(self, contact: dict[str, Any], friction: dict[str, Any]) -> Matrix:
         """Generalized forces of the loads without those of contact and friction, which become
         statements.
         """
@@ -243,7 +243,7 @@ class _MethodReader:
         """
         for coordinate in self.places:
             if any(one.has(coordinate) for one in force.atoms(sp.sign, sp.Abs)):
-                far = sp.Dummy(positive=True)
+                far = Dummy(positive=True)
                 one, other = (
                     force.subs(coordinate, side * far).subs(far, side * coordinate)
                     for side in (1, -1)
@@ -252,31 +252,31 @@ class _MethodReader:
         return force
 
     def dry(
-        self, forces: sp.Matrix, normal: Expr, friction: dict[str, Any]
-    ) -> tuple[sp.Matrix, dict[str, Any]]:
+        self, forces: Matrix, normal: Expr, friction: dict[str, Any]
+    ) -> tuple[Matrix, dict[str, Any]]:
         """Loads without those of friction, μ N against the sign of a speed r, a sum of rates less
         the belt's speed; and the statement of it.
         """
         from .model import sgn
 
         jumps = sorted(forces.atoms(sp.sign), key=sp.default_sort_key)
-        r, side, speed = sp.expand(jumps[0].args[0]), sp.Dummy(), sp.Dummy(real=True)
+        r, side, speed = expand(jumps[0].args[0]), Dummy(), Dummy(real=True)
         belt = -r.subs(dict.fromkeys(self.rates, 0))
         if belt.could_extract_minus_sign():
             r, belt = -r, -belt
-        slopes = sp.Matrix([r]).jacobian(self.rates).T
+        slopes = Matrix([r]).jacobian(self.rates).T
         row = next(row for row, slope in enumerate(slopes) if slope != 0)
         turned = {one: side * sp.cancel(one.args[0] / r) for one in jumps}
-        by_side = forces.xreplace(turned).applyfunc(sp.expand)
+        by_side = forces.xreplace(turned).applyfunc(expand)
         pushed = by_side.applyfunc(lambda force: force.coeff(side))
         rate = self.rates[row] + (speed - r) / slopes[row]
-        whole = sp.expand(-pushed[row].subs(self.rates[row], rate) / slopes[row])
+        whole = expand(-pushed[row].subs(self.rates[row], rate) / slopes[row])
         law = S.Zero if normal is None else whole.coeff(normal)
         law = sp.collect(law, sorted(law.atoms(sp.exp), key=sp.default_sort_key))
         nothing = [law - law.subs(speed, -speed), *(pushed * slopes[row] - slopes * pushed[row])]
         read = (
             law != 0
-            and whole == sp.expand(law * normal)
+            and whole == expand(law * normal)
             and {*turned.values()} <= {side, -side}
             and not sp.Tuple(law, *slopes).has(*self.rates, *self.places)
             and all(self.expanded(one) == 0 for one in nothing)
@@ -306,22 +306,22 @@ class _MethodReader:
 
     def expanded(self, expression: Expr) -> Expr:
         """An expression multiplied out, with its roots and quotients of coordinates kept."""
-        kept = {base: sp.Dummy(positive=True) for base in self.bases(expression)}
+        kept = {base: Dummy(positive=True) for base in self.bases(expression)}
         held = expression.replace(
             lambda it: isinstance(it, sp.Pow) and it.base in kept,
             lambda it: kept[it.base] ** it.exp,
         )
-        return sp.expand(held).xreplace({dummy: base for base, dummy in kept.items()})
+        return expand(held).xreplace({dummy: base for base, dummy in kept.items()})
 
-    def lines(self, forces: sp.Matrix) -> Iterator[tuple[Expr, sp.Matrix, int, tuple[Any, Any]]]:
+    def lines(self, forces: Matrix) -> Iterator[tuple[Expr, Matrix, int, tuple[Any, Any]]]:
         """Squared lengths that forces hold, half the slopes of each, a coordinate that changes it,
         and the ends of the line.
         """
         for base in sorted(
             {base for force in forces for base in self.bases(force)}, key=sp.default_sort_key
         ):
-            parts = [part.base for part in sp.Add.make_args(base) if part.is_Pow and part.exp == 2]
-            if len(parts) != 2 or sp.expand(sum(part**2 for part in parts) - base) != 0:
+            parts = [part.base for part in Add.make_args(base) if part.is_Pow and part.exp == 2]
+            if len(parts) != 2 or expand(sum(part**2 for part in parts) - base) != 0:
                 raise self.refused(
                     f"the root of {base} is no length between two points; write it as "
                     "sqrt(dx**2 + dy**2)"
@@ -341,12 +341,12 @@ class _MethodReader:
                 }
                 falling = part if -1 in slopes or 1 not in slopes else -part
                 start = slopes.get(-1, slopes.get(1, S.Zero))
-                ends.append((start, sp.expand(falling + start)))
-            half = (self.gradient(base) / 2).applyfunc(sp.expand)
+                ends.append((start, expand(falling + start)))
+            half = (self.gradient(base) / 2).applyfunc(expand)
             row = next(row for row, slope in enumerate(half) if slope != 0)
             yield base, half, row, tuple(zip(*ends, strict=True))
 
-    def dampers(self, forces: sp.Matrix) -> None:
+    def dampers(self, forces: Matrix) -> None:
         """State the dampers that the velocity-dependent forces are made of."""
         C = -forces.jacobian(self.rates).applyfunc(self.expanded)
         if C.has(*self.rates):
@@ -361,9 +361,7 @@ class _MethodReader:
                 "frame that turns at W"
             )
         for base, half, row, ends in self.lines(C):
-            square = sp.Add(
-                *(term for term in sp.Add.make_args(C[row, row]) if base in self.bases(term))
-            )
+            square = Add(*(term for term in Add.make_args(C[row, row]) if base in self.bases(term)))
             coefficient = sp.simplify(square * base / half[row] ** 2)
             self.page.damper(coefficient, *ends)
             C = (C - coefficient / base * half * half.T).applyfunc(self.expanded)
@@ -371,14 +369,14 @@ class _MethodReader:
             if C[i, j] != 0:
                 self.page.damper(-C[i, j], along=self.places[i] - self.places[j])
         for row, index in enumerate(self.places):  # what is left of the diagonal
-            if (coefficient := sp.expand(sum(C.row(row)))) != 0:
+            if (coefficient := expand(sum(C.row(row)))) != 0:
                 self.page.damper(coefficient, along=index)
 
-    def springs(self, forces: sp.Matrix) -> None:
+    def springs(self, forces: Matrix) -> None:
         """Straight springs, those along coordinates, other potentials, and applied forces."""
         for base, half, row, ends in self.lines(forces):
             product = sp.simplify(
-                forces[row].subs(1 / sp.sqrt(base), length := sp.Dummy()).coeff(length) / half[row]
+                forces[row].subs(1 / sp.sqrt(base), length := Dummy()).coeff(length) / half[row]
             )
             left = {
                 stiffness: (forces + (stiffness - product / sp.sqrt(base)) * half).applyfunc(
@@ -394,17 +392,17 @@ class _MethodReader:
             # Of k_2 λ_2 L_0, say, k_2 is the stiffness if it takes away what stands without the
             # root.
             stiffness = min(
-                left, key=lambda one: sum(len(sp.Add.make_args(force)) for force in left[one])
+                left, key=lambda one: sum(len(Add.make_args(force)) for force in left[one])
             )
             self.page.spring(stiffness, *ends, length=product / stiffness)
             forces = left[stiffness]
         potential = S.Zero
         for coordinate, force in zip(self.places, forces, strict=True):
-            potential -= sp.expand(
-                sp.integrate(sp.expand(force + sp.diff(potential, coordinate)), coordinate)
+            potential -= expand(
+                sp.integrate(expand(force + sp.diff(potential, coordinate)), coordinate)
             )
         for coordinate, force in zip(
-            self.places, (forces + self.gradient(potential)).applyfunc(sp.expand), strict=True
+            self.places, (forces + self.gradient(potential)).applyfunc(expand), strict=True
         ):
             pull, square = (potential.coeff(coordinate, power) for power in (1, 2))
             pull, square = (S.Zero if part.has(*self.places) else part for part in (pull, square))
@@ -412,7 +410,7 @@ class _MethodReader:
                 self.page.force(force - pull, along=coordinate)
             if square != 0:
                 self.page.spring(2 * square, along=coordinate)
-            potential -= pull * coordinate + sp.expand(square * coordinate**2)
+            potential -= pull * coordinate + expand(square * coordinate**2)
         if potential != 0:
             self.page.potential(potential)
 

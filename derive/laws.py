@@ -10,7 +10,7 @@ the layer.
 """
 
 import sympy as sp
-from sympy import Expr, S, Symbol
+from sympy import Expr, S, Symbol, expand
 
 from .algebra import Pair, Row, Symbols
 from .mechanics import SLIP, FrictionForce
@@ -82,7 +82,7 @@ def limit(friction: FrictionForce, law: Expr, speed: Symbol, end: Expr) -> Expr:
 def layers(friction: FrictionForce) -> Row:
     """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
     return tuple(
-        sp.expand(exponent).subs(SLIP, friction.side * slip(friction))
+        expand(exponent).subs(SLIP, friction.side * slip(friction))
         for *_, exponent in _layers(friction)
     )
 
@@ -100,7 +100,7 @@ def smooth_friction(friction: FrictionForce, felt: bool = False) -> Expr:
         }
         ahead, behind = (side.xreplace(factors) for side in (ahead, behind))
     side = friction.side
-    if sp.expand(ahead + behind) == 0:
+    if expand(ahead + behind) == 0:
         return side * ahead.subs(SLIP, side * slip(friction))
     forward, backward = ahead.subs(SLIP, slip(friction)), behind.subs(SLIP, -slip(friction))
     return ((1 + side) * forward + (1 - side) * backward) / 2
@@ -149,7 +149,7 @@ def slope_by_sizes(friction: FrictionForce) -> tuple[tuple[Pair, ...], ...]:
     largest of them.
     """
     terms: dict[Expr, Expr] = {}
-    for term in sp.Add.make_args(sp.expand(slope_at_rest(friction))):
+    for term in sp.Add.make_args(expand(slope_at_rest(friction))):
         coefficient, power = term.as_independent(sp.exp)
         power = sp.powsimp(power)
         coefficient, exponent = (
@@ -158,7 +158,7 @@ def slope_by_sizes(friction: FrictionForce) -> tuple[tuple[Pair, ...], ...]:
         terms[exponent] = terms.get(exponent, S.Zero) + coefficient
     ordered = sorted(terms, key=sp.default_sort_key)
     return tuple(
-        tuple((sp.factor_terms(terms[a]), sp.expand(a - top)) for a in ordered) for top in ordered
+        tuple((sp.factor_terms(terms[a]), expand(a - top)) for a in ordered) for top in ordered
     )
 
 

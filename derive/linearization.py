@@ -3,23 +3,24 @@ deviations.
 """
 
 import sympy as sp
+from sympy import Matrix
 
 from . import laws
 from .emit.function import Module, of_page, rows
 from .mechanics import Mechanics, named, on
 
 
-def damping(model: Mechanics) -> sp.Matrix:
+def damping(model: Mechanics) -> Matrix:
     """C: the dampers, and the slope of the friction law where the belt is faster than the mass,
     which gives its sign.
     """
     still = dict.fromkeys(model.rates, sp.S.Zero)
-    C = sp.Matrix(model.resistance).jacobian(model.rates)
+    C = Matrix(model.resistance).jacobian(model.rates)
     for friction in model.frictions:
         if friction.along is not None:
             mu = laws.smooth_friction(friction, felt=True).subs(friction.side, 1)
-            slopes = sp.Matrix([friction.along]).jacobian(model.coordinates).T
-            C -= friction.normal.rubbing * slopes * sp.Matrix([mu]).jacobian(model.rates)
+            slopes = Matrix([friction.along]).jacobian(model.coordinates).T
+            C -= friction.normal.rubbing * slopes * Matrix([mu]).jacobian(model.rates)
     return C.subs(still).applyfunc(model.tidy)
 
 

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import sympy as sp
-from sympy import Expr, S, Symbol
+from sympy import Add, Dummy, Expr, Matrix, S, Symbol, diff
 
 from .algebra import Circles, Names, Pair, Row, Symbols, expanded, fewest_terms, quotients
 from .model import Contact, Datum, Element, Page, PageError, Point, expression_of, speed_of
@@ -334,11 +334,9 @@ class Mechanics:
         """∂/∂symbol with directions and lengths held; an angle by its cosine and sine."""
         for angle in self.angles:
             if angle.symbol == symbol:
-                turned = angle.c * sp.diff(expression, angle.s) - angle.s * sp.diff(
-                    expression, angle.c
-                )
-                return turned + sp.diff(expression, symbol)
-        return sp.diff(expression, symbol)
+                turned = angle.c * diff(expression, angle.s) - angle.s * diff(expression, angle.c)
+                return turned + diff(expression, symbol)
+        return diff(expression, symbol)
 
     def derivative(self, expression: Expr, symbol: Symbol) -> Expr:
         """d/dsymbol, by a coordinate or a parameter, with directions, lengths, turnings and the
@@ -348,16 +346,16 @@ class Mechanics:
         for line in self.lines:
             slopes = line.slopes(self.partial(line.dx, symbol), self.partial(line.dy, symbol))
             for inner, slope in slopes.items():
-                total += sp.diff(expression, inner) * slope
+                total += diff(expression, inner) * slope
         for torsion in self.torsions:
             line = torsion.line
             turn = (
                 line.c * self.partial(line.dy, symbol) - line.s * self.partial(line.dx, symbol)
             ) / line.l
-            total += sp.diff(expression, torsion.phi) * (turn - sp.diff(torsion.rest, symbol))
+            total += diff(expression, torsion.phi) * (turn - diff(torsion.rest, symbol))
         for contact in self.contacts:
             if contact.gap is not None and expression.has(contact.depth):
-                total -= sp.diff(expression, contact.depth) * self.partial(contact.gap, symbol)
+                total -= diff(expression, contact.depth) * self.partial(contact.gap, symbol)
         return total
 
     def tidy(self, expression: Expr) -> Expr:
@@ -371,9 +369,7 @@ class Mechanics:
             expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan) | self._quotients(expression),
             key=sp.default_sort_key,
         )
-        kept = {1 / line.l: sp.Dummy() for line in self.lines} | {
-            node: sp.Dummy() for node in nodes
-        }
+        kept = {1 / line.l: Dummy() for line in self.lines} | {node: Dummy() for node in nodes}
         shortest = expanded(
             expanded(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)
         ).subs({friction.side**2: 1 for friction in self.frictions})
@@ -393,7 +389,7 @@ class Mechanics:
         unit circles, the directions of the lines first.
         """
         pairs = waves(expression)
-        turned = {node: sp.Dummy(real=True) for pair in pairs for node in pair}
+        turned = {node: Dummy(real=True) for pair in pairs for node in pair}
         lines = ((line.c, line.s) for line in self.lines)
         return turned, (*lines, *((turned[c], turned[s]) for c, s in pairs))
 
@@ -436,13 +432,13 @@ class Mechanics:
         """The same without the springs along lines, each of which adds its tension times (c ∂dx + s
         ∂dy), and without torsion springs.
         """
-        torsions = sp.Add(*(torsion.energy for torsion in self.torsions))
+        torsions = Add(*(torsion.energy for torsion in self.torsions))
         return self._residuals(expanded(self.potential - self.elastic_energy - torsions))
 
     @property
     def elastic_energy(self) -> Expr:
         """The energy of the springs along lines, up to a constant."""
-        return sp.Add(*map(elastic, self.lines, self.stiffnesses))
+        return Add(*map(elastic, self.lines, self.stiffnesses))
 
     def _residuals(self, potential: Expr) -> Row:
         rows = []
@@ -454,10 +450,10 @@ class Mechanics:
             row = self.derivative(potential, symbol) - force
             for contact in self.contacts:
                 if contact.gap is not None:
-                    row -= contact.force * sp.diff(contact.gap, symbol)
+                    row -= contact.force * diff(contact.gap, symbol)
             for friction in self.frictions:
                 if friction.along is not None:
-                    row -= friction.mu * friction.normal.rubbing * sp.diff(friction.along, symbol)
+                    row -= friction.mu * friction.normal.rubbing * diff(friction.along, symbol)
             rows.append(sp.collect(expanded(row), (*self.coordinates, *self.directions)))
         return tuple(rows)
 
@@ -465,7 +461,7 @@ class Mechanics:
     def resistance(self) -> Row:
         """Forces of the dampers, on the side of the residuals."""
         return tuple(
-            self.speed * rate if symbol == self.clock else expanded(sp.diff(self.dissipation, rate))
+            self.speed * rate if symbol == self.clock else expanded(diff(self.dissipation, rate))
             for symbol, rate in zip(self.coordinates, self.rates, strict=True)
         )
 
@@ -476,7 +472,7 @@ class Mechanics:
         return tuple(one for one in each if one[0] != self.clock)
 
     @cached_property
-    def mass(self) -> sp.Matrix:
+    def mass(self) -> Matrix:
         """M of the kinetic energy q′ᵀ M q′/2."""
         M = sp.hessian(self.kinetic, self.rates)
         if self.clock is not None:
@@ -484,11 +480,11 @@ class Mechanics:
         return M
 
     @cached_property
-    def gyroscopic(self) -> sp.Matrix:
+    def gyroscopic(self) -> Matrix:
         """G of the forces G q′ of a kinetic energy linear in the rates, a · q′: G_ij = ∂a_i/∂q_j −
         ∂a_j/∂q_i, which is antisymmetric and takes no power.
         """
-        slopes = sp.Matrix([self.linear]).jacobian(self.rates).jacobian(self.coordinates)
+        slopes = Matrix([self.linear]).jacobian(self.rates).jacobian(self.coordinates)
         return (slopes - slopes.T).applyfunc(expanded)
 
 
@@ -524,7 +520,7 @@ def of(page: Page, units: bool = False) -> Mechanics:
     scaled = _Scaled(page, units)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
     kinetic, linear, still = _by_rates(page, scaled(page.inertia[0]))
-    stored = sp.Add(*(scaled(energy) for energy, _ in page.energies))
+    stored = Add(*(scaled(energy) for energy, _ in page.energies))
     potential = rest_energy + stored - still
     contacts = _contacts(page, scaled)
     return Mechanics(
@@ -587,7 +583,7 @@ def _by_rates(page: Page, energy: Expr) -> Row:
     """The kinetic energy without its parts linear in the rates and without rates, and these."""
     at_rest = dict.fromkeys(page.rates, S.Zero)
     still = energy.subs(at_rest)
-    linear = sp.Add(*(sp.diff(energy, rate).subs(at_rest) * rate for rate in page.rates))
+    linear = Add(*(diff(energy, rate).subs(at_rest) * rate for rate in page.rates))
     if still == 0 == linear:
         return energy, linear, still
     linear, still = expanded(linear), expanded(still)
@@ -639,7 +635,7 @@ def _lines(
         for count, torsion in enumerate(page.torsions, 1)
         if torsion.ends is not None
     )
-    energy += sp.Add(*(torsion.energy for torsion in torsions))
+    energy += Add(*(torsion.energy for torsion in torsions))
     for damper in page.dampers:
         coefficient = scaled(damper.strength)
         if damper.ends is None:
@@ -679,7 +675,7 @@ def _applied(page: Page, scaled: _Scaled) -> Row:
     for force in page.forces:
         for component, where in zip(force.components, force.place, strict=True):
             for row, symbol in enumerate(page.places):
-                forces[row] += scaled(component) * sp.diff(scaled(where), symbol)
+                forces[row] += scaled(component) * diff(scaled(where), symbol)
     return tuple(
         S.Zero if page.timer and symbol == page.timer.symbol else expanded(force)
         for symbol, force in zip(page.places, forces, strict=True)
@@ -715,7 +711,7 @@ def _in_coordinates(page: Page, gap: Expr | None, law: Expr, depth: Symbol) -> b
     """
     if gap is None or not law.is_polynomial(depth):
         return False
-    slopes = [slope for one in page.places if (slope := sp.diff(gap, one)) != 0]
+    slopes = [slope for one in page.places if (slope := diff(gap, one)) != 0]
     bends = any(slope.has(*page.places) for slope in slopes)
     return not bends and (len(slopes) == 1 or sp.degree(law, depth) <= 1)
 

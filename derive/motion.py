@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 
 import sympy as sp
-from sympy import Expr, S, Symbol
+from sympy import Add, Expr, Matrix, S, Symbol, diff
 
 from . import laws
 from .algebra import Names, Row, Symbols, equal, expanded, reached
@@ -41,19 +41,19 @@ class Motion:
 
     def along(self, friction: FrictionForce) -> Row:
         """Derivatives of the displacement that a friction opposes."""
-        return tuple(sp.diff(friction.along, symbol) for symbol in self.model.coordinates)
+        return tuple(diff(friction.along, symbol) for symbol in self.model.coordinates)
 
     def slip(self, friction: FrictionForce) -> Expr:
         """The sliding speed of a friction, among the borders."""
         return self.borders[len(self.model.contacts) + self.model.frictions.index(friction)]
 
     @cached_property
-    def mobility(self) -> sp.Matrix:
+    def mobility(self) -> Matrix:
         """Jᵀ M⁻¹ J of the displacements that frictions which hold oppose: by how much a unit of
         each slows the sliding of each.
         """
         along = [self.along(it) for it in self.holding]
-        return sp.Matrix(along) * sp.Matrix([self.over_mass(row) for row in along]).T
+        return Matrix(along) * Matrix([self.over_mass(row) for row in along]).T
 
     def _coupled(self, index: int) -> list[int]:
         """The frictions that hold whose forces a constraint depends on: its own, and those that the
@@ -65,7 +65,7 @@ class Motion:
             found += [i for i in coupled if i not in found]
         return sorted(found)
 
-    def _in_symbols(self, name: str, entries: sp.Matrix) -> tuple[sp.Matrix, Names]:
+    def _in_symbols(self, name: str, entries: Matrix) -> tuple[Matrix, Names]:
         """Entries of a system, and by what symbols they stand in its determinants; by themselves
         where they are numbers, or a friction is coupled with no other, and has no determinant.
         """
@@ -99,7 +99,7 @@ class Motion:
         """Rates of the sliding speeds without the frictions that hold."""
         free = dict.fromkeys((it.unknown for it in self.holding), S.Zero)
         rates = [self.rate(self.slip(it), self.accelerations).subs(free) for it in self.holding]
-        symbols, names = self._in_symbols("free", sp.Matrix(rates))
+        symbols, names = self._in_symbols("free", Matrix(rates))
         return tuple(symbols), names
 
     def constraint(self, friction: FrictionForce) -> Expr:
@@ -158,9 +158,9 @@ class Motion:
         """
         it = self.model
         energy = it.kinetic + it.linear
-        momenta = [sp.diff(energy, rate) for rate in it.rates]
+        momenta = [diff(energy, rate) for rate in it.rates]
         return tuple(
-            expanded(it.page.rate(momentum) - sp.diff(energy, symbol))
+            expanded(it.page.rate(momentum) - diff(energy, symbol))
             for momentum, symbol in zip(momenta, it.coordinates, strict=True)
         )
 
@@ -178,14 +178,14 @@ class Motion:
         it = self.model
         rows = []
         for symbol, inertia, pull in zip(
-            it.coordinates, it.mass * sp.Matrix(self.named), self.pull, strict=True
+            it.coordinates, it.mass * Matrix(self.named), self.pull, strict=True
         ):
             row = inertia - pull
             for contact, force in zip(it.contacts, normal, strict=True):
-                share = S.Zero if contact.gap is None else sp.diff(contact.gap, symbol)
+                share = S.Zero if contact.gap is None else diff(contact.gap, symbol)
                 for friction in it.frictions:
                     if friction.normal is contact and friction.along is not None:
-                        share += friction.mu * sp.diff(friction.along, symbol)
+                        share += friction.mu * diff(friction.along, symbol)
                 row += (contact.force - force) * share
             rows.append(expanded(row))
         return tuple(rows)
@@ -212,7 +212,7 @@ class Motion:
         """M⁻¹ times forces."""
         if not self.is_coupled:
             return tuple(row / self.model.mass[i, i] for i, row in enumerate(forces))
-        return tuple(self.inverse * sp.Matrix(forces))
+        return tuple(self.inverse * Matrix(forces))
 
     @cached_property
     def is_coupled(self) -> bool:
@@ -221,10 +221,10 @@ class Motion:
         return not it.mass.is_diagonal() or it.mass.has(*it.coordinates)
 
     @cached_property
-    def inverse(self) -> sp.Matrix:
+    def inverse(self) -> Matrix:
         """Symbols of the entries of the inverse of M."""
         n = len(self.model.coordinates)
-        return sp.Matrix(
+        return Matrix(
             n, n, lambda i, j: Symbol(f"_inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True)
         )
 
@@ -264,10 +264,10 @@ class Motion:
         if not self.is_coupled:
             return tuple(self.derivative(row, symbol, turns) for row in self.accelerations)
         it = self.model
-        changes = it.mass.applyfunc(
-            lambda entry: it.tidy(it.derivative(entry, symbol))
-        ) * sp.Matrix(self.named)
-        pulls = sp.Matrix([self.derivative(row, symbol, turns) for row in self.forces])
+        changes = it.mass.applyfunc(lambda entry: it.tidy(it.derivative(entry, symbol))) * Matrix(
+            self.named
+        )
+        pulls = Matrix([self.derivative(row, symbol, turns) for row in self.forces])
         return tuple(self.inverse * (pulls - changes))
 
     def turns(self, symbol: Symbol) -> Row:
@@ -331,10 +331,10 @@ class Motion:
         """
         it = self.model
         follow = (
-            sp.diff(expression, one.unknown if one in self.holding else one.mu) * turn
+            diff(expression, one.unknown if one in self.holding else one.mu) * turn
             for one, turn in zip(it.frictions, turns, strict=True)
         )
-        return it.tidy(it.derivative(expression, symbol) + sp.Add(*follow))
+        return it.tidy(it.derivative(expression, symbol) + Add(*follow))
 
     # ---------------------------------------------------------------------------------------------
     # energy
@@ -346,7 +346,7 @@ class Motion:
         """
         it = self.model
         springs = zip(it.lines, it.stiffnesses, strict=True)
-        at_rest = sp.Add(*(k * line.rest**2 / 2 for line, k in springs))
+        at_rest = Add(*(k * line.rest**2 / 2 for line, k in springs))
         return it.kinetic + it.potential + at_rest - self.work + self._stored_in_contacts
 
     @cached_property
@@ -356,7 +356,7 @@ class Motion:
         """
         it = self.model
         springs = zip(it.lines, it.stiffnesses, strict=True)
-        strained = sp.Add(*(k * (line.l - line.rest) ** 2 / 2 for line, k in springs))
+        strained = Add(*(k * (line.l - line.rest) ** 2 / 2 for line, k in springs))
         without = expanded(it.potential - it.elastic_energy)
         return it.kinetic + without + strained - self.work + self._stored_in_contacts
 
@@ -387,7 +387,7 @@ class Motion:
         it = self.model
         total = S.Zero
         for symbol, _, force in it.moved:
-            integral = sp.integrate(expanded(force - sp.diff(total, symbol)), symbol)
+            integral = sp.integrate(expanded(force - diff(total, symbol)), symbol)
             # What has none in one form for all parameters, as sin(η b) for η = 0 too, is power.
             total += S.Zero if integral.has(sp.Piecewise, sp.Integral) else integral
         return expanded(total)
@@ -396,8 +396,8 @@ class Motion:
     def applied_power(self) -> Expr:
         """Power of applied forces that have no potential; zero for those that have one."""
         work = self.work
-        powers = ((force - sp.diff(work, q)) * rate for q, rate, force in self.model.moved)
-        return expanded(sp.Add(*powers))
+        powers = ((force - diff(work, q)) * rate for q, rate, force in self.model.moved)
+        return expanded(Add(*powers))
 
     @cached_property
     def clock_power(self) -> Expr:
@@ -421,7 +421,7 @@ class Motion:
         it = self.model
         if it.clock is None:
             return -2 * it.dissipation
-        return -sp.Add(*(sp.diff(it.dissipation, rate) * rate for _, rate, _ in it.moved))
+        return -Add(*(diff(it.dissipation, rate) * rate for _, rate, _ in it.moved))
 
     @cached_property
     def outputs(self) -> dict[str, Expr]:
@@ -431,7 +431,7 @@ class Motion:
         it = self.model
         frictions = [friction for friction in it.frictions if friction.along is not None]
         forces = [self.friction_force(friction) for friction in frictions]
-        rubbing = sp.Add(*(f * one.rate for f, one in zip(forces, frictions, strict=True)))
+        rubbing = Add(*(f * one.rate for f, one in zip(forces, frictions, strict=True)))
         powers = rubbing + self.damper_power + self.applied_power + self.clock_power
         springs = enumerate(zip(it.lines, it.stiffnesses, strict=True), 1)
         pressed = [friction.normal for friction in frictions]
@@ -463,7 +463,7 @@ class Motion:
         for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
             if symbol != it.clock:
                 change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
-        rubbing = sp.Add(*(one.mu * one.normal.rubbing * one.rate for one in it.frictions))
+        rubbing = Add(*(one.mu * one.normal.rubbing * one.rate for one in it.frictions))
         powers = rubbing + self.damper_power + self.applied_power
         turned, circles = it.circles(sp.Tuple(change, powers))
         return equal(change.xreplace(turned), powers.xreplace(turned), circles)
@@ -498,7 +498,7 @@ class Motion:
         """d/dt of an expression in coordinates and rates."""
         it = self.model
         changes = zip((*it.coordinates, *it.rates), (*it.rates, *accelerations), strict=True)
-        return sp.Add(*(it.derivative(expression, symbol) * value for symbol, value in changes))
+        return Add(*(it.derivative(expression, symbol) * value for symbol, value in changes))
 
     # ---------------------------------------------------------------------------------------------
     # what functions take

@@ -7,7 +7,7 @@ Each error names the line of the page, what was expected there, and what still w
 from collections.abc import Iterator
 
 import sympy as sp
-from sympy import Expr, S, Symbol
+from sympy import Expr, Rational, S, Symbol
 
 from . import laws, signs, symmetry, units
 from .limits import Limit
@@ -121,7 +121,7 @@ def scale(page: Page, dimension: Dimension) -> Expr | None:
     if powers is None:
         return None
     return sp.Mul(
-        *(unit.symbol ** sp.Rational(power) for unit, power in zip(page.units, powers, strict=True))
+        *(unit.symbol ** Rational(power) for unit, power in zip(page.units, powers, strict=True))
     )
 
 
@@ -189,7 +189,7 @@ def _check_inertia(model: Mechanics) -> None:
     M = model.mass.subs(dict(_bases(model)))
     places = [
         dict.fromkeys(model.coordinates, S.Zero),
-        {q: sp.Rational(3 + i, 7) for i, q in enumerate(model.coordinates)},
+        {q: Rational(3 + i, 7) for i, q in enumerate(model.coordinates)},
     ]
     minors = [
         [M[:size, :size].subs(position).det() for size in range(1, M.rows + 1)]
@@ -304,7 +304,7 @@ def _negative(model: Mechanics, law: Expr, variable: Symbol) -> str:
         return ""
     values = dict(_bases(model))
     # Penetrations and speeds at which a law that can't be decided by its form is looked at.
-    places = tuple(sp.Rational(10) ** power for power in range(-6, 3))
+    places = tuple(Rational(10) ** power for power in range(-6, 3))
     for at in places:
         value = law.subs(values).subs(variable, at)
         if value.is_number and value.is_negative:
@@ -317,7 +317,7 @@ def _negative(model: Mechanics, law: Expr, variable: Symbol) -> str:
 
 def _bases(model: Mechanics) -> Iterator[tuple[Symbol, Expr]]:
     for datum in model.parameters:
-        base = S.One if datum.base is None else sp.Rational(str(datum.base))
+        base = S.One if datum.base is None else Rational(str(datum.base))
         parts = model.parts(number(datum))
         yield from zip(
             reversed(parts),

@@ -8,7 +8,7 @@ import random
 from collections.abc import Mapping
 
 import sympy as sp
-from sympy import Expr, S, Symbol
+from sympy import Expr, Rational, S, Symbol
 
 from .emit.quantities import Interval, interval
 from .mechanics import DEPTH, Angle, Mechanics, number
@@ -79,8 +79,8 @@ def _bounded(model: Mechanics, expression: Expr) -> dict[Expr, _Ends]:
     for datum in model.parameters:
         symbol, allowed = number(datum), interval(datum.domain)
         ends = (
-            sp.Rational(allowed.low) if math.isfinite(allowed.low) else -sp.oo,
-            (sp.Rational(allowed.high) if math.isfinite(allowed.high) else sp.oo),
+            Rational(allowed.low) if math.isfinite(allowed.low) else -sp.oo,
+            (Rational(allowed.high) if math.isfinite(allowed.high) else sp.oo),
         )
         angle = angles.get(symbol)
         if angle:
@@ -122,7 +122,7 @@ def witness(model: Mechanics, expression: Expr) -> str:
 
 def negative_place(
     expression: Expr, domains: Mapping[Symbol, Interval]
-) -> dict[Symbol, sp.Rational] | None:
+) -> dict[Symbol, Rational] | None:
     """A place of the domains where an expression is negative; None if no place that was tried shows
     it.
     """
@@ -137,7 +137,7 @@ def negative_place(
             continue
         if not negative:
             continue
-        exact = dict(zip(needed, (sp.Rational(str(one)) for one in point), strict=True))
+        exact = dict(zip(needed, (Rational(str(one)) for one in point), strict=True))
         value = expression.subs(exact)
         if value.is_number and value.is_negative:
             return exact

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import Expr, S, Symbol
+from sympy import Expr, S, Symbol, expand
 
 from .algebra import Symbols, expanded
 from .mechanics import Line, Mechanics, NormalForce, number
@@ -55,7 +55,7 @@ def is_as_before(model: Mechanics, turns: Mapping[int, int]) -> bool:
         *(contact.push for contact in model.contacts),
         *model.resistance,
     ]
-    return all(sp.expand(part.subs(moved, simultaneous=True) - part) == 0 for part in parts)
+    return all(expand(part.subs(moved, simultaneous=True) - part) == 0 for part in parts)
 
 
 @dataclass(frozen=True)
@@ -126,8 +126,8 @@ def _centres(model: Mechanics, turned: Symbols) -> list[Expr]:
     if not moved:
         return [S.Zero]
     slope, at_zero = moved[0]
-    alike = [other for same, other in moved if sp.expand(same - slope) == 0]
-    return list(dict.fromkeys(sp.expand(-(at_zero + other) / slope) for other in alike))
+    alike = [other for same, other in moved if expand(same - slope) == 0]
+    return list(dict.fromkeys(expand(-(at_zero + other) / slope) for other in alike))
 
 
 def _remainders(model: Mechanics, one: Reflection) -> list[Expr]:
@@ -150,7 +150,7 @@ def _remainders(model: Mechanics, one: Reflection) -> list[Expr]:
         changes[torsion.phi] = -torsion.phi if odd else image
     rows = []
     gaps = [contact.gap for contact in model.contacts if contact.gap is not None]
-    if any(sp.expand(gap.subs(images, simultaneous=True) - gap) != 0 for gap in gaps):
+    if any(expand(gap.subs(images, simultaneous=True) - gap) != 0 for gap in gaps):
         return [S.One]
     for symbol, row in zip(model.coordinates, model.residuals, strict=True):
         image = row.subs(changes, simultaneous=True)
@@ -185,7 +185,7 @@ def _zero(model: Mechanics, remainders: list[Expr]) -> tuple[tuple[str, ...], ..
         found = [
             tuple(map(str, chosen))
             for chosen in itertools.combinations(allowed, size)
-            if all(sp.expand(term.subs(_at_zero(model, chosen))) == 0 for term in remainders)
+            if all(expand(term.subs(_at_zero(model, chosen))) == 0 for term in remainders)
         ]
         if found:
             return tuple(found)

@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 import sympy as sp
+from sympy import Rational
 
 from ..statements import papers
 from ..statements.papers import Paper
@@ -23,10 +24,10 @@ def printed() -> Paper:
 
 #: The article's base values (Section 3), exactly.
 BASE = {
-    mu0: sp.Rational(1, 2),
-    kappa: sp.Rational(7, 1000),
-    alpha: sp.Rational(7, 1000),
-    sigma: sp.Rational(1, 10),
+    mu0: Rational(1, 2),
+    kappa: Rational(7, 1000),
+    alpha: Rational(7, 1000),
+    sigma: Rational(1, 10),
     beta: sp.Integer(0),
 }
 #: The angle of its Figure 7a, in degrees.

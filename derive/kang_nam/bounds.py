@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
-from sympy import Expr, Symbol
+from sympy import Expr, Rational, Symbol
 
 from . import nomenclature as nm
 from .catalogue import Function
@@ -34,7 +34,7 @@ class Counted:
     """
 
     size: Any
-    count: int | sp.Rational = 0
+    count: int | Rational = 0
     cancels: bool = False
 
     def __add__(self, other: Counted | float) -> Counted:
@@ -170,7 +170,7 @@ def counts(source: Source, functions: Mapping[str, Function]) -> dict[str, float
     # In units of the uncertainty ω: one for each of cos θ, sin θ and L, and an eighth for a
     # rounding.
     # Where ``uncertainty`` ω of the stability stands for u: it is at least 8 u.
-    omega = sp.Rational(8)
+    omega = Rational(8)
     vague = [Counted(Symbol(name), omega) for name in ("c", "s", "L")]
     stiffness = follow(
         functions["stiffness"],
@@ -184,7 +184,7 @@ def counts(source: Source, functions: Mapping[str, Function]) -> dict[str, float
         "COUNT_F": value.count,
         "COUNT_SLOPE": slope.count,
         "COUNT_STATE": max(
-            L.count, y.count, sp.Rational(x.count, 2)
+            L.count, y.count, Rational(x.count, 2)
         ),  # x once with L, and once with itself
         "COUNT_K": max(trace.count, flutter.count) / omega,
     }

@@ -5,7 +5,7 @@
 from functools import cache
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, expand
 
 from ..algebra import Names, Pair, Row
 from . import unit_circles, elimination, stability
@@ -23,9 +23,9 @@ from .unit_circles import (
 )
 
 #: f′, f″ and f‴ with respect to θ.
-slope = sp.expand(rotate_derivative(f_form))
-curvature = sp.expand(rotate_derivative(slope))
-third = sp.expand(rotate_derivative(curvature))
+slope = expand(rotate_derivative(f_form))
+curvature = expand(rotate_derivative(slope))
+third = expand(rotate_derivative(curvature))
 
 
 @cache
@@ -114,7 +114,7 @@ def fold_quartic() -> tuple[Row, Names]:
         *ascending(sine0, M),
         *ascending(sp.cancel(cosine0.subs(s0, sine)), M),
     )
-    coefficients = ascending(sp.expand(sine**2 + cosine**2 - 1), M)
+    coefficients = ascending(expand(sine**2 + cosine**2 - 1), M)
     return coefficients, dict(zip((*line, *parabola), map(sp.factor_terms, values), strict=True))
 
 
@@ -172,8 +172,8 @@ def fold_events(conic: Row) -> tuple[Expr, Expr, Expr]:
     half_angle = {s0: 2 * v / (1 + v**2), c0: (1 - v**2) / (1 + v**2)}
     condition = (e0 + e1 * s0 + e2 * s0**2 + ec * c0).subs(half_angle)
     quartic = sp.Poly(sp.cancel(condition * (1 + v**2) ** 2), v)
-    meeting = sp.expand(27 * sp.discriminant(quartic)).subs(ec, sp.sqrt(square))
-    border = sp.expand(quartic.all_coeffs()[0] * quartic.all_coeffs()[-1]).subs(ec, sp.sqrt(square))
+    meeting = expand(27 * sp.discriminant(quartic)).subs(ec, sp.sqrt(square))
+    border = expand(quartic.all_coeffs()[0] * quartic.all_coeffs()[-1]).subs(ec, sp.sqrt(square))
     sine0, cosine0 = (value.subs(M, 0) for value in fold_angles())
     rest = sp.cancel((p * B * q * alpha) ** 2 * (sine0**2 + cosine0.subs(s0, sine0) ** 2 - 1))
     return meeting, border, rest
@@ -192,7 +192,7 @@ def fold_sextic() -> Row:
     value of v gives the same.
     """
     change = f_form.subs(CHANGE)
-    condition = reduce_circles(sp.expand(slope * change - f_form * rotate_derivative(change)))
+    condition = reduce_circles(expand(slope * change - f_form * rotate_derivative(change)))
     return in_half_angle(condition, 3)
 
 
@@ -250,7 +250,7 @@ def cusp_polynomial() -> Row:
     condition = (
         sp.cancel(scale * sine0) ** 2 + (1 - s**2) * sp.cancel(scale * ratio) ** 2 - scale**2
     )
-    return ascending(sp.expand(condition.subs(POLES)), s)
+    return ascending(expand(condition.subs(POLES)), s)
 
 
 @cache
@@ -261,7 +261,7 @@ def cusp_cubic() -> Row:
     """
     _, ratio = cusp_angles()
     numerator = sp.cancel(ratio * B * alpha * p * q * (3 * s**2 - 2) ** 2 / (B - alpha))
-    return ascending(sp.expand(numerator.subs(POLES).subs(alpha, 0) / sigma), s)
+    return ascending(expand(numerator.subs(POLES).subs(alpha, 0) / sigma), s)
 
 
 def identities() -> dict[str, bool]:
@@ -275,7 +275,7 @@ def identities() -> dict[str, bool]:
         ),
         "the cusp polynomial has degree 9": len(cusp_polynomial()) == 10,
         "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": (
-            sp.expand(
+            expand(
                 sp.rem(polynomial(cusp_polynomial(), s), 3 * s**2 - 2, s)
                 - sp.Rational(16, 27) * sigma**4 * (B - alpha) ** 4
             )

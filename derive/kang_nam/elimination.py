@@ -9,7 +9,7 @@ the sign of cos θ; solving the second row for L keeps it and leaves one trigono
 from functools import cache
 
 import sympy as sp
-from sympy import Symbol
+from sympy import Symbol, expand
 
 from ..algebra import Names, Row
 from . import equilibrium
@@ -35,7 +35,7 @@ def quartic_in_L() -> Row:
     This is (20) times det(D)²: adj(D) = det(D) D⁻¹, and |D⁻¹ b|² = bᵀ D⁻ᵀ D⁻¹ b = bᵀ (D Dᵀ)⁻¹ b.
     """
     scaled = MATRIX.adjugate() * sp.Matrix([b1, b2])
-    coefficients = ascending(sp.expand(scaled.dot(scaled) - MATRIX.det() ** 2), L)
+    coefficients = ascending(expand(scaled.dot(scaled) - MATRIX.det() ** 2), L)
     return tuple(sp.factor_terms(sp.collect(value, (b1, b2))) for value in coefficients)
 
 
@@ -67,7 +67,7 @@ def f_coefficients() -> Names:
     digits are lost.
     """
     along, _ = equilibrium.balance()
-    f = sp.expand(sp.simplify(spell_out(q * s * along.subs(L, state()[L]))))
+    f = expand(sp.simplify(spell_out(q * s * along.subs(L, state()[L]))))
     derived = sp.Poly(f, c, s).as_dict()
     require(
         set(derived) <= {(1, 1), (1, 0), (0, 1), (0, 2)}, "f has the four terms s c, c, s and s²"
@@ -81,7 +81,7 @@ def f_coefficients() -> Names:
     for powers, value in {(1, 1): fa, (1, 0): fb, (0, 1): fd, (0, 2): -fm}.items():
         # n̄² = n̄ for n̄ in {0, 1}.
         gap = sp.rem(
-            sp.expand(derived.get(powers, 0) - spell_out(value.subs(arranged))),
+            expand(derived.get(powers, 0) - spell_out(value.subs(arranged))),
             nbar**2 - nbar,
             nbar,
         )
@@ -113,14 +113,14 @@ def resolvent_cubic() -> Row:
     ell = Symbol("ell")
     conic = f_form + ell * (c**2 + s**2 - 1)
     homogeneous = Symbol("h")
-    form = sp.expand(
+    form = expand(
         sp.cancel(
             homogeneous**2 * conic.subs({c: c / homogeneous, s: s / homogeneous}, simultaneous=True)
         )
     )
     determinant = sp.hessian(form, (c, s, homogeneous)).det()
-    *lower, leading = ascending(sp.expand(determinant), ell)
-    return tuple(sp.expand(value / leading) for value in (*lower, leading))
+    *lower, leading = ascending(expand(determinant), ell)
+    return tuple(expand(value / leading) for value in (*lower, leading))
 
 
 # ------------------------------------------------------------------------------------------------
@@ -154,11 +154,11 @@ def identities() -> dict[str, bool]:
             false_root - sp.solve(equilibrium.matrix_form()[0][0, 0], L)[0]
         )
         == 0,
-        "f(θ) − f(π − θ) = 2 cos θ (a s + b)": sp.expand(
+        "f(θ) − f(π − θ) = 2 cos θ (a s + b)": expand(
             f_form - f_form.subs(c, -c) - 2 * c * (fa * s + fb)
         )
         == 0,
-        "the resolvent cubic has the discriminant of the t-quartic": sp.expand(
+        "the resolvent cubic has the discriminant of the t-quartic": expand(
             in_t.discriminant() - 4096 * cubic.discriminant()
         )
         == 0,

@@ -8,7 +8,7 @@ steady sliding; that it equals μ₀ (1 − exp(−d V)) exactly is the row ``eq
 from functools import cache
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, Matrix
 
 from ..algebra import Names, Pair
 from . import mechanics, unit_circles
@@ -65,12 +65,12 @@ def balance() -> Pair:
 
 
 @cache
-def matrix_form() -> tuple[sp.Matrix, sp.Matrix]:
+def matrix_form() -> tuple[Matrix, Matrix]:
     """D and b of D (cos θ, sin θ)ᵀ = b: (16)–(19), (A10), (A11) and (22), (24), (25), (A12),
     (A13).
     """
-    direction = sp.Matrix([c, s])
-    forces = sp.Matrix(balance())
+    direction = Matrix([c, s])
+    forces = Matrix(balance())
     D = forces.jacobian(direction)
     b = -forces.subs({c: 0, s: 0})
     if sp.expand(forces - (D * direction - b)) != sp.zeros(2, 1):

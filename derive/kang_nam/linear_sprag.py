@@ -8,6 +8,7 @@ along that direction.
 from functools import cache
 
 import sympy as sp
+from sympy import Matrix
 
 from ..algebra import Pair, Row
 from . import unit_circles, mechanics, stability
@@ -16,7 +17,7 @@ from .unit_circles import ascending
 
 
 @cache
-def balance() -> sp.Matrix:
+def balance() -> Matrix:
     """Forces at steady sliding in contact, with the inclined spring's energy at a constant
     direction; dimensionless.
     """
@@ -26,11 +27,11 @@ def balance() -> sp.Matrix:
     along, across = (
         mechanics.in_article(page, row).subs({mu: mu0, nbar: 1}) for row in page.residuals_apart
     )
-    return sp.Matrix([along + sp.diff(energy, x), across + sp.diff(energy, y)])
+    return Matrix([along + sp.diff(energy, x), across + sp.diff(energy, y)])
 
 
 @cache
-def stiffness() -> sp.Matrix:
+def stiffness() -> Matrix:
     """The matrix of the linear balance."""
     return balance().jacobian([x, y]).applyfunc(sp.factor)
 
@@ -72,10 +73,10 @@ def identities() -> dict[str, bool]:
     """The linear model is the nonlinear one, linearized about the undeformed state."""
     undeformed = {L: 1, c: c0, s: s0, nbar: 1}
     gap = stability.stiffness().subs(undeformed) - stiffness()
-    state = sp.Matrix(equilibrium())
+    state = Matrix(equilibrium())
     return {
         "its stiffness is K at x = y = 0": all(unit_circles.equal(entry, 0) for entry in gap),
         "its displacement solves K (x, y) = (0, −κ)": all(
-            unit_circles.equal(entry, 0) for entry in stiffness() * state + sp.Matrix([0, kappa])
+            unit_circles.equal(entry, 0) for entry in stiffness() * state + Matrix([0, kappa])
         ),
     }

@@ -8,7 +8,7 @@ Candidates are the cusps, the points at which the curve of folds turns back in �
 from functools import cache
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, expand
 
 from . import catastrophe, unit_circles, elimination, equilibrium, theorem
 from .nomenclature import B, L, M, alpha, c, c0, fa, fb, fd, fm, kappa, mu0, p, q, s, s0, sigma, y
@@ -78,7 +78,7 @@ def turning_quadratics() -> tuple[Row, Row]:
     arranged = polynomial(slope, s0) * alpha / (w * c**2)
     # sin θ₀ is free here: that it belongs to the angle of cos θ₀ is the second quadratic.
     gap = sp.numer(sp.together((derived - arranged).subs(elimination.f_coefficients()).subs(POLES)))
-    require(sp.expand(sp.rem(sp.expand(gap), c**2 + s**2 - 1, c)) == 0, "f_θ₀ on a fold")
+    require(expand(sp.rem(expand(gap), c**2 + s**2 - 1, c)) == 0, "f_θ₀ on a fold")
     return slope, circle
 
 
@@ -99,12 +99,12 @@ def turning_polynomial() -> Row:
     """
     spelled = {fa: elimination.f_coefficients()[fa]}
     one, two = (
-        tuple(sp.expand(value.subs(spelled).subs(POLES)) for value in row)
+        tuple(expand(value.subs(spelled).subs(POLES)) for value in row)
         for row in turning_quadratics()
     )
-    outer, upper, lower = map(sp.expand, minors(one, two))
-    factor = sp.Poly(sp.expand(-kappa * (s**2 - 1) * PARTS[weight].subs(POLES) ** 2), s)
-    quotient, rest = sp.div(sp.Poly(sp.expand(outer**2 - upper * lower), s), factor)
+    outer, upper, lower = map(expand, minors(one, two))
+    factor = sp.Poly(expand(-kappa * (s**2 - 1) * PARTS[weight].subs(POLES) ** 2), s)
+    quotient, rest = sp.div(sp.Poly(expand(outer**2 - upper * lower), s), factor)
     require(rest.is_zero, "the factors of the resultant")
     return tuple(sp.factor(value) for value in reversed(quotient.all_coeffs()))
 
@@ -150,14 +150,14 @@ def _start() -> tuple[Step, ...]:
         *theorem.smallest_without_friction(),
         Step(
             "without friction α x = σ (L − 1) cos θ",
-            sp.expand(at_rest - (alpha * (c0 - length * c) + sigma * (1 - length) * c)) == 0,
+            expand(at_rest - (alpha * (c0 - length * c) + sigma * (1 - length) * c)) == 0,
         ),
         Step(
             "q s (L − 1) = κ − B (s − s₀): where cos θ > 0, L < 1 asks sin θ > sin θ₀, hence "
             "L cos θ < cos θ₀ and x > 0, against α x < 0, so "
             "that L ≥ 1 and 0 ≤ x < cos θ₀ (α = 0: L = 1, sin θ > sin θ₀): the one state with "
             "cos θ > 0 is the one of small deformation",
-            sp.expand(stretch - lift) == 0,
+            expand(stretch - lift) == 0,
         ),
     )
 
@@ -180,7 +180,7 @@ def _inclined_backward() -> tuple[Step, ...]:
     return (
         Step(
             "on a fold b = −s² (a s + m cos θ), and b < 0: where cos θ ≤ 0, a is positive",
-            sp.expand(relations[fb] + s**2 * (fa * s + fm * c)) == 0,
+            expand(relations[fb] + s**2 * (fa * s + fm * c)) == 0,
         ),
         Step(
             "on a fold q α cos θ₀ = −a cos³ θ + m s cos² θ − M q y: where cos θ ≤ 0 and μ₀ > "
@@ -194,11 +194,9 @@ def _inclined_backward() -> tuple[Step, ...]:
             "state has cos θ ≤ 0, friction moves "
             "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f "
             "= cos θ (a s + b) has the sign of −cos θ",
-            sp.expand(
-                (f - c * (fa * s + fb)).subs(elimination.f_coefficients()).subs({M: 0, c0: 0})
-            )
+            expand((f - c * (fa * s + fb)).subs(elimination.f_coefficients()).subs({M: 0, c0: 0}))
             == 0
-            and sp.expand(upright + bound + theorem.sigma * (theorem.beta + 1) * (1 - sine)) == 0
+            and expand(upright + bound + theorem.sigma * (theorem.beta + 1) * (1 - sine)) == 0
             and manifestly_positive(bound + theorem.sigma * (theorem.beta + 1) * rise),
         ),
     )
@@ -212,7 +210,7 @@ def _follow() -> tuple[Step, ...]:
             "f is linear in μ₀, and f_μ₀ = q y sin θ < 0 in contact: the friction of a "
             "direction is one number, and a state with f′ > 0 "
             "moves to larger θ as friction rises",
-            sp.expand(sp.diff(f, M) - sp.cancel(q * s * elimination.state()[y])) == 0,
+            expand(sp.diff(f, M) - sp.cancel(q * s * elimination.state()[y])) == 0,
         ),
         Step(
             "a fold with μ₀ > 0 and f″ < 0 has f > 0 at its θ without friction, so that the "
@@ -230,13 +228,13 @@ def _follow() -> tuple[Step, ...]:
             "θ = 0 and y = 0, the steps above from "
             "θ₀ = π/2, and without friction and α > 0 a double root lies above the first, "
             "which is simple, and has f″ > 0",
-            sp.expand(elimination.f_form.subs(s, 0) - fb * c) == 0 and bool(_inclined_backward()),
+            expand(elimination.f_form.subs(s, 0) - fb * c) == 0 and bool(_inclined_backward()),
         ),
         Step(
             "α = 0: at a turn κ σ cos θ cos θ₀ = 0, and neither cos θ = 0 nor θ₀ = π/2 is on "
             "a fold with μ₀ > 0: the least is at a cusp or at "
             "θ₀ = 0",
-            sp.expand((turning_line()[0] - kappa * sigma).subs(POLES).subs(alpha, 0)) == 0
+            expand((turning_line()[0] - kappa * sigma).subs(POLES).subs(alpha, 0)) == 0
             and all(value.subs(alpha, 0) == 0 for value in turning_line()[1:]),
         ),
     )

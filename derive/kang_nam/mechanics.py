@@ -9,7 +9,7 @@ these forces: where a changed page takes away what they rest on, the derivation 
 from functools import cache
 
 import sympy as sp
-from sympy import Expr, Symbol
+from sympy import Expr, Symbol, expand
 
 from .. import laws, pages
 from ..algebra import Pair
@@ -130,14 +130,14 @@ def spring_length() -> Expr:
 
 def replace_length(expression: Expr) -> Expr:
     """Write the symbol L for the square root of (6) wherever it stands."""
-    square = sp.expand(spring_length() ** 2)
+    square = expand(spring_length() ** 2)
 
     def is_length(node: sp.Basic) -> bool:
         return (
             isinstance(node, sp.Pow)
             and node.exp.is_Rational
             and node.exp.q == 2
-            and sp.expand(node.base - square) == 0
+            and expand(node.base - square) == 0
         )
 
     return expression.replace(is_length, lambda node: nm.L ** (2 * node.exp))
@@ -156,7 +156,7 @@ def motion() -> Pair:
     general = Motion(of_page())
     accelerations = dict(zip(general.named, (AX, AY), strict=True))
     along, across = (
-        sp.expand(in_article(of_page(), row.subs(accelerations))) for row in general.balance(nm.n)
+        expand(in_article(of_page(), row.subs(accelerations))) for row in general.balance(nm.n)
     )
     return along, across
 

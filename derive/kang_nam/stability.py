@@ -5,7 +5,7 @@ damping it leaves out.
 from functools import cache
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, Matrix, diff, expand
 
 from ..algebra import Names, Pair, Row
 from . import unit_circles, elimination, equilibrium, mechanics
@@ -28,38 +28,36 @@ def _gradient(expression: Expr) -> Pair:
     length = mechanics.spring_length()
     polar = equilibrium.displacement()
     slopes = {
-        coordinate: mechanics.replace_length(sp.diff(length, coordinate)).subs(polar)
+        coordinate: mechanics.replace_length(diff(length, coordinate)).subs(polar)
         for coordinate in polar
     }
     return tuple(
-        sp.expand(
-            sp.diff(expression, coordinate).subs(polar) + sp.diff(expression, L).subs(polar) * slope
-        )
+        expand(diff(expression, coordinate).subs(polar) + diff(expression, L).subs(polar) * slope)
         for coordinate, slope in slopes.items()
     )
 
 
 @cache
-def stiffness() -> sp.Matrix:
+def stiffness() -> Matrix:
     """K of (28): the Jacobian of (F_x, F_y) at the equilibrium, in c, s and L."""
-    return sp.Matrix([_gradient(force) for force in equilibrium.balance_cartesian()])
+    return Matrix([_gradient(force) for force in equilibrium.balance_cartesian()])
 
 
 @cache
-def damping() -> sp.Matrix:
+def damping() -> Matrix:
     """∂(F_x, F_y)/∂(x', y') at steady sliding: the term that (27) leaves out, in y, μ₀, d and V."""
-    forces = sp.Matrix(mechanics.motion()).subs(
+    forces = Matrix(mechanics.motion()).subs(
         {mu: mechanics.smooth_friction(sp.S.One), n: mechanics.contact_family()}
     )
     return sp.simplify(forces.jacobian([vx, vy]).subs(mechanics.AT_REST))
 
 
-def characteristic(K: sp.Matrix, C: sp.Matrix) -> Expr:
+def characteristic(K: Matrix, C: Matrix) -> Expr:
     """det(λ² I + λ C + K): (27) where C = 0."""
-    return sp.expand((lam**2 * sp.eye(2) + lam * C + K).det())
+    return expand((lam**2 * sp.eye(2) + lam * C + K).det())
 
 
-def flutter_discriminant(K: sp.Matrix) -> Expr:
+def flutter_discriminant(K: Matrix) -> Expr:
     """(K₁₁ − K₂₂)² + 4 K₁₂ K₂₁, the discriminant of (27) in λ²: negative is flutter."""
     return (K[0, 0] - K[1, 1]) ** 2 + 4 * K[0, 1] * K[1, 0]
 
@@ -107,7 +105,7 @@ def flutter_quadratic() -> Row:
     """Coefficients, lowest power first, of L² times the discriminant: zero at an onset with spring
     length L in direction θ.
     """
-    discriminant = sp.expand(L**2 * flutter_discriminant(in_shorthand(stiffness())))
+    discriminant = expand(L**2 * flutter_discriminant(in_shorthand(stiffness())))
     coefficients = map(reduce_circles, ascending(discriminant, L))
     difference = alpha - B
     arranged = (
@@ -134,7 +132,7 @@ def flutter_elimination() -> tuple[Expr, Expr, Expr]:
     g2 = w2**2 + alpha**2 * w1**2
     X, Y, Z = e0 * g2 - e2 * g0, e2 * g1 - e1 * g2, e1 * g0 - e0 * g1
     resultant = sp.resultant(*(polynomial(one, L) for one in (QUADRATIC, (g0, g1, g2))), L)
-    require(sp.expand(X**2 - Y * Z - resultant) == 0, "X² − Y Z, the resultant")
+    require(expand(X**2 - Y * Z - resultant) == 0, "X² − Y Z, the resultant")
     return X, Y, Z
 
 
@@ -148,7 +146,7 @@ def flutter_without_alpha() -> Expr:
     condition = e0 * w2**2 - e1 * u2 * w2 + e2 * u2**2
     X, Y, Z = flutter_elimination()
     require(
-        sp.expand((X**2 - Y * Z).subs(alpha, 0) - condition**2) == 0,
+        expand((X**2 - Y * Z).subs(alpha, 0) - condition**2) == 0,
         "the resultant at α = 0, a square",
     )
     return condition
@@ -187,7 +185,7 @@ def flutter_crossing() -> tuple[Pair, Names]:
         for form in (*map(in_contact, equilibrium.balance()), e0 + e1 * L + e2 * L**2)
         for change in (
             rotate_derivative(form),
-            sp.diff(form, L),
+            diff(form, L),
             by_inclination(form),
         )
     ]
@@ -226,11 +224,11 @@ def flutter_cubic() -> Row:
     along, _ = equilibrium.balance()
     scale = 4 * sigma * s * c * L
     condition = sp.cancel(scale * in_contact(along).subs(M, flutter_friction()))
-    cosine = sp.expand(condition).coeff(c0, 1)
-    rest = sp.expand(cosine * c0 - condition)
+    cosine = expand(condition).coeff(c0, 1)
+    rest = expand(cosine * c0 - condition)
     length = elimination.state()[L]
     return tuple(
-        value for part in (cosine, rest) for value in ascending(sp.expand(part.subs(L, length)), s0)
+        value for part in (cosine, rest) for value in ascending(expand(part.subs(L, length)), s0)
     )
 
 
@@ -239,6 +237,6 @@ def in_contact(force: Expr) -> Expr:
     return force.subs(mu0 * nbar, M).subs(equilibrium.CONTACT).subs({mu0: M, beta: B - 1})
 
 
-def in_shorthand(K: sp.Matrix) -> sp.Matrix:
+def in_shorthand(K: Matrix) -> Matrix:
     """K with B for β + n̄ and M for μ₀ n̄."""
-    return K.subs(mu0 * nbar, M).subs(nbar, B - beta).applyfunc(sp.expand)
+    return K.subs(mu0 * nbar, M).subs(nbar, B - beta).applyfunc(expand)

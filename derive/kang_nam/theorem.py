@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import Expr, Symbol
+from sympy import Expr, Symbol, expand
 
 from . import catastrophe, elimination, equilibrium, stability
 from . import nomenclature as nm
@@ -80,7 +80,7 @@ def _quartic() -> tuple[Step, ...]:
             "with m = μ₀ σ ≥ 0, and without "
             "the first positive the coefficients change sign once, which by Descartes' rule "
             "leaves one positive root",
-            sp.expand(quartic[1] - 2 * (nm.fa + nm.fd)) == 0
+            expand(quartic[1] - 2 * (nm.fa + nm.fd)) == 0
             and quartic[2] == -4 * nm.fm
             and manifestly_positive(in_contact(nm.fm).subs(nm.mu0, friction))
             and all(
@@ -152,7 +152,7 @@ def _threshold_above_zero() -> tuple[Step, ...]:
         ),
         Step(
             "there F_x = P cos θ + α cos θ₀ with P = σ − p L, whatever the friction",
-            sp.expand(at_end) == 0,
+            expand(at_end) == 0,
         ),
         Step(
             "−P > α, since −P − α = p (L − 1)",
@@ -212,7 +212,7 @@ def _middle() -> tuple[Step, ...]:
             "det K < 0 is divergence: (27) is λ⁴ + tr K λ² + det K = 0, negative at λ = 0 and "
             "positive for large λ, so that a real "
             "λ > 0 solves it",
-            equation.all_coeffs() == [1, 0, K.trace(), 0, sp.expand(K.det())],
+            equation.all_coeffs() == [1, 0, K.trace(), 0, expand(K.det())],
         ),
     )
 
@@ -232,7 +232,7 @@ def smallest_without_friction() -> tuple[Step, ...]:
     )
     ratio = rotate_derivative(nm.fa + nm.fb / nm.s + nm.fd / nm.c)
     slope = ratio.subs(elimination.f_coefficients()).subs(nm.M, 0)
-    slope = sp.expand(
+    slope = expand(
         equilibrium.spell_out(slope).subs(POSITIVE).subs({nm.c: cosine, nm.s: sine, nm.c0: cosine0})
         * (cosine * sine) ** 2
     )
@@ -250,7 +250,7 @@ def smallest_without_friction() -> tuple[Step, ...]:
         ),
         Step(
             "at cos θ = 0 f is q α cos θ₀ sin θ, and x is cos θ₀",
-            sp.expand(
+            expand(
                 at_rest.subs({nm.c: 0, nm.s: 1})
                 - equilibrium.spell_out(nm.q).subs(POSITIVE) * alpha * nm.c0
             )
@@ -259,7 +259,7 @@ def smallest_without_friction() -> tuple[Step, ...]:
         ),
         Step(
             "where cos θ < 0, x exceeds cos θ₀ by L |cos θ|, and L > 0",
-            sp.expand(x - nm.c0 - nm.L * cosine) == 0
+            expand(x - nm.c0 - nm.L * cosine) == 0
             and all(manifestly_positive(part) for part in sp.fraction(length)),
         ),
     )

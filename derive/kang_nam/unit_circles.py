@@ -5,7 +5,7 @@ nomenclature.
 from collections.abc import Iterable
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, diff
 
 from ..algebra import Row
 from .. import algebra
@@ -24,12 +24,12 @@ def equal(left: Expr, right: Expr) -> bool:
 
 def rotate_derivative(expression: Expr) -> Expr:
     """d/dθ of an expression in ``c`` and ``s``: dc = −s dθ, ds = c dθ."""
-    return sp.diff(expression, s) * c - sp.diff(expression, c) * s
+    return diff(expression, s) * c - diff(expression, c) * s
 
 
 def by_inclination(expression: Expr) -> Expr:
     """d/dθ₀ of an expression in ``c0`` and ``s0``."""
-    return sp.diff(expression, s0) * c0 - sp.diff(expression, c0) * s0
+    return diff(expression, s0) * c0 - diff(expression, c0) * s0
 
 
 def ascending(polynomial: Expr, variable: sp.Symbol) -> Row:

@@ -9,7 +9,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, diff
 
 from .. import laws
 from ..mechanics import SLIP, FrictionForce
@@ -108,15 +108,15 @@ def of_value(value: Expr, by: str, it: Derivation) -> Expr:
         if value.has(*it.accelerations):
             raise Unread("the rate of an acceleration is not read")
         pairs = [*zip(moving[0], moving[1], strict=True), *zip(moving[1], moving[2], strict=True)]
-        return sp.Add(*(sp.diff(value, one) * rate for one, rate in pairs))
+        return sp.Add(*(diff(value, one) * rate for one, rate in pairs))
     if by not in it.parameters and not any(symbol in row for row in moving):
         raise Unread(f"a derivative by {by}, which is no coordinate, rate or parameter of the page")
-    return sp.diff(value, symbol)
+    return diff(value, symbol)
 
 
 def _of_law(friction: FrictionForce, order: int, it: Derivation, at_rest: bool) -> Expr:
     """The friction law or a derivative of it by the sliding speed."""
-    ahead, behind = sp.diff(friction.ahead, SLIP, order), sp.diff(friction.behind, SLIP, order)
+    ahead, behind = diff(friction.ahead, SLIP, order), diff(friction.behind, SLIP, order)
     if at_rest:
         return it.spelled(ahead.subs(SLIP, friction.still))
     speed = laws.slip(friction)

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TypeAlias, TypeVar, cast
 
 import sympy as sp
-from sympy import Expr, S, Symbol
+from sympy import Expr, Matrix, S, Symbol
 from sympy.solvers.solveset import NonlinearError
 
 from .. import laws, linearization, mechanics, physical_checks, statics, units
@@ -433,7 +433,7 @@ def _state(it: Derivation, name: str, side: str) -> Object:
 
 
 def _entries(
-    of: Callable[[Derivation], sp.Matrix], letter: str, by: str
+    of: Callable[[Derivation], Matrix], letter: str, by: str
 ) -> Callable[[Derivation, str, str], Object]:
     def derived(it: Derivation, name: str, side: str) -> Object:
         matrix = of(it)
@@ -451,18 +451,18 @@ def _entries(
     return derived
 
 
-def _system(it: Derivation) -> sp.Matrix:
+def _system(it: Derivation) -> Matrix:
     """A of z′ = A z for small deviations z, the coordinates and then their rates."""
     mass = it.model.mass.inv()
     K, C = statics.jacobian(it.model), linearization.damping(it.model) + it.model.gyroscopic
     n = mass.rows
     above = sp.zeros(n).row_join(sp.eye(n))
-    return above.col_join((-mass * sp.Matrix(K)).row_join(-mass * C))
+    return above.col_join((-mass * Matrix(K)).row_join(-mass * C))
 
 
 def _characteristic(it: Derivation, name: str, side: str) -> Object:
     mass, C = it.model.mass, linearization.damping(it.model) + it.model.gyroscopic
-    K = sp.Matrix(statics.jacobian(it.model))
+    K = Matrix(statics.jacobian(it.model))
     whole = LAMBDA**2 * mass + LAMBDA * C + K
     polynomial = whole.applyfunc(lambda entry: it.steady(entry, side)).det(method="laplace")
     by = "linearization.damping, statics.jacobian"
@@ -470,7 +470,7 @@ def _characteristic(it: Derivation, name: str, side: str) -> Object:
 
 
 def _threshold(it: Derivation, name: str, side: str) -> Object:
-    K = sp.Matrix(statics.jacobian(it.model)).applyfunc(lambda entry: it.steady(entry, side))
+    K = Matrix(statics.jacobian(it.model)).applyfunc(lambda entry: it.steady(entry, side))
     if K.applyfunc(it.expanded).has(*it.model.coordinates):
         raise NoObject("the threshold depends on the state; only those of linear forces are judged")
     A = it.model.mass.inv() * K
@@ -561,15 +561,15 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
     return Object(entries, by, index=index, names=names, steady=True, shape=shape)
 
 
-def _cleared(D: sp.Matrix, b: sp.Matrix) -> tuple[Expr, Expr, Names]:
+def _cleared(D: Matrix, b: Matrix) -> tuple[Expr, Expr, Names]:
     """|adj(D) b|² − det² D and det D in names of their entries, and what these are."""
-    matrix = sp.Matrix(2, 2, sp.symbols("D_11 D_12 D_21 D_22"))
-    side = sp.Matrix(sp.symbols("b_1:3"))
+    matrix = Matrix(2, 2, sp.symbols("D_11 D_12 D_21 D_22"))
+    side = Matrix(sp.symbols("b_1:3"))
     scaled, parts = matrix.adjugate() * side, dict(zip((*matrix, *side), (*D, *b), strict=True))
     return scaled.dot(scaled) - matrix.det() ** 2, matrix.det(), parts
 
 
-def _coefficients(D: sp.Matrix, b: sp.Matrix, length: Symbol) -> dict[int, Expr]:
+def _coefficients(D: Matrix, b: Matrix, length: Symbol) -> dict[int, Expr]:
     """Coefficients of |adj(D) b|² − det² D by the powers of L."""
     entries = sp.Tuple(*D, *b)
     # Symbols for cosines and sines: related coefficients would be simplified one by one.
@@ -580,18 +580,18 @@ def _coefficients(D: sp.Matrix, b: sp.Matrix, length: Symbol) -> dict[int, Expr]
     return {power: value.xreplace(functions) for (power,), value in whole.terms()}
 
 
-def balance_in_direction(it: Derivation, side: str) -> tuple[sp.Matrix, sp.Matrix, Symbol]:
+def balance_in_direction(it: Derivation, side: str) -> tuple[Matrix, Matrix, Symbol]:
     """D and b of two coordinates, in MU, and L: linear in the direction of a line."""
     if len(it.model.lines) != 1 or len(it.model.coordinates) != 2 or len(it.geometry) != 2:
         raise NoObject("only two coordinates and one line that is named L, theta have a direction")
     (line,), ((length, angle, *_),) = it.model.lines, it._lines
     L, theta = Symbol(length), Symbol(angle)
-    direction = sp.Matrix(sp.symbols("c s"))
+    direction = Matrix(sp.symbols("c s"))
     ends = (it.spelled(line.dx), it.spelled(line.dy))
     gaps = [end - L * way for end, way in zip(ends, direction, strict=True)]
     placed = sp.solve(gaps, it.model.coordinates, dict=True)
     named = {sp.cos(theta): direction[0], sp.sin(theta): direction[1]}
-    rows = sp.Matrix([it.spelled(row, side) for row in it.model.residuals])
+    rows = Matrix([it.spelled(row, side) for row in it.model.residuals])
     if len(placed) != 1:
         raise NoObject("the coordinates do not follow from length and inclination of the line")
     turned = rows.subs(named).subs(placed[0]).applyfunc(sp.expand)
@@ -614,9 +614,7 @@ OBJECTS: Mapping[str, Deriver] = {
     "mass": _entries(lambda it: it.model.mass, "M", "mechanics.Mechanics.mass"),
     "damping": _entries(lambda it: linearization.damping(it.model), "C", "linearization.damping"),
     "gyroscopic": _entries(lambda it: it.model.gyroscopic, "G", "mechanics.Mechanics.gyroscopic"),
-    "stiffness": _entries(
-        lambda it: sp.Matrix(statics.jacobian(it.model)), "K", "statics.jacobian"
-    ),
+    "stiffness": _entries(lambda it: Matrix(statics.jacobian(it.model)), "K", "statics.jacobian"),
     "system": _entries(_system, "A", "linearization.damping, statics.jacobian"),
     "characteristic": _characteristic,
     "threshold": _threshold,

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import sympy as sp
-from sympy import Expr, Symbol
+from sympy import Add, Expr, Symbol
 from sympy.printing.str import StrPrinter
 
 from ..definitions import nested
@@ -18,7 +18,7 @@ from ..quantities import Quantity
 from ..statements import Body, straight_line
 
 #: What is printed: algebra, and functions by their names.
-KNOWN = (Symbol, sp.Rational, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
+KNOWN = (Symbol, sp.Rational, Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
 BY_NAME: Mapping[type[sp.Basic], str] = {
     sp.exp: "exp",
     sp.log: "log",
@@ -103,11 +103,11 @@ class AlgebraPrinter(StrPrinter):
             "one denominator"
         )
 
-    def _print_Add(self, expression: sp.Add, order: str | None = None) -> str:
+    def _print_Add(self, expression: Add, order: str | None = None) -> str:
         constant, rest = expression.as_coeff_Add()
         if constant.is_Integer:
             return str(super()._print_Add(expression, order))
-        over = sp.Add(*(constant.q * term for term in sp.Add.make_args(rest)), constant.p)
+        over = Add(*(constant.q * term for term in Add.make_args(rest)), constant.p)
         return f"({super()._print_Add(over, order)})/{constant.q}"
 
     def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:

@@ -1,7 +1,7 @@
 """Functions of the equilibrium surface, its folds and its cusps."""
 
 import sympy as sp
-from sympy import Symbol
+from sympy import Symbol, diff, expand
 
 from ...algebra import Names, Pair, Row
 from ...emit.function import Function, Module
@@ -23,7 +23,7 @@ from .arrangement import (
 
 def _line(relation: sp.Expr, symbol: Symbol) -> Pair:
     """u and w of ``relation = u + w · symbol``."""
-    slope = sp.diff(relation, symbol)
+    slope = diff(relation, symbol)
     if slope.has(symbol):
         raise ArithmeticError(f"the fold relations are not linear in {symbol}")
     return sp.factor_terms(relation.subs(symbol, 0)), sp.factor_terms(slope)
@@ -33,7 +33,7 @@ def module() -> Module:
     contact = in_contact()
     sine0, cosine0 = catastrophe.fold_angles()
     spelled = [
-        sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT))
+        expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT))
         for relation in catastrophe.fold_residuals()
     ]
     friction = tuple(
@@ -281,7 +281,7 @@ def _changes() -> tuple[Row, ...]:
             value = equilibrium.spell_out(elimination.f_coefficients()[symbol]).subs(
                 equilibrium.CONTACT
             )
-            change = by_inclination(value) if parameter == theta0 else sp.diff(value, parameter)
+            change = by_inclination(value) if parameter == theta0 else diff(value, parameter)
             row.append(sp.factor_terms(change))
         rows.append(tuple(row))
     return tuple(rows)
@@ -300,7 +300,7 @@ def _in_differences() -> Row:
     value = sigma * c * rise + alpha * along + mu0 * friction
     slope = sigma * (B * c**2 - s * rise) + alpha * along_slope + mu0 * friction_slope
     f = equilibrium.spell_out(elimination.f_in_parameters()).subs(equilibrium.CONTACT)
-    by_friction = sp.diff(f, mu0)
+    by_friction = diff(f, mu0)
     derived = (
         f,
         rotate_derivative(f),
@@ -364,7 +364,7 @@ def _unfolding() -> tuple[Pair, ...]:
             dict(zip(F_COEFFICIENTS, row, strict=True)), simultaneous=True
         )
         pair = change, rotate_derivative(change)
-        pairs.append(tuple(sp.factor_terms(sp.collect(sp.expand(part), (c, s))) for part in pair))
+        pairs.append(tuple(sp.factor_terms(sp.collect(expand(part), (c, s))) for part in pair))
     return tuple(pairs)
 
 
@@ -384,7 +384,7 @@ def _cusp_polynomial() -> tuple[Row, Names]:
     }
     S, first = 3 * s**2 - 2, fa * s**3 - k * (3 * s**2 - 2)
     second = g0 * (1 - s**2) + g1 * (s - sp.Rational(3, 2) * s**3) + g4 * s**4
-    expanded = sp.expand(
+    expanded = expand(
         (r * first * S) ** 2 + width**2 * (1 - s**2) * second**2 - (B * p * r) ** 2 * S**4
     )
     coefficients = sp.Poly(expanded, s).all_coeffs()[::-1]
@@ -394,5 +394,5 @@ def _cusp_polynomial() -> tuple[Row, Names]:
     # Each as a polynomial with integer coefficients over an integer.
     quotients = (sp.fraction(sp.together(value)) for value in coefficients[:10])
     return tuple(
-        sp.factor_terms(sp.expand(numerator)) / denominator for numerator, denominator in quotients
+        sp.factor_terms(expand(numerator)) / denominator for numerator, denominator in quotients
     ), names

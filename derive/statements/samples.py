@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from typing import TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
+from numpy.random import Generator
 
 from .objects import BOTH, TIME, Derivation, NoObject, Object
 from .repair import Values
+
+Flags: TypeAlias = npt.NDArray[np.bool_]
 
 
 def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Values]:
@@ -39,7 +44,7 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
         if contact.gap is not None
     }
     coordinates = [str(symbol) for symbol in it.model.coordinates]
-    states = {name: _state(rng, size) for name in coordinates}
+    found |= {name: _state(rng, size) for name in coordinates}
     # Of a statement on several sides the pairs go round these.
     sides = [*it.sides.values()] if held.side == BOTH else [it.sides[held.side]]
     on = np.repeat(np.arange(pairs) % len(sides), 2)
@@ -47,22 +52,24 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
         contact.name: np.array([contact.name in touching for touching in sides])[on]
         for contact in it.model.contacts
     }
-    most_tries = 200 if gaps else 0
-    for _ in range(most_tries):
+
+    def on_wrong_side() -> Flags:
         wrong = np.zeros(size, dtype=bool)
         for name, gap in gaps.items():
-            level = numeric(gap, {**found, **states})
+            level = numeric(gap, found)
             wrong |= np.where(pushing[name], level >= 0, level <= 0)
-        if not wrong.any():
-            break
-        for name in coordinates:
-            states[name] = np.where(wrong, _state(rng, size), states[name])
-    found |= states
+        return wrong
+
+    def behind() -> Flags:
+        return np.any([numeric(speed, found) <= 0 for speed in it.speeds], axis=0)
+
+    _redraw(found, coordinates, on_wrong_side, rng)
     for symbol, touches in zip(it.switches, pushing.values(), strict=True):
         found[str(symbol)] = 1.0 * touches
     for symbol in (*it.model.rates, *it.accelerations):
         found[str(symbol)] = _state(rng, size)
-    _put_ahead(it, held, found, rng)
+    if held.ahead and not _redraw(found, [*map(str, it.model.rates)], behind, rng):
+        raise NoObject("no motion was found in which every belt is ahead")
     for name in ("lam", str(TIME)):
         found.setdefault(name, _state(rng, size))
     for name, value in it.geometry.items():
@@ -74,27 +81,25 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     return found
 
 
-def _put_ahead(
-    it: Derivation, held: Object, found: dict[str, Values], rng: np.random.Generator
-) -> None:
-    """Draw rates anew until every belt is ahead, where the object says so."""
-    if not held.ahead:
-        return
+def _redraw(
+    found: dict[str, Values], names: Sequence[str], wrong: Callable[[], Flags], rng: Generator
+) -> bool:
+    """Draw names anew at the samples that are wrong; whether none is at the end."""
     most_tries = 200
     for _ in range(most_tries):
-        behind = np.any([numeric(speed, found) <= 0 for speed in it.speeds], axis=0)
-        if not behind.any():
-            return
-        for name in map(str, it.model.rates):
-            found[name] = np.where(behind, _state(rng, behind.size), found[name])
-    raise NoObject("no motion was found in which every belt is ahead")
+        there = wrong()
+        if not there.any():
+            return True
+        for name in names:
+            found[name] = np.where(there, _state(rng, there.size), found[name])
+    return False
 
 
-def _state(rng: np.random.Generator, size: int) -> Values:
+def _state(rng: Generator, size: int) -> Values:
     return rng.uniform(0.2, 1.3, size) * _signs(rng, size, 1)
 
 
-def _signs(rng: np.random.Generator, size: int, repeat: int) -> Values:
+def _signs(rng: Generator, size: int, repeat: int) -> Values:
     return np.repeat(np.where(rng.random(size // repeat) < 0.5, -1.0, 1.0), repeat)
 
 

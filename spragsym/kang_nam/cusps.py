@@ -145,12 +145,13 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoin
     )
     if sides != (1, -1):
         return
+    leaning = _catastrophe.cusp_point(s, *values)[1] if alpha else None
     upright = abs(sine.low) == abs(sine.high) == 1
     flat = sign_of(s, lambda s: s, "sin θ = 0 on a cusp") == 0
     flat0 = sign_of(s0, lambda s: _catastrophe.cusp_sine(s, *exact)[0], "sin θ₀ = 0 on a cusp") == 0
     for c in cosines_of(s, 0 if upright else 1):
         if alpha:
-            cosines = [_catastrophe.cusp_point(s, *values)[1] * c]
+            cosines = [leaning * c]
         else:
             inside = sign_of(
                 1 - s0 * s0,

@@ -235,7 +235,8 @@ class Carried:
             return value
         if kind in (list, tuple):
             return [self.numbers(one) for one in value]
-        if isinstance(value, bool | np.bool_) or _is_boolean(value):
+        dtype = getattr(value, "dtype", None)
+        if isinstance(value, bool) or getattr(dtype, "kind", "") == "b":
             raise ParameterTypeError(
                 f"{self.name} = {value!r:.60} is a boolean; it must be real numbers"
             )
@@ -332,10 +333,6 @@ class Carried:
 
     def _wanted(self) -> str:
         return {"1": "without unit", "rad": "in radians"}.get(self.si, f"in {self.si}")
-
-
-def _is_boolean(value: object) -> bool:
-    return getattr(getattr(value, "dtype", None), "kind", "") == "b"
 
 
 def _root(kind: type) -> str:

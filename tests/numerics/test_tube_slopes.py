@@ -15,8 +15,9 @@ from spragsym.numerics import contractors, tape
 from spragsym.numerics.affine import Affine
 from spragsym.numerics.interval_arrays import Intervals
 
-#: Models, and parameters with a tolerance; of the last one a unit has one too.
-BOXES: tuple[tuple[str, dict[str, tuple[float, float]], dict[str, Unit]], ...] = (
+#: A model, parameters with a tolerance, and units with one.
+Tolerances = tuple[str, dict[str, tuple[float, float]], dict[str, Unit]]
+BOXES: tuple[Tolerances, ...] = (
     (
         "cubic_contact",
         {
@@ -42,10 +43,9 @@ BOXES: tuple[tuple[str, dict[str, tuple[float, float]], dict[str, Unit]], ...] =
 )
 
 
-def region_of(
-    name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]
-) -> tuple[Splitting, Tubes, Place]:
+def region_of(given: Tolerances) -> tuple[Splitting, Tubes, Place]:
     """States about one of the middle of a box, moved along and across at random."""
+    name, ranges, units = given
     model, rng = ss.load(name).search, np.random.default_rng(2)
     low, high = (
         model.Parameters(**{key: ends[side] for key, ends in ranges.items()}) for side in (0, 1)
@@ -68,11 +68,11 @@ def region_of(
     )
 
 
-@pytest.mark.parametrize(("name", "ranges", "units"), BOXES)
+@pytest.mark.parametrize("given", BOXES)
 def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_intervals(
-    name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]
+    given: Tolerances,
 ) -> None:
-    box, tubes, region = region_of(name, ranges, units)
+    box, tubes, region = region_of(given)
     count = 3000
     others = list(range(tubes.n))
     rng = np.random.default_rng(3)
@@ -109,24 +109,19 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
 
 
 @pytest.mark.skipif(not tape.available(), reason="no C compiler on installation")
-@pytest.mark.parametrize(("name", "ranges", "units"), BOXES[:-1])
+@pytest.mark.parametrize("given", BOXES[:-1])
 def test_slopes_by_a_tape_are_those_of_numpy(
-    name: str,
-    ranges: dict[str, tuple[float, float]],
-    units: dict[str, Unit],
-    monkeypatch: pytest.MonkeyPatch,
+    given: Tolerances, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    _, tubes, region = region_of(name, ranges, units)
+    _, tubes, region = region_of(given)
     assert tubes._affine_tape is not None
     found = tubes.affine_slopes(region)
     monkeypatch.setattr(tape, "compiled", None)
     expected = tubes.affine_slopes(region)
-    for one, other in (
-        (found.value, expected.value),
-        (found.terms, expected.terms),
-        (found.error, expected.error),
-    ):
-        np.testing.assert_allclose(one, other, rtol=1e-9, atol=1e-14)
+    for part in ("value", "terms", "error"):
+        np.testing.assert_allclose(
+            getattr(found, part), getattr(expected, part), rtol=1e-9, atol=1e-14
+        )
     assert np.abs(found.terms).max() > 1e-3
 
 
@@ -134,7 +129,7 @@ def test_slopes_by_units_are_those_of_the_forces() -> None:
     """By differences: of a parameter at the units' base values, and of a unit on which several
     depend.
     """
-    _, tubes, region = region_of(*BOXES[-1])
+    _, tubes, region = region_of(BOXES[-1])
     z, step = region.z, 1e-5
     _, slopes = tubes.floats(z)
     for k in range(len(tubes.free)):
@@ -148,12 +143,10 @@ def test_slopes_by_units_are_those_of_the_forces() -> None:
         )
 
 
-@pytest.mark.parametrize(("name", "ranges", "units"), BOXES)
-def test_parameters_are_prepared_as_all_anew(
-    name: str, ranges: dict[str, tuple[float, float]], units: dict[str, Unit]
-) -> None:
+@pytest.mark.parametrize("given", BOXES)
+def test_parameters_are_prepared_as_all_anew(given: Tolerances) -> None:
     """What follows from parameters that move, and from units, has the bits of all of it."""
-    _, tubes, region = region_of(name, ranges, units)
+    _, tubes, region = region_of(given)
     bounds = Intervals.point(tubes.fixed)
     span, v = tubes._span(), region.box()[-1]
     for place, part in zip(tubes.moving, [*span, v], strict=True):

@@ -10,7 +10,7 @@ space of parameters are the leaves of a tree of boxes, so that one proof serves 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -25,12 +25,10 @@ from .interval_arrays import (
     IntArray,
     Intervals,
     is_in_another_unit,
-    matrix,
     quiet,
     scale_of,
     width_of,
 )
-from .jets import gradient, variables
 from .plans import Plan
 from .verdicts import NARROW, BoxVerdict, Judged, Looked, Rules, judged, with_room
 
@@ -82,14 +80,11 @@ class BoxOptions(Options):
 
 
 class EquationSystem:
-    """n equations in n unknowns with parameters: their values over boxes, and their slopes, if they
-    are not given, by jets.
+    """n equations in n unknowns with parameters: their values and slopes over boxes.
 
-    What is neither equations nor their values and slopes has a default that knows nothing more.
+    All else has a default that knows nothing more.
     """
 
-    #: How many derivatives the equations themselves are made of.
-    order = 0
     #: Boxes of a point after which it is given up, where nobody says.
     usual_budget = 20_000
     #: Beyond these, −low and high, (2, n), F is not asked for.
@@ -100,12 +95,6 @@ class EquationSystem:
         """Options of the search for its roots."""
         return BoxOptions()
 
-    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-        """F of unknowns that are intervals or jets of them, one a box; parameters of shape (P,
-        N).
-        """
-        raise NotImplementedError
-
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n,
         N).
@@ -114,8 +103,7 @@ class EquationSystem:
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Enclosure of ∂F/∂x, shape (n, n, N)."""
-        rows = self.equations(variables(list(unknowns), self.order + 1), parameters)
-        return matrix([gradient(row, unknowns.shape[0]) for row in rows], unknowns.shape[1:])
+        raise NotImplementedError
 
     def excluded(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
         """Boxes that hold nothing wanted for another reason than F, shape (N,)."""

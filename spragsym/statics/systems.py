@@ -43,6 +43,8 @@ class StateSystem(EquationSystem):
 
     balance: Balance
     n: int  #: how many unknowns there are
+    #: How many derivatives the equations themselves are made of.
+    order = 0
 
     @property
     def options(self) -> SearchOptions:

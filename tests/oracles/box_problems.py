@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from spragsym.numerics import boxes
-from spragsym.numerics.interval_arrays import Intervals, stacked
+from spragsym.numerics.interval_arrays import Intervals, matrix, stacked
+from spragsym.numerics.jets import gradient, variables
 from spragsym.statics.namespaces import XP
 
 
@@ -40,13 +41,14 @@ class Problem(boxes.EquationSystem):
         """The region as −low and high, shape (2, n, 1)."""
         return np.array([[-low, high] for low, high in self.region]).T[:, :, None]
 
-    def equations(self, unknowns: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-        """The values over boxes."""
-        return self.function(unknowns)
-
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """The same, stacked."""
+        """The values over boxes."""
         return stacked(self.function(list(unknowns)), unknowns.shape[1:])
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Their derivatives."""
+        rows = self.function(variables(list(unknowns), 1))
+        return matrix([gradient(row, unknowns.shape[0]) for row in rows], unknowns.shape[1:])
 
 
 def _example_22(x: Sequence[Any]) -> Sequence[Any]:

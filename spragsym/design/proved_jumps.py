@@ -109,9 +109,10 @@ def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) 
     """Proved parts of a box, of which those are halved first of which most is open by ``share``."""
     if not box.free:
         found = first_limit_points(box.point(box.whole.high[:, 0]), box.vary, begin=box.begin)
-        ends = bool(np.isfinite(found.value))
-        box.whole.safe[:] = found.value - found.error if ends else found.until
-        box.whole.top[:] = found.value + found.error if ends else np.inf
+        if not found.reasons:  # else nothing is known
+            ends = bool(np.isfinite(found.value))
+            box.whole.safe[:] = found.value - found.error if ends else found.until
+            box.whole.top[:] = found.value + found.error if ends else np.inf
         return ProvedJumps(box.vary, box.begin, (), box.whole, np.ones(1, dtype=bool), "")
     # Of the whole box hardly anything is proved.
     box.whole = box.whole.divided(box.whole.weight(box.whole.base), most)

@@ -388,6 +388,10 @@ def escapes(family: Family) -> Points:
         found = certified_roots.search(
             system, with_sides(sides, family.spans), fixed, fixed, budget=16_000
         )
+        if not system.order:
+            parameters = system.fixed(found.point.size)
+            behind = system.behind_borders(Intervals(found.ends), parameters)
+            found = found.select(np.flatnonzero(~behind))
         side = system.side(Intervals(found.ends), system.fixed(found.point.size))
     z = found.middle
     # Coordinates with next to no part in the direction stay finite.
@@ -457,13 +461,33 @@ class _AtInfinity(OfFamily, WithoutTapes):
         """
         if self.order:
             return np.zeros(unknowns.shape[1], dtype=int)
-        slopes = [
-            gradient(row, self.n + 1)
-            for row in self.equations(variables(list(unknowns), 1), parameters)
-        ]
+        slopes = self._slopes(unknowns, parameters)
         moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
         ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
         return ratio.signs.prod(axis=0)
+
+    def _slopes(self, unknowns: Intervals, parameters: Intervals) -> list[list[Any]]:
+        """Slopes of each equation by the unknowns, and by w."""
+        equations = self.equations(variables(list(unknowns), 1), parameters)
+        return [gradient(row, self.n + 1) for row in equations]
+
+    def behind_borders(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
+        """Directions along whose curve of states a contact opens, or one that is open closes.
+
+        A gap that is 0 in the direction of the state depends on coordinates that stay: its slope
+        along the curve, by the Schur complement of the equations, tells.
+        """
+        slopes, shape = self._slopes(unknowns, parameters), unknowns.shape[1:]
+        regular = determinant([row[: self.n] for row in slopes])
+        sides = list[Intervals]()
+        for gap in self.state(variables(list(unknowns), 1), parameters).gaps():
+            row = _regular(gap)
+            ahead = as_intervals(constant(row), shape)
+            along = determinant([*slopes, gradient(row, self.n + 1)])
+            signs = stacked([along, regular], shape).signs.prod(axis=0)
+            slope_ends = np.where(signs == 0, 1.0, [-signs, signs])
+            sides.append(Intervals(np.where(ahead.signs == 0, slope_ends, ahead.ends)))
+        return self.balance.sides(sides or [Intervals.point(np.ones(shape))])[1]
 
 
 def _regular(row: Number) -> Number:

@@ -1,0 +1,122 @@
+"""Shoes that friction presses on their drum: from μ = b/a on nothing holds one of them, and its
+state runs to infinity.
+"""
+
+import math
+
+import pytest
+
+import spragsym as ss
+from tests.oracles.user_pages import model_of
+
+pytest.importorskip("sympy")
+
+LEVER = '''"""A page of the tests."""
+from spragsym.derive.model import Abs, Page, exp, sgn
+page = Page("A lever that presses a block on a drum.")
+J, k_c = page.unit("J", "kg m^2", "inertia"), page.unit("k_c", "N/m", "stiffness of the lining")
+b = page.unit("b", "m", "arm of the normal force")
+mu = page.parameter("mu", "1", "friction", ">= 0", 0.3)
+a = page.parameter("a", "m", "arm of friction", ">= 0", 0.8)
+M = page.parameter("M", "N m", "moment of the actuator", ">= 0", 0.1)
+V = page.parameter("V", "m/s", "speed of the drum", ">= 0", 0.5)
+d = page.parameter("d", "s/m", "steepness", "> 0", 10.0)
+c = page.parameter("c", "N m s", "damping", ">= 0", 0.01)
+phi = page.coordinate("phi", "rad", "angle of the lever")
+page.kinetic(J * page.rate(phi) ** 2 / 2)
+page.potential(-M * phi)
+page.damper(c, along=phi)
+page.contact(-b * phi, lambda depth: k_c * depth)
+page.friction(a * phi, V, lambda v: mu * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu)
+'''
+
+
+@pytest.fixture(scope="module")
+def lever() -> ss.Model:
+    return model_of(LEVER, "lever")
+
+
+@pytest.mark.thorough
+def test_a_motion_that_grows_ever_stiffer_is_told_so(lever: ss.Model) -> None:
+    """The drum carries the lever along, and what it slips dies out the faster the farther it is."""
+    found = ss.fate(lever.Parameters(mu=1.3, d=1e4), t_end=400.0)
+    assert found.kind == "undecided"
+    assert "small deviations shrink by more than 1e+10" in found.why
+    assert "time units at phi = " in found.why
+    assert found.why.endswith("too stiff")
+
+
+def test_nothing_holds_it_from_locking_on(lever: ss.Model) -> None:
+    """φ = M/(k b (b − μ a)); where μ a is 1 but for rounding, it is very far away, if anywhere."""
+    below, at, above = (ss.equilibria(lever.Parameters(mu=mu)) for mu in (1.2, 1.25, 1.3))
+    assert below["phi"].tolist() == pytest.approx([0.1 / (1 - 1.2 * 0.8)], rel=1e-13)
+    assert above.complete
+    assert [int(eq.count) for eq in (at, above)] == [0, 0]
+    assert not at.complete
+    low, high = at.region[0]
+    assert 1e13 < low < high
+
+
+def test_it_locks_where_the_arms_are_as_friction(lever: ss.Model) -> None:
+    found = ss.jump_value(lever.Parameters(), "mu")
+    assert math.isclose(float(found), 1.25, rel_tol=1e-12)
+
+
+def test_locking_refutes_that_nothing_jumps(lever: ss.Model) -> None:
+    found = ss.certify(lever.Parameters(), between={"mu": (0.2, 1.6), "a": (0.5, 1.0)})
+    assert found.outcome == "refuted"
+
+
+#: A leading and a trailing shoe, pressed apart by one cylinder, with a return spring each.
+DUPLEX = '''"""A page of the tests."""
+from spragsym.derive.model import Abs, Page, exp, sgn
+page = Page("A drum brake of two shoes.")
+J, k_c = page.unit("J", "kg m^2", "inertia"), page.unit("k_c", "N/m", "stiffness of a lining")
+b = page.unit("b", "m", "arm of the normal force")
+mu = page.parameter("mu", "1", "friction", ">= 0", 0.3)
+a = page.parameter("a", "m", "arm of friction", ">= 0", 0.8)
+F = page.parameter("F", "N m", "moment of the cylinder", ">= 0", 0.1)
+k_r = page.parameter("k_r", "N m", "return spring", ">= 0", 0.02)
+g = page.parameter("g", "m", "play of a lining", ">= 0", 0.01)
+V = page.parameter("V", "m/s", "speed of the drum", ">= 0", 0.5)
+d = page.parameter("d", "s/m", "steepness", "> 0", 10.0)
+alpha_1 = page.coordinate("alpha_1", "rad", "angle of the leading shoe")
+alpha_2 = page.coordinate("alpha_2", "rad", "angle of the trailing shoe")
+page.kinetic(J * (page.rate(alpha_1) ** 2 + page.rate(alpha_2) ** 2) / 2)
+page.potential(-F * (alpha_1 + alpha_2) + k_r * (alpha_1**2 + alpha_2**2) / 2)
+for name, shoe, way in (("leading", alpha_1, 1), ("trailing", alpha_2, -1)):
+    lining = page.contact(g - b * shoe, lambda depth: k_c * depth, name=name)
+    law = lambda v: mu * (1 - exp(-d * Abs(v))) * sgn(v)
+    page.friction(way * a * shoe, V, law, at_rest=mu, on=lining)
+'''
+
+
+@pytest.fixture(scope="module")
+def duplex() -> ss.Model:
+    return model_of(DUPLEX, "duplex")
+
+
+@pytest.mark.thorough
+def test_one_of_two_shoes_locks_while_the_other_stays(duplex: ss.Model) -> None:
+    """1 + k_r = μ a; a state of the leading shoe alone would press the trailing one, so that it is
+    none that could run to infinity.
+    """
+    found = ss.jump_value(duplex.Parameters(a=[0.8, 0.7]), "mu", until=2.0)
+    assert found.tolist() == pytest.approx([1.02 / 0.8, 1.02 / 0.7], rel=1e-12)
+
+
+@pytest.mark.thorough
+def test_as_many_lock_as_have_a_larger_friction(duplex: ss.Model) -> None:
+    """Of one loading, what is not known of its end is not that the state goes on."""
+    given = {**duplex.base, "mu": (0.9, 1.4)}
+    found = ss.jump_probability(given, model=duplex, n=4096, rng=1)
+    assert found.low <= (1.4 - 1.02 / 0.8) / 0.5 <= found.high
+    assert found.undecided == 0
+
+
+@pytest.mark.thorough
+def test_an_end_that_is_not_decided_is_not_that_the_state_goes_on(duplex: ss.Model) -> None:
+    """Both shoes leave the drum at once, where their play is F/k_r = 5."""
+    given = {**duplex.base, "g": (1.0, 9.0)}
+    found = ss.jump_probability(given, model=duplex, vary="g", begin=0.0, n=4096, rng=1)
+    assert found.low <= 0.5 <= found.high

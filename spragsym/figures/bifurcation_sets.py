@@ -64,9 +64,7 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
             p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201)
         )
         pieces = passages(up)
-        lines += [
-            (on_surface(mu0, np.full(mu0.size, np.radians(angle)), x), color) for mu0, x in pieces
-        ]
+        lines += [(on_surface(mu0, np.radians(angle), x), color) for mu0, x in pieces]
         for (mu0, x), (_, landed) in itertools.pairwise(pieces):
             ends = [angle, angle], [mu0[-1], mu0[-1]], [x[-1], landed[0]]
             ax.plot(*ends, color=color, linewidth=1.2, linestyle=":", zorder=4)
@@ -122,14 +120,8 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
         "b_flutter": shown,
     }
     for line in flutter:
-        plane.plot(
-            line[:, 0],
-            line[:, 1],
-            color=GREEN,
-            linewidth=1.2,
-            linestyle=LINES[EquilibriumType.FLUTTER],
-            zorder=3,
-        )
+        style = LINES[EquilibriumType.FLUTTER]
+        plane.plot(*line.T[:2], color=GREEN, linewidth=1.2, linestyle=style, zorder=3)
     for x in (6, 157):
         write_along(plane, "flutter", x, 0.85, color=GREEN)
     figure.text(0.02, 0.95, "(a)", va="center")
@@ -183,14 +175,7 @@ def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, I
         moves = (friction != within) & (beside == np.clip(beside, *MU0_RANGE))
         share = (within - friction) / np.where(moves, beside - friction, np.inf)
         friction, x = np.where(moves, within, friction), x + share * (there - x)
-    vertices = np.stack(
-        [
-            np.broadcast_to(theta0_deg[:, None], x.shape),
-            np.where(friction == within, friction, np.nan),
-            x,
-        ],
-        axis=-1,
-    )
+    vertices = on_surface(friction, theta0[:, None], x)
     cells, inside = (
         np.stack([columns[:-1, :-1], columns[1:, :-1], columns[1:, 1:], columns[:-1, 1:]], axis=2)
         for columns in (vertices, kept)
@@ -212,7 +197,7 @@ def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
     # Outside the shown range points are sparser, the farther away the sparser.
     weight = 0.25 / (1 + (found.mu0 - shown) ** 2)[:, 1:]
     steps = np.hypot(np.diff(shown, axis=1), weight * np.diff(found.x, axis=1))
-    length = np.concatenate([np.zeros((theta0.size, 1)), np.cumsum(steps, axis=1)], axis=1)
+    length = np.pad(np.cumsum(steps, axis=1), [(0, 0), (1, 0)])
     even = np.linspace(0.0, 1.0, n)
     return np.array(
         [np.interp(even * along[-1], along, row) for along, row in zip(length, theta, strict=True)]
@@ -302,18 +287,12 @@ def table_of_lines(lines: Iterable[FloatArray]) -> Table:
     )
 
 
-def on_surface(mu0: FloatArray, theta0: FloatArray, x: FloatArray) -> FloatArray:
+def on_surface(mu0: FloatArray, theta0: FloatArray | float, x: FloatArray) -> FloatArray:
     """Points of a line on the surface, θ₀ in radians; NaN where ``mu0`` leaves its range, so that
     the line breaks there.
     """
-    return np.stack(
-        [
-            np.degrees(theta0),
-            np.where((mu0 >= MU0_RANGE[0]) & (mu0 <= MU0_RANGE[1]), mu0, np.nan),
-            x,
-        ],
-        axis=-1,
-    )
+    inside = np.where(mu0 == np.clip(mu0, *MU0_RANGE), mu0, np.nan)
+    return np.stack(np.broadcast_arrays(np.degrees(theta0), inside, x), axis=-1)
 
 
 @styled
@@ -368,17 +347,11 @@ def _draw_cusp_friction(ax: Axes, name: str, shown: _Samples, n: int) -> Table:
     if ticks:
         ax.set(xscale="log", yscale="log")
         plain_ticks(ax.yaxis, ticks)
-        write_along(
-            ax,
-            f"{critical:.3g}",
-            critical * 1.12,
-            0.06,
-            VERMILION,
-            transform=ax.get_xaxis_transform(),
-        )
+        says, place, height = f"{critical:.3g}", critical * 1.12, 0.06
     else:
         ax.set(ylim=(0, 0.9))
-        write_along(ax, f"{critical:.6f}", critical + 0.05, 0.06, VERMILION)
+        says, place, height = f"{critical:.6f}", critical + 0.05, 0.06 / 0.9
+    write_along(ax, says, place, height, VERMILION, transform=ax.get_xaxis_transform())
     ax.set(xlabel=rf"$\{name}$", ylabel=r"$\mu_{\mathrm{lowest}}$", xlim=(low, high))
     return {name: values, "mu_lowest": frictions, "mu_cusp": cusps}
 

@@ -354,7 +354,7 @@ def _divided(
         )
         if level == 0:
             rms = np.zeros((frictions.size, angles.size))
-            asked = np.ones((frictions.size, angles.size), dtype=bool)
+            asked = rms == 0.0
         else:
             rms, asked = (
                 cells.repeat(2, axis=0).repeat(2, axis=1) for cells in (rms, _beside_a_step(rms))

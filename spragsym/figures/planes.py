@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MultipleLocator
+from numpy.lib.stride_tricks import sliding_window_view
 from scipy.ndimage import binary_dilation, distance_transform_edt, zoom
 
 import spragsym as ss
@@ -143,11 +144,10 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
         values = dict(zip(vary, (across, up), strict=True))
         return growth_of_oscillations(ss.equilibria(p.replace(**values)))
 
-    (left, right), (low, high) = (map(p.ranges[name].reached, shown[name]) for name in vary)
-    across, up, growth = sampled_by_sign(growth_at, (left, right), (low, high))
+    *grid, growth = sampled_by_sign(growth_at, *_reached(p, vary, shown))
     if not (growth > 0).any():
         return
-    grid = places(p.model, vary, dict(zip(vary, (across, up), strict=True)))
+    grid = places(p.model, vary, dict(zip(vary, grid, strict=True)))
     # Colour of a part of a plane in which states are unstable.
     # Colour of a part in which their oscillations hardly grow.
     ax.contourf(
@@ -161,6 +161,12 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
     depth = distance_transform_edt(np.pad(growth > 0, 1))[1:-1, 1:-1]
     row, column = np.unravel_index(np.argmax(depth), depth.shape)
     write_along(ax, "unstable", grid[0][column], grid[1][row], color=VERMILION, ha="center")
+
+
+def _reached(p: ParameterSet, vary: Sequence[str], shown: Ranges) -> list[Span]:
+    """Ends of two ranges, within those that are allowed."""
+    ends = (map(p.ranges[name].reached, shown[name]) for name in vary)
+    return [(low, high) for low, high in ends]
 
 
 def sampled_by_sign(
@@ -188,8 +194,8 @@ def sampled_by_sign(
     parts = 6
     fine = [np.linspace(*ends, (count - 1) * parts + 1) for ends in (across, up)]
     values = function(coarse[0], coarse[1][:, None])
-    corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]]) > 0
-    mixed = corners.any(axis=0) & ~corners.all(axis=0)
+    corners = sliding_window_view(values > 0, (2, 2))
+    mixed = corners.any(axis=(2, 3)) & ~corners.all(axis=(2, 3))
     near = binary_dilation(mixed, np.ones((3, 3)))  # the cells beside it may hold a tip
     every = np.arange((count - 1) * parts + 1)
     cell = np.minimum(every // parts, count - 2)
@@ -282,16 +288,16 @@ def draw_plane(
     found = ss.bifurcation_set(p, vary, n, between=between)
     draw_bifurcation_set(found, ax, color=VERMILION)
     _span(ax, model, vary, between)
-    (left, right), (low, high) = (map(p.ranges[name].reached, between[name]) for name in vary)
-    grid = np.linspace(left, right, 400), np.linspace(low, high, 240)
+    across, up = _reached(p, vary, between)
+    grid = np.linspace(*across, 400), np.linspace(*up, 240)
     try:
         inside = p.replace(**dict(zip(vary, np.meshgrid(*grid, sparse=True), strict=True)))
         count = ss.count(inside, method="closed")
     except ModelError:
         return found, False
     if (count == 3).any():
-        across, up = places(model, vary, dict(zip(vary, grid, strict=True)))
-        ax.contourf(across, up, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
+        shown = places(model, vary, dict(zip(vary, grid, strict=True)))
+        ax.contourf(*shown, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
     return found, True
 
 

@@ -36,7 +36,7 @@ from ..numerics.interval_arrays import (
     scale_of,
     width_of,
 )
-from ..numerics.jets import Jet, variables
+from ..numerics.jets import gradient, variables
 from ..numerics.vectors import norm
 from ..results import BifurcationSet, Curve, Points
 from ..statics.balance import Balance
@@ -261,8 +261,7 @@ def _moves_border(near: Family, contact: int) -> bool:
             rows = [*at.rows("forces"), at.gap(contact)]
     except ZeroDivisionError:  # a law that has no value there
         return True
-    terms = [it for row in rows if isinstance(row, Jet) for it in row.terms.items()]
-    return any(balance.n in term and not is_zero(part) for term, part in terms)
+    return not all(is_zero(gradient(row, balance.n + 1)[-1]) for row in rows)
 
 
 def rows_of(family: Family, found: Points) -> FloatArray:

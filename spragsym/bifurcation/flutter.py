@@ -615,10 +615,10 @@ class Onsets(Points):
                 "imaginary axis up to it: no generic Hopf point; ask for the onsets of the "
                 "damped model, damping=True, or give what oscillates a damper"
             )
-        state, vary = self.state(row), self.vary[0]
+        state = self.state(row)
         # The error is relative to max(1, |value|), and its product with that is rounded.
-        radii = self.error[row] * scale_of([*state, self[vary][row]]) * (1 + 2.0**-50)
-        return form_or_why(self.balance(row), self.given(row), state, vary, radii)
+        radii = self.error[row] * scale_of([*state, self[self.vary[0]][row]]) * (1 + 2.0**-50)
+        return form_or_why(self.balance(row), self.given(row), state, self.vary, radii)
 
     def balance(self, row: int, law: str = "friction_at_rest") -> Balance:
         """The balance of forces of the contacts that touch at one of them.

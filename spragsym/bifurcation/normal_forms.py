@@ -92,7 +92,7 @@ def normal_form(
     balance: Balance,
     given: FloatArray,
     state: FloatArray,
-    vary: str | Sequence[str],
+    vary: Sequence[str],
     radii: FloatArray,
 ) -> NormalForm:
     """The normal form at a Hopf point that is proved to lie in a box.
@@ -100,12 +100,12 @@ def normal_form(
     ``balance`` says which contacts touch, and by its ``law`` what friction the equilibrium has:
     ``"friction_at_rest"``, as statics takes it, or ``"friction_at_speed"``, that at the belt's
     speed; the motion's laws are shifted by constants so that they pass through it. ``given`` are
-    the parameters in the order of the model, ``state`` the coordinates, ``vary`` the parameter
-    along which the point was found, or several, of which the first tells the pair's crossing;
+    the parameters in the order of the model, ``state`` the coordinates, ``vary`` the
+    parameters along which the point was found, of which the first tells the pair's crossing;
     ``radii`` are half-widths of the box, of the coordinates and then of these. Undecided, and the
     text says why, where this is no generic Hopf point, or is not shown to be one.
     """
-    point = _in_balls(balance, given, state, (vary,) if isinstance(vary, str) else vary, radii)
+    point = _in_balls(balance, given, state, vary, radii)
     _require_smooth(point)
     A, by_parameter = point.linear()
     pair = _pair(A)

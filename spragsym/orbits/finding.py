@@ -384,7 +384,7 @@ def born_at(
     )
     balance = onsets.balance(row, "friction_at_speed")
     try:
-        form = normal_form(balance, given, state, vary, radii)
+        form = normal_form(balance, given, state, (vary,), radii)
     except UndecidedSign as reason:
         raise ConvergenceError(
             f"the motion has no generic Hopf point beside the onset: {reason}"

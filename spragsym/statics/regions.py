@@ -21,6 +21,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from operator import mul
 from typing import Any
 
 import numpy as np
@@ -463,23 +464,20 @@ def _deepest(at: Evaluation, contact: int) -> FloatArray:
     one which touches is a number, as of two faces of a slot, or the difference from one that is
     open.
     """
-    balance, near = at.balance, at.box.nearest_to_zero
-    shift, most = at.box - Intervals.point(near), np.full(at.shape, np.inf)
-    for other in balance.opens:
-        if other == contact:
-            continue
-        sign = 1 if balance.pushing[other] else -1
-        both = partial(_gaps_of, contact, other, sign)
-        value, slopes, *_ = linear(at, near, both)
-        total = sum((slopes[0, i] * shift[i] for i in range(len(at.q))), value[0])
-        most = np.fmin(
-            most, (Intervals.point(np.full(at.shape, _room(balance, other))) - total).high
-        )
+    balance, most = at.balance, np.full(at.shape, np.inf)
+    if len(balance.opens) < 2:
+        return most
+    near, own = at.box.nearest_to_zero, balance.opens.index(contact)
+    values, slopes, *_ = linear(at, near, Evaluation.gaps)
+    shift = at.box - Intervals.point(near)
+    for row, other in enumerate(balance.opens):
+        if other != contact:
+            sign = 1 if balance.pushing[other] else -1
+            along = slopes[own] + slopes[row] * sign
+            total = sum(map(mul, along, shift), values[own] + values[row] * sign)
+            room = Intervals.point(np.full(at.shape, balance.rooms[row]))
+            most = np.fmin(most, (room - total).high)
     return most
-
-
-def _gaps_of(contact: int, other: int, sign: int, at: Evaluation) -> list[Number]:
-    return [at.gap(contact) + sign * at.gap(other)]
 
 
 def _stiffness(at: Evaluation, contact: int) -> Intervals:

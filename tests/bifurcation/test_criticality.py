@@ -74,7 +74,7 @@ def test_where_nothing_presses_the_mass_on_the_belt_there_is_no_normal_form() ->
         [float(getattr(model.Parameters(theta0=0.7), name)) for name in model.parameters]
     )
     with pytest.raises(UndecidedSign, match="contact"):
-        normal_form(Balance(model), given, np.array([0.9, 0.0]), "mu0", np.zeros(3))
+        normal_form(Balance(model), given, np.array([0.9, 0.0]), ("mu0",), np.zeros(3))
 
 
 @pytest.mark.by_hand("trolley", "mode_coupling", "inclined_belt", "damped")

@@ -97,6 +97,11 @@ def test_rows_say_what_their_status_asks_for(rows: dict[str, LedgerRow]) -> None
 # -------------------------------------------------------------------------- typesetting against
 # transcription
 
+_SYMBOLS = (
+    *(nm.mu0, nm.mu, nm.sigma, nm.alpha, nm.beta, nm.kappa),
+    *(nm.F_L, nm.L_0, nm.k_c, nm.k_x, nm.k_y, nm.b1, nm.b2, nm.b3, nm.b4),
+    *(nm.x, nm.y, nm.L, nm.n, nm.N, nm.k, nm.m_mass),
+)
 _ATOMS: dict[str, sp.Symbol] = {
     "x''": AX,
     "y''": AY,
@@ -108,28 +113,7 @@ _ATOMS: dict[str, sp.Symbol] = {
     r"\sin\theta_0": nm.s0,
     r"\cos\theta": nm.c,
     r"\sin\theta": nm.s,
-    r"\mu_0": nm.mu0,
-    r"\mu": nm.mu,
-    r"\sigma": nm.sigma,
-    r"\alpha": nm.alpha,
-    r"\beta": nm.beta,
-    r"\kappa": nm.kappa,
-    "F_L": nm.F_L,
-    "L_0": nm.L_0,
-    "k_c": nm.k_c,
-    "k_x": nm.k_x,
-    "k_y": nm.k_y,
-    "b_1": nm.b1,
-    "b_2": nm.b2,
-    "b_3": nm.b3,
-    "b_4": nm.b4,
-    "x": nm.x,
-    "y": nm.y,
-    "L": nm.L,
-    "n": nm.n,
-    "N": nm.N,
-    "k": nm.k,
-    "m": nm.m_mass,
+    **{re.sub(r"_\{(\w)\}", r"_\1", sp.latex(symbol)): symbol for symbol in _SYMBOLS},
 }
 #: One letter for each: the parser knows neither σ nor all products without a sign; e, i, d, S mean
 #: something.

@@ -337,24 +337,16 @@ def test_equation_21_has_one_root_too_many() -> None:
 def test_contact_force_is_bounded() -> None:
     rng, ratios = np.random.default_rng(11), []
     n = 3000
-    theta0, mu0 = rng.uniform(0.01, 3.13, n), rng.uniform(0, 5, n)
-    kappa, alpha, sigma = (10 ** rng.uniform(-3, 0, n) for _ in range(3))
-    beta = rng.uniform(0, 2, n)
-    eq = ss.equilibria(ss.Parameters(theta0, mu0, kappa, alpha, sigma, beta))
+    theta0 = rng.uniform(0.01, 3.13, n)
+    sides = {"mu0": rng.uniform(0, 5, n), "beta": rng.uniform(0, 2, n)}
+    sides |= {name: 10 ** rng.uniform(-3, 0, n) for name in ("kappa", "alpha", "sigma")}
+    eq = ss.equilibria(ss.Parameters(theta0=theta0, **sides))
     for i, slot in zip(*np.nonzero(eq.undamped), strict=True):
-        p = {
-            "mu0": mu0[i],
-            "kappa": kappa[i],
-            "alpha": alpha[i],
-            "sigma": sigma[i],
-            "beta": beta[i],
-        }
+        p = {name: side[i] for name, side in sides.items()}
         along, across = forces(eq.x[i, slot], eq.y[i, slot], theta0[i], **p)
         assert abs(along) + abs(across) < 1e-9 * (1 + abs(eq.x[i, slot]))
-        ratios.append(
-            -eq.y[i, slot]
-            / ((kappa[i] + sigma[i] * (1 - np.sin(theta0[i]))) / (1 + beta[i] + sigma[i]))
-        )
+        bound = p["kappa"] + p["sigma"] * (1 - np.sin(theta0[i]))
+        ratios.append(-eq.y[i, slot] * (1 + p["beta"] + p["sigma"]) / bound)
     assert 0.999 < max(ratios) <= 1 + 1e-12
     assert value("claim-bounded", "contact force never above") == pytest.approx(
         0.107 / 1.1, rel=1e-7

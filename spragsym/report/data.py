@@ -5,6 +5,7 @@ An error for every mistake names the file, the line, the key, the value and what
 
 from __future__ import annotations
 
+import os
 import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping, Set
@@ -16,7 +17,7 @@ from ..core.errors import ParameterError, SpragsymError, hint
 from ..core.type_variables import R
 from ..design.sampling import Correlation, dependence
 from ..files.text import FilePath, brake_text, path_text, printed
-from ..models.load import USUAL, WITH_DAMPERS
+from ..models.load import USUAL, WITH_DAMPERS, shipped
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
 from .damping import RATIO, modal_dampers
@@ -24,7 +25,6 @@ from .example import OWN_EXAMPLES, example_of
 from .friction_curve import read_friction
 from .friction_fit import FrictionFit, fit_friction
 from .study import LoadParameter, Study, check_load, load_parameter_of, spanned
-from .trust import trusted_model
 from .units import (
     SIGMAS_AT_ENDS,
     SIGMAS_IN_ALL,
@@ -100,8 +100,9 @@ class _FileReader:
         ]
         own = {key: table.pop(key, None) for key in keys}
         with self.at("model", "model = "):
-            model = trusted_model(USUAL if own["model"] is None else own["model"], trust)
-        kind, damped = quantities(model), quantities(WITH_DAMPERS.get(model, model))
+            kind = _trusted(USUAL if own["model"] is None else own["model"], trust)
+        model = kind.model.where
+        damped = quantities(WITH_DAMPERS.get(model, model))
         dampers = damped.units.keys() - kind.units.keys()
         if own["damping_ratio"] is not None or table.keys() & dampers:
             kind = damped
@@ -213,6 +214,21 @@ class _FileReader:
             "d": _fitted(fit.d, fit.d_error, "s/m"),
         }
         return fit
+
+
+def _trusted(name: object, trust: bool | str) -> Quantities:
+    """The quantities of a model; a folder whose code is not trusted is refused."""
+    if not isinstance(name, str):
+        raise ParameterError(f'{name!r} is no name; write model = "kang_nam"')
+    if (
+        name not in shipped()
+        and trust is not True
+        and trust != name
+        and os.path.isdir(name[:4096].replace("\0", ""))
+    ):
+        cure = f"if you trust it, give --trust or --model {name}, in Python trust=True"
+        raise ParameterError(f"{name!r} is a folder, whose code runs; {cure}")
+    return quantities(name)
 
 
 def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:

@@ -447,12 +447,12 @@ def _close(cells: IntArray) -> IntArray:
     """Points in pairs, each once, shape (2, pairs): all of a few; of many, those of which neither
     of two numbers, shape (2, points), differs by more than two.
     """
-    from scipy.spatial import KDTree
-
     # All pairs of so many points fit into memory.
     few = 2000
     if cells.shape[1] <= few:
         return np.array(np.triu_indices(cells.shape[1], 1))
+    from scipy.spatial import KDTree  # heavy, and few points do not need it
+
     # Neighbours on a curve are so few strips between lines apart.
     pairs: IntArray = KDTree(cells.T).query_pairs(2.5, p=np.inf, output_type="ndarray").T
     return pairs

@@ -9,7 +9,6 @@ import os
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
-from dataclasses import fields as dataclass_fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -238,7 +237,7 @@ def check(paper: str | os.PathLike[str], model: str | os.PathLike[str] | None = 
         )
     chosen = Path(model) if model is not None else path.parent / read.model
     found = verdicts.check(read, _page(chosen))
-    return PaperCheck(**{it.name: getattr(found, it.name) for it in dataclass_fields(found)})
+    return PaperCheck(**vars(found))
 
 
 def _page(chosen: Path) -> Page:

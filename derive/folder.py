@@ -32,7 +32,7 @@ from .emit.quantities import interval
 from .emit import python
 from .emit.python import algebra
 from .mechanics import Line, Mechanics, NormalForce, on
-from .model import Datum, Friction, Page, acceleration_of
+from .model import Datum, Friction, acceleration_of
 from .pages import PageModel
 
 #: What a folder is, and the list of its files.
@@ -195,6 +195,11 @@ def description(model: PageModel) -> dict[str, Any]:
         for symbol in map(mechanics.number, it.parameters)
         if balanced & {symbol, *it.parts(symbol)}
     }
+
+    def scale(dimension: units.Dimension) -> str:
+        """The unit of a dimensionless number: a product of the quantities that become 1."""
+        return str(physical_checks.scale(model.page, dimension) or "")
+
     return {
         "name": model.name,
         "summary": model.page.summary,
@@ -211,10 +216,8 @@ def description(model: PageModel) -> dict[str, Any]:
                 "rate": str(entry.rate),
                 "meaning": entry.meaning,
                 "unit": entry.unit,
-                "scale": _scale(model.page, units.read(entry.unit)),
-                "rate_scale": _scale(
-                    model.page, units.times(units.read(entry.unit), units.TIME, -1)
-                ),
+                "scale": scale(units.read(entry.unit)),
+                "rate_scale": scale(units.times(units.read(entry.unit), units.TIME, -1)),
                 **_comes_around(it, index, turns.get(index, {})),
             }
             for index, entry in enumerate(model.page.coordinates)
@@ -230,18 +233,15 @@ def description(model: PageModel) -> dict[str, Any]:
                 "role": "both" if datum.becomes in of_statics else "motion",
                 "quantity": str(datum.symbol),
                 "quantity_unit": datum.unit,
-                "scale": _scale(model.page, units.read(datum.unit)),
+                "scale": scale(units.read(datum.unit)),
             }
             for datum in it.parameters
         ],
         "scales": {
-            name: _scale(model.page, dimension)
-            for name, dimension in (
-                ("length", units.LENGTH),
-                ("time", units.TIME),
-                ("force", units.FORCE),
-                ("rate", units.times(units.NONE, units.TIME, -1)),
-            )
+            "length": scale(units.LENGTH),
+            "time": scale(units.TIME),
+            "force": scale(units.FORCE),
+            "rate": scale(units.RATE),
         },
         "roles": _roles(it),
         "angles": {str(angle.symbol): [str(angle.c), str(angle.s)] for angle in it.angles},
@@ -353,12 +353,6 @@ def _at_rest(it: Mechanics, sliding: Friction) -> str:
     if sliding.at_rest is None:
         return "speed"
     return "full" if sliding.at_rest == friction.symbol else "other"
-
-
-def _scale(page: Page, dimension: units.Dimension) -> str:
-    """The unit of a dimensionless number: a product of the quantities that become 1."""
-    scale = physical_checks.scale(page, dimension)
-    return "" if scale is None else str(scale)
 
 
 def _domain(domain: str) -> dict[str, Any]:

@@ -415,8 +415,8 @@ def statements(page: Page) -> Iterator[PageExpression]:
     if page.inertia is not None:
         yield PageExpression(page.inertia[0], "the kinetic energy", page.inertia[1], units.ENERGY)
     if page.timer is not None:
-        rate = units.times(units.NONE, units.TIME, -1)
-        yield PageExpression(page.timer.speed, "the speed of the clock", page.timer.line, rate)
+        said, line = "the speed of the clock", page.timer.line
+        yield PageExpression(page.timer.speed, said, line, units.RATE)
     for force in page.forces:
         alone = len(force.place) == 1
         for component, position in zip(force.components, force.place, strict=True):

@@ -25,6 +25,7 @@ def _of(kilograms: int, metres: int, seconds: int) -> Dimension:
 
 NONE, LENGTH, TIME, SPEED = _of(0, 0, 0), _of(0, 1, 0), _of(0, 0, 1), _of(0, 1, -1)
 FORCE, ENERGY, STIFFNESS = _of(1, 1, -2), _of(1, 2, -2), _of(1, 0, -2)
+RATE = _of(0, 0, -1)
 
 
 class UnitsError(ArithmeticError):
@@ -48,7 +49,7 @@ def read(text: str) -> Dimension:
         "s": TIME,
         "N": FORCE,
         "J": ENERGY,
-        "Hz": _of(0, 0, -1),
+        "Hz": RATE,
     }
     for part in re.findall(
         r"/|[^\s/]+(?:\^\([^)]*\))?", re.sub(r"\^\((\S+)/(\S+)\)", r"^\1|\2", text)

@@ -187,14 +187,14 @@ class _LatexReader:
             raise Unread("a side of the equation is empty", place)
         multiple = self.only_name(items[1:]) if named and items[0].text.isdigit() else None
         if multiple is not None:
-            at = (items[1].at[0], items[-1].at[1])
+            at = _span(items[1:])
             node = self.names.known(multiple, at) or leaf(multiple.spelled, at)
             factor = Node("number", value=items[0].text, at=items[0].at)
             return _over(product([factor, node]), items)
         here = Cursor(items)
         name, power = self.name(here)
         if name not in (None, Name("diag"), Name(r"\mathbf 0")) and named and power is None:
-            at = (items[0].at[0], items[-1].at[1])
+            at = _span(items)
             known = self.names.known(name, at)
             is_function = here.text == "(" and here.place + 1 == len(items)
             if is_function and known is not None:
@@ -785,10 +785,18 @@ def _is_sign(items: Tokens, number: int) -> bool:
     return before not in ("^", "_")
 
 
+def _span(items: Tokens) -> tuple[int, int]:
+    """The place of all items."""
+    return items[0].at[0], items[-1].at[1]
+
+
 def _over(value: Value, items: Tokens) -> Value:
     """A value at the place of all that it was read from, brackets too."""
-    at = (items[0].at[0], items[-1].at[1])
-    return replace(value, at=at) if isinstance(value, Node) and value.kind != "number" else value
+    return (
+        replace(value, at=_span(items))
+        if isinstance(value, Node) and value.kind != "number"
+        else value
+    )
 
 
 def _numeric(value: Value) -> bool:

@@ -292,10 +292,9 @@ class Derivation:
                 dimension = units.times(dimension, units.TIME, -1)
         for name in self.geometry:
             known[name] = units.LENGTH if name.startswith("L") else units.NONE
-        rate = units.times(units.NONE, units.TIME, -1)
         found = dict.fromkeys(map(str, self.normals), units.FORCE)
         found |= dict.fromkeys(map(str, self.coefficients), units.NONE)
-        return found | {"lam": rate, str(TIME): units.TIME} | known
+        return found | {"lam": units.RATE, str(TIME): units.TIME} | known
 
     @cached_property
     def turning(self) -> tuple[str, ...]:

@@ -183,13 +183,14 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
             row, counted = _as_meant(row, item, exact)
             continue
         own = it.exactly(part.tree)
+        gap = own - part.targets[0][1]
         if limit is not None and _in_limit(it, part, limit):
-            row = _with_difference(row, item, own - part.targets[0][1])
+            row = _with_difference(row, item, gap)
             return replace(row, status="approximation", evidence=statement.limit)
         best = _repaired(it, part) if repair else None
         if best is None:
             said = "no edit, and no two, give what is derived" if repair else ""
-            row = _with_difference(row, item, own - part.targets[0][1])
+            row = _with_difference(row, item, gap)
             return replace(row, evidence="; ".join(one for one in (wrong, said) if one))
         row, counted = _as_meant(row, item, best.exact)
         row = _with_difference(row, item, own - it.exactly(best.repair.tree))

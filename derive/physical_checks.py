@@ -4,8 +4,6 @@ acts on every coordinate.
 Each error names the line of the page, what was expected there, and what still works without it.
 """
 
-from collections.abc import Iterator
-
 import sympy as sp
 from sympy import Expr, Rational, S, Symbol
 
@@ -186,7 +184,7 @@ def _check_inertia(model: Mechanics) -> None:
     if model.page.inertia is None:
         return
     energy, line = model.page.inertia
-    M = model.mass.subs(dict(_bases(model)))
+    M = model.mass.subs(_bases(model))
     places = [
         dict.fromkeys(model.coordinates, S.Zero),
         {q: Rational(3 + i, 7) for i, q in enumerate(model.coordinates)},
@@ -302,7 +300,7 @@ def _negative(model: Mechanics, law: Expr, variable: Symbol) -> str:
     """
     if law.is_nonnegative or sp.factor_terms(sp.expand(law)).is_nonnegative:
         return ""
-    values = dict(_bases(model))
+    values = _bases(model)
     # Penetrations and speeds at which a law that can't be decided by its form is looked at.
     places = tuple(Rational(10) ** power for power in range(-6, 3))
     for at in places:
@@ -315,12 +313,7 @@ def _negative(model: Mechanics, law: Expr, variable: Symbol) -> str:
     return ""
 
 
-def _bases(model: Mechanics) -> Iterator[tuple[Symbol, Expr]]:
-    for datum in model.parameters:
-        base = S.One if datum.base is None else Rational(str(datum.base))
-        parts = model.parts(number(datum))
-        yield from zip(
-            reversed(parts),
-            (base,) if len(parts) == 1 else (sp.sin(base), sp.cos(base), base),
-            strict=False,
-        )
+def _bases(model: Mechanics) -> dict[Symbol, Expr]:
+    """Base values of all parameters, 1 of those without one."""
+    bases = {number(it): 1.0 if it.base is None else it.base for it in model.parameters}
+    return signs.placed(model, {symbol: Rational(str(one)) for symbol, one in bases.items()})

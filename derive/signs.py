@@ -11,7 +11,7 @@ import sympy as sp
 from sympy import Expr, Rational, S, Symbol
 
 from .emit.quantities import Interval, interval
-from .mechanics import DEPTH, Angle, Mechanics, number
+from .mechanics import DEPTH, Mechanics, number
 
 #: A pair of bounds.
 _Ends = tuple[Expr, Expr]
@@ -104,20 +104,26 @@ def witness(model: Mechanics, expression: Expr) -> str:
 
     Floats propose a place, exact numbers confirm it.
     """
-    angles = {angle.symbol: angle for angle in model.angles}
     domains = {number(datum): interval(datum.domain) for datum in model.parameters}
-    free = sorted(
-        expression.free_symbols - domains.keys() - {a for it in angles.values() for a in it.parts},
-        key=sp.default_sort_key,
-    )
+    angled = expression.subs(placed(model, {one: one for one in domains}), simultaneous=True)
+    free = sorted(angled.free_symbols - domains.keys(), key=sp.default_sort_key)
     domains |= {symbol: Interval(low=0.0 if symbol.is_positive else -math.inf) for symbol in free}
-    angled = _placed(expression, angles, {symbol: symbol for symbol in domains})
     exact = negative_place(angled, domains)
     if exact is None:
         return ""
     where = ", ".join(f"{_shown(symbol)} = {sp.N(one, 3)}" for symbol, one in exact.items())
     value = sp.N(angled.subs(exact), 3)
     return f"{f'at {where} ' * bool(where)}it is {value} times its scale"
+
+
+def placed(model: Mechanics, values: Mapping[Symbol, Expr]) -> dict[Symbol, Expr]:
+    """Values of symbols, and of angles among these their cosines and sines."""
+    found = dict(values)
+    for angle in model.angles:
+        if angle.symbol in values:
+            value = values[angle.symbol]
+            found |= {angle.c: sp.cos(value), angle.s: sp.sin(value)}
+    return found
 
 
 def negative_place(
@@ -146,16 +152,6 @@ def negative_place(
 
 def _shown(symbol: Symbol) -> str:
     return "depth" if symbol.name.startswith(DEPTH.name) else symbol.name
-
-
-def _placed(expression: Expr, angles: dict[Symbol, Angle], values: dict[Symbol, Expr]) -> Expr:
-    """An expression with numbers in the place of symbols, of angles in that of their parts."""
-    positions: dict[Symbol, Expr] = {}
-    for symbol, value in values.items():
-        angle = angles.get(symbol)
-        positions |= {angle.c: sp.cos(value), angle.s: sp.sin(value)} if angle else {}
-        positions[symbol] = value
-    return expression.subs(positions, simultaneous=True)
 
 
 def _drawn(rng: random.Random, allowed: Interval, trial: int) -> float:

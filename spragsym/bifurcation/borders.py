@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -143,18 +144,39 @@ def _signs(balance: Balance, family: Family, ends: FloatArray) -> Int8Array:
 def _is_singular(balance: Balance, family: Family) -> bool:
     """Whether det K is 0 for all states and all parameters but those that are 0 here.
 
-    At places that are drawn, in floats. It is no proof: what is not 0 everywhere is so at all of
-    them with next to no probability.
+    In exact numbers, at rational places that are drawn, of directions and friction coefficients
+    too. It is no proof: a polynomial that is not 0 everywhere has all these places of so many
+    digits as roots with next to no probability (Schwartz and Zippel).
     """
-    rng, places = np.random.default_rng(0), 64
+    rng = np.random.default_rng(0)
     still = zip(balance.parameters, family.given[:, 0].tolist(), strict=True)
-    zero = [value == 0 and name not in balance.angles for name, value in still]
-    given = rng.uniform(0.3, 3.0, (len(zero), places))
-    given[zero] = 0.0
-    states = rng.uniform(-1.0, 1.0, (balance.n, places))
-    _, _, K = stability.linearization(balance, states, given)
-    K = K[np.isfinite(K).all(axis=(1, 2))]
-    return bool(len(K) and (np.linalg.matrix_rank(K, rtol=1e-12) < balance.n).all())
+    zero = {name for name, value in still if value == 0 and name not in balance.angles}
+
+    def drawn() -> Fraction:
+        # Largest numerator and denominator of these numbers.
+        largest = 2**30
+        return Fraction(*map(int, rng.integers(1, largest, 2)))
+
+    def circle() -> list[Fraction]:
+        t = drawn()
+        return [(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)]
+
+    # Places with rational numbers at which a determinant that is 0 everywhere is 0.
+    for _ in range(12):
+        values = {name: 0 if name in zero else drawn() for name in balance.codes}
+        for pair in balance.angles.values():
+            values |= dict(zip(pair, circle(), strict=True))
+        q, mus = [drawn() for _ in balance.coordinates], [drawn() for _ in balance.rubbing]
+        lines = [part for _ in range(balance.springs) for part in (*circle(), drawn())]
+        first = [*q, *lines, *(drawn() for _ in balance.torsions)]
+        at = balance.at(q, values, xp=None)
+        try:
+            K = at.call("forces_jacobian", first, *mus, *balance.pushing, kind="statics")
+        except AttributeError:  # of a law that is no algebra
+            return False
+        if determinant(K) != 0:
+            return False
+    return True
 
 
 def at_point(points: Points, row: int) -> tuple[Family, FloatArray, FloatArray]:

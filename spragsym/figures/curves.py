@@ -163,7 +163,7 @@ def curves_between(
 
 
 @dataclass(frozen=True, eq=False)
-class _Piece:
+class _Chain:
     """A curve between two cuts: which of the equilibria it has, by their indices into the columns,
     and the folds and border points of such states; none in lift-off.
     """
@@ -176,7 +176,7 @@ class _Piece:
 
 def _pieces(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
-) -> tuple[list[_Piece], FloatArray]:
+) -> tuple[list[_Chain], FloatArray]:
     """Every curve between two cuts, folds, borders and onsets of flutter as far as these are known,
     of every combination of contacts that touch; and the ranges in which something is undecided.
     """
@@ -188,7 +188,7 @@ def _pieces(
         ]
         with suppress(SpragsymError):
             onsets = ss.flutter_onsets(p, vary, damping=damping)[vary].tolist()
-    found, spans = list[_Piece](), [undecided_parts(turns, ends)]
+    found, spans = list[_Chain](), [undecided_parts(turns, ends)]
     for contact, own in combinations:
         inner = {*onsets, *([] if own is None else own[vary].tolist())}
         stops = sorted(value for value in inner if ends[0] < value < ends[1])
@@ -196,11 +196,11 @@ def _pieces(
             values = denser_at_ends(*cuts, 1e-4, n)
             eq = ss.equilibria(p.replace(**{vary: values}), contact=contact)
             spans.append(undecided_points(eq, vary, cuts))
-            found += [_Piece(eq, at, cuts, own) for at in chains(p, vary, eq, own)]
+            found += [_Chain(eq, at, cuts, own) for at in chains(p, vary, eq, own)]
     return found, joined(np.concatenate(spans))
 
 
-def _by_stability(vary: str, piece: _Piece, damping: bool) -> Iterator[Branch]:
+def _by_stability(vary: str, piece: _Chain, damping: bool) -> Iterator[Branch]:
     """The parts of one curve, each of one stability, up to the exact folds."""
     eq, at, turns = piece.eq, piece.at, piece.turns
     columns = {

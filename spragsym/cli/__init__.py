@@ -236,16 +236,9 @@ def _message(error: click.ClickException, arguments: list[str]) -> str:
         return f"{flag} is missing; give {flag} {error.param.make_metavar(error.ctx)}"
     if not isinstance(error, click.NoSuchOption) or error.ctx is None:
         return error.format_message()
-    # Of -theta0 click sees only -t.
     typed = error.option_name
-    typed = next(
-        (
-            word
-            for word in arguments
-            if len(typed) == 2 and word.startswith(typed) and word[1:2] != "-"
-        ),
-        typed,
-    )
+    if len(typed) == 2:  # of -theta0 click sees only -t
+        typed = next((word for word in arguments if word.startswith(typed)), typed)
     typed = typed.partition("=")[0]
     options = [
         flag

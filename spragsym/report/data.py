@@ -126,7 +126,7 @@ class _FileReader:
         self._check_missing(table.keys(), own, kind, dampers)
         for key, value in table.items():
             with self.at(key):
-                found[key] = _quantity(key, value, kind.units[key], ranges[key])
+                found[key] = _looked_at(read, key, value, kind.units[key], ranges[key])
         with self.at("friction", f"friction = {own['friction']!r}: "):
             fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
         data: dict[str, Any] = {"model": kind.model.where, "damping_ratio": ratio, "fit": fit}
@@ -231,10 +231,6 @@ def _trusted(name: object, trust: bool | str) -> Quantities:
     return quantities(name)
 
 
-def _quantity(key: str, given: object, unit: str, allowed: Range) -> Measured:
-    return _looked_at(read, key, given, unit, allowed)
-
-
 def _looked_at(how: Callable[..., R], key: str, given: object, unit: str, allowed: Range) -> R:
     """What is found in the text of a quantity where it is read, or checked for its words."""
     example = OWN_EXAMPLES.get(key, "")
@@ -304,9 +300,9 @@ def _exact(name: str, text: object, unit: str, allowed: Range = FINITE) -> float
     tolerance = re.compile(r"±|\+/?-|\bsd\b")
     alone = tolerance.split(text)[0].strip() if isinstance(text, str) else text
     try:
-        found = _quantity(name, alone, unit, allowed)
+        found = _looked_at(read, name, alone, unit, allowed)
     except ParameterError:  # its unit stands behind the tolerance, if it has one
-        found = _quantity(name, text, unit, allowed)
+        found = _looked_at(read, name, text, unit, allowed)
     if found.varies or alone != text:
         value = shown_in(found.value, found.unit, unit)
         raise ParameterError(f'{name} = {text!r} takes no tolerance here; write "{value}"')
@@ -319,7 +315,7 @@ def _may_change(given: object, kind: Quantities) -> Ranges:
         cure = f'write may_change = {{ {name} = "{example_of(name, kind.units[name])}" }}'
         raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
     ends = {
-        name: _quantity(name, text, kind.units[name], kind.ranges()[name])
+        name: _looked_at(read, name, text, kind.units[name], kind.ranges()[name])
         for name, text in given.items()
     }
     return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}

@@ -279,26 +279,15 @@ def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off() -> None:
     assert found is not None
     assert list(found.sobol) == ["k_x, k"]
     g = np.random.default_rng(5).normal(0, 0.05, 100_000)
-    holds_the_share(
-        found, study.values | {"k": 180e3 * (1 + g), "k_x": 9e3 * (1 + g)}, study.friction[1]
-    )
+    values: Any = study.values | {"k": 180e3 * (1 + g), "k_x": 9e3 * (1 + g)}
+    jump = np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless()))
+    share = float((jump <= study.friction[1]).mean())
+    error = 3 * math.sqrt(share * (1 - share) / 1e5)
+    assert found.low - error < share < found.high + error
     # A brake with a soft strut and a stiff spring along the belt is no brake of one batch.
     assert proof.outcome == "refuted"
     assert proof.counterexample is not None
     assert proof.counterexample["k"] / 180e3 == pytest.approx(proof.counterexample["k_x"] / 9e3)
-
-
-def holds_the_share(found: Any, values: Any, friction: Any) -> None:
-    """That of 100 000 brakes whose jump comes at a friction or below it, within the bounds that are
-    told.
-    """
-    share = float(
-        (
-            np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless())) <= friction
-        ).mean()
-    )
-    error = 3 * math.sqrt(share * (1 - share) / 1e5)
-    assert found.low - error < share < found.high + error
 
 
 def with_friction(folder: Path, speed: Any, friction: Any, head: str = "v [m/s],mu") -> ss.Study:

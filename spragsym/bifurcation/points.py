@@ -379,24 +379,10 @@ def escapes(family: Family) -> Points:
     ``"infinity down"``; coordinates are infinite, NaN those that stay. What is not proved is
     missing: a state runs to infinity there, others may elsewhere.
     """
-    balance, system, fixed = family.balance, _AtInfinity(family), family.begin
-    # A box that holds the unit sphere.
-    n, sides = balance.n, np.full((2, balance.n, 1), 1.0 + 2.0**-6)
-    sides[:, list(balance.periodic)] = SEARCHED_ANGLE
-    found, side = Roots.none(system.n), np.empty(0, dtype=int)
-    with suppress(NoChart), quiet():
-        found = certified_roots.search(
-            system, with_sides(sides, family.spans), fixed, fixed, budget=16_000
-        )
-        if not system.order:
-            parameters = system.fixed(found.point.size)
-            behind = system.behind_borders(Intervals(found.ends), parameters)
-            found = found.select(np.flatnonzero(~behind))
-        side = system.side(Intervals(found.ends), system.fixed(found.point.size))
+    balance, n = family.balance, family.balance.n
+    found, side = _directions(family)
     z = found.middle
-    # Coordinates with next to no part in the direction stay finite.
-    away = np.where(np.abs(z[:n]) < 1e-6, np.nan, np.copysign(np.inf, z[:n]))
-    away[list(balance.periodic)] = np.nan
+    away = _places(balance, z[:n])
     kind = np.select([side > 0, side < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
     columns = family.named(np.concatenate([away, z[n:]])) | which(balance, kind.size)
     return Points(
@@ -413,16 +399,72 @@ def escapes(family: Family) -> Points:
     )
 
 
-class _AtInfinity(OfFamily, WithoutTapes):
-    """G at w = 0 and |u| = 1; unknowns are u, angles that come around, and one parameter or two.
+def _places(balance: Balance, directions: FloatArray) -> FloatArray:
+    """The places of states at infinity: those with next to no part in the direction stay finite,
+    and are NaN.
+    """
+    away = np.where(np.abs(directions) < 1e-6, np.nan, np.copysign(np.inf, directions))
+    away[list(balance.periodic)] = np.nan
+    return away
 
-    With two the curve of values at infinity turns back in the last one: the Jacobian of G, |u|² by
-    u and the first is singular.
+
+def _directions(family: Family) -> tuple[Roots, IntArray]:
+    """Roots at infinity of one parameter, or of two where they turn back in the second; and on
+    which side of the value the state is.
+    """
+    balance, system = family.balance, _AtInfinity(family, turns=len(family.vary) > 1)
+    # A box that holds the unit sphere.
+    sides = np.full((2, balance.n, 1), 1.0 + 2.0**-6)
+    sides[:, list(balance.periodic)] = SEARCHED_ANGLE
+    found = Roots.none(system.n)
+    with suppress(NoChart), quiet():
+        found = certified_roots.search(
+            system, with_sides(sides, family.spans), family.begin, family.begin, budget=16_000
+        )
+        if not system.order:
+            parameters = system.fixed(found.point.size)
+            behind = system.behind_borders(Intervals(found.ends), parameters)
+            found = found.select(np.flatnonzero(~behind))
+        return found, system.side(Intervals(found.ends), system.fixed(found.point.size))
+    return found, np.empty(0, dtype=int)
+
+
+def slopes_at_infinity(
+    balance: Balance, vary: str, given: FloatArray, error: float, before: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Slopes of G = 0 and |u|² = 1 by u, and by all parameters, where a state runs to infinity: at
+    ``given`` parameters, shape (P,), of which ``vary`` is known within an ``error``; shapes (n + 1,
+    n) and (n + 1, P), NaN where the direction is not known.
+
+    ``before`` are the coordinates there, as columns of :func:`escapes` have them.
+    """
+    names, column = tuple(balance.parameters), given[:, None].copy()
+    value = given[names.index(vary)]
+    room = error + 1e-9 * abs(value)
+    column[names.index(vary)] = np.nan
+    span = np.array([[value - room, value + room]])
+    found, _ = _directions(Family(None, balance, (vary,), column, span))
+    n, z = balance.n, found.middle
+    same = np.array_equal(_places(balance, z[:n, :1]), before[:, None], equal_nan=True)
+    if found.point.size != 1 or not same:
+        return np.full((n + 1, n), np.nan), np.full((n + 1, len(names)), np.nan)
+    system = _AtInfinity(Family(None, balance, names, column, np.zeros((len(names), 2))))
+    at = Intervals.point(np.concatenate([z[:n], given[:, None]]))
+    rows = system.slopes(at, system.prepared_at(given[:, None]))
+    slopes = np.array([[as_intervals(one, (1,)).middle[0] for one in row] for row in rows])
+    return slopes[:, :n], slopes[:, n:-1]
+
+
+class _AtInfinity(OfFamily, WithoutTapes):
+    """G at w = 0 and |u| = 1; unknowns are u, angles that come around, and parameters.
+
+    Where the curve of values of two ``turns`` back in the last one the Jacobian of G, |u|² by u and
+    the first is singular.
     """
 
-    def __init__(self, family: Family) -> None:
+    def __init__(self, family: Family, turns: bool = False) -> None:
         super().__init__(family)
-        self.order, self.limits = len(family.vary) - 1, np.inf
+        self.order, self.limits = int(turns), np.inf
 
     def at(
         self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
@@ -442,7 +484,7 @@ class _AtInfinity(OfFamily, WithoutTapes):
         )
 
     def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """G, |u|² − 1, and with two parameters the determinant."""
+        """G, |u|² − 1, and where the curve turns back the determinant."""
         far = set(range(self.balance.n)) - set(self.balance.periodic)
         rows = [*map(_regular, at.rows("forces")), sum((unknowns[i] ** 2 for i in far), -1)]
         if not self.order:
@@ -461,12 +503,12 @@ class _AtInfinity(OfFamily, WithoutTapes):
         """
         if self.order:
             return np.zeros(unknowns.shape[1], dtype=int)
-        slopes = self._slopes(unknowns, parameters)
+        slopes = self.slopes(unknowns, parameters)
         moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
         ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
         return ratio.signs.prod(axis=0)
 
-    def _slopes(self, unknowns: Intervals, parameters: Intervals) -> list[list[Any]]:
+    def slopes(self, unknowns: Intervals, parameters: Intervals) -> list[list[Number]]:
         """Slopes of each equation by the unknowns, and by w."""
         equations = self.equations(variables(list(unknowns), 1), parameters)
         return [gradient(row, self.n + 1) for row in equations]
@@ -477,7 +519,7 @@ class _AtInfinity(OfFamily, WithoutTapes):
         A gap that is 0 in the direction of the state depends on coordinates that stay: its slope
         along the curve, by the Schur complement of the equations, tells.
         """
-        slopes, shape = self._slopes(unknowns, parameters), unknowns.shape[1:]
+        slopes, shape = self.slopes(unknowns, parameters), unknowns.shape[1:]
         regular = determinant([row[: self.n] for row in slopes])
         sides = list[Intervals]()
         for gap in self.state(variables(list(unknowns), 1), parameters).gaps():

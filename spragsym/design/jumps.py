@@ -15,6 +15,7 @@ from ..bifurcation.borders import BORDER, BORDER_FOLD, PASSES
 from ..bifurcation.crossings import crossed
 from ..bifurcation.defining_systems import Augmented, Family, ranges, touch
 from ..bifurcation.paths import ModelEnd, first_end
+from ..bifurcation.points import INFINITY, slopes_at_infinity
 from ..bifurcation.tubes import ROUNDED_UP, Place, Tubes
 from ..bifurcation.turning_points import limit_points, passed, past
 from ..core.error_states import in_usual_state
@@ -148,7 +149,7 @@ def jump_gradient(
     Returns
     -------
     JumpGradient
-        NaN where the state goes on, runs to infinity or ends at a pitchfork.
+        NaN where the state goes on or ends at a pitchfork.
 
     Raises
     ------
@@ -203,7 +204,7 @@ def limit_point_passed(
 
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
-    """dv/dp by name at the folds and borders at which the states of points end."""
+    """dv/dp by name at the folds, borders and infinities at which the states of points end."""
     balances, shape, size = balances_of(p.model), found.value.shape, found.value.size
     names, contact = list(balances[0].parameters), np.full(size, -1)
     states = found.state.reshape(balances[0].n, -1).copy()
@@ -220,6 +221,12 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
         slopes[:, rows] = _slopes(balances[number], vary, border, states[:, rows], given[:, rows])
     # Without an end, whatever the forces depend on.
     slopes[:, np.isnan(states).any(axis=0)] = np.nan
+    for i, end in found.others.items():
+        if end.kind == INFINITY:
+            balance = balances[number_of(balances, end.touching)]
+            before = np.array([end.before[name] for name in balance.coordinates])
+            by_u, by_p = slopes_at_infinity(balance, vary, given[:, i], end.error, before)
+            slopes[:, i] = _along(by_u[None], by_p[None], names.index(vary))[:, 0]
     return {name: one.reshape(shape) for name, one in zip(names, slopes, strict=True)}
 
 
@@ -244,10 +251,17 @@ def _slopes(
             K, moved = (
                 np.concatenate(both, axis=1) for both in ((K, gap[..., :n]), (moved, gap[..., n:]))
             )
-        w = np.linalg.svd(np.nan_to_num(K))[0][:, :, -1]
-        along = np.einsum("Ni,Nij->jN", w, moved)
-        slopes = 0.0 - along / along[names.index(vary)]
-    slopes[names.index(vary)] += 1.0
+        return _along(K, moved, names.index(vary))
+
+
+def _along(K: FloatArray, moved: FloatArray, own: int) -> FloatArray:
+    """dv/dp from the slopes of equations by their unknowns, and by parameters, the ``own`` one of
+    which is v; shape (P, N).
+    """
+    w = np.linalg.svd(np.nan_to_num(K))[0][:, :, -1]
+    along = np.einsum("Ni,Nij->jN", w, moved)
+    slopes = 0.0 - along / along[own]
+    slopes[own] += 1.0
     return slopes
 
 

@@ -5,6 +5,7 @@ state runs to infinity.
 import math
 
 import pytest
+from scipy.optimize import minimize_scalar
 
 import spragsym as ss
 from tests.oracles.user_pages import model_of
@@ -120,3 +121,23 @@ def test_an_end_that_is_not_decided_is_not_that_the_state_goes_on(duplex: ss.Mod
     given = {**duplex.base, "g": (1.0, 9.0)}
     found = ss.jump_probability(given, model=duplex, vary="g", begin=0.0, n=4096, rng=1)
     assert found.low <= 0.5 <= found.high
+
+
+@pytest.mark.thorough
+def test_slopes_where_a_state_runs_to_infinity(duplex: ss.Model) -> None:
+    """μ = (1 + k_r)/a, whatever the load and the play are."""
+    found = ss.jump_gradient(duplex.Parameters(a=0.7), "mu", until=2.0)
+    assert float(found.value) == pytest.approx(1.02 / 0.7, rel=1e-12)
+    slopes = [float(getattr(found, name)) for name in ("a", "k_r", "F", "g")]
+    assert slopes == pytest.approx([-1.02 / 0.49, 1 / 0.7, 0.0, 0.0], rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.thorough
+def test_the_nearest_design_that_locks(lever: ss.Model) -> None:
+    """The point of μ a = 1 that is nearest to (0.3, 0.8), by SciPy."""
+    found = ss.jump_margin(lever.Parameters(), {"mu": 0.1, "a": 0.1})
+    nearest = minimize_scalar(
+        lambda mu: math.hypot(mu - 0.3, 1 / mu - 0.8) / 0.1, bounds=(0.5, 1.3), method="bounded"
+    )
+    assert found.distance == pytest.approx(nearest.fun, rel=1e-9)
+    assert found.change["mu"] == pytest.approx(nearest.x - 0.3, rel=1e-4)

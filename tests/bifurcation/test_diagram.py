@@ -76,12 +76,13 @@ def test_what_is_undecided_is_said_and_hatched() -> None:
     """Where the mass just touches, at kappa = 0, no search tells a state from none."""
     pytest.importorskip("sympy")
     axes = pytest.importorskip("matplotlib.figure").Figure().add_subplot()
+    cycles = importlib.import_module("spragsym.figures.cycles")
     p = model_of(HANDS["rail"].page, "rail").Parameters(mu0=0.0)
     found = ss.diagram(p, "kappa", between={"kappa": (-0.012, 0.012)}, points=2)
     ((low, high),) = found.undecided
     assert -0.012 < low < 0.0 < high < 0.012
     assert any("may be missing for kappa" in text for text in found.remarks)
-    ss.figures.draw_diagram(found, axes)
+    cycles.draw_diagram(found, axes)
     ((x, width),) = ((patch.get_x(), patch.get_width()) for patch in axes.patches)
     assert (x, x + width) == pytest.approx((low, high))
     assert ss.diagram(p, "kappa", between={"kappa": (0.01, 0.02)}, points=2).undecided == ()

@@ -1,16 +1,16 @@
 """Adaptive precision at one point: interval arithmetic certifies the count and the digits of every
 equilibrium.
 
-Parameters are exact rationals. The sign of the discriminant tells that the real roots of the
-quartic in t = tan(θ/2) are different, and Descartes' rule isolates them. What an interval can't
-decide is tried again with twice the bits, up to :data:`MAXIMUM_BITS`; a discriminant that still
-holds 0 then is reported as a fold.
+Parameters are exact rationals. The sign of the discriminant gives the number of real roots of the
+quartic in t = tan(θ/2); each is then enclosed between two numbers where f has opposite signs. What
+an interval can't decide is tried again with twice the bits, up to :data:`MAXIMUM_BITS`; a
+discriminant that still holds 0 then is reported as a fold.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import suppress
 from fractions import Fraction
 from typing import Any
 
@@ -99,7 +99,11 @@ def _settle(
     if fold and not last:
         raise UndecidedSign("the discriminant holds 0")
     quartic = kernel.t_quartic(*trig)
-    roots = _fold_roots(trig, quartic, bits) if fold else _simple_roots(quartic, bits)
+    roots = (
+        _fold_roots(trig, quartic, bits)
+        if fold
+        else _enclosed_roots(quartic, bits, all_real=discriminant < 0)
+    )
     # With rational parameters equality is exact where θ₀ drops out: off the belt without other
     # springs L = 1 ± κ/σ at θ = ±90°.
     _, kappa, alpha, sigma, beta = rational
@@ -121,14 +125,28 @@ def _places(polynomial: tuple[Interval, ...], bits: int) -> list[Interval]:
     return [balls.middle(root.interval()) for root in roots_on_the_line(middles, bits)]
 
 
-def _simple_roots(quartic: tuple[Interval, ...], bits: int) -> list[Interval]:
-    """Every real root, isolated by Descartes' rule, in intervals about as narrow as the
-    coefficients allow.
+def _enclosed_roots(quartic: tuple[Interval, ...], bits: int, *, all_real: bool) -> list[Interval]:
+    """Disjoint intervals in t, each with a change of sign of f: as many as there are real roots,
+    four or two, so one in each.
     """
-    for kept in (bits - 24, bits * 3 // 4, bits // 2, bits // 4):
-        with suppress(UndecidedSign):
-            return [root.interval() for root in roots_on_the_line(quartic, kept)]
-    raise UndecidedSign("the coefficients leave roots open")
+    found = [_enclose(quartic, root, bits) for root in _places(quartic, bits)]
+    if len(found) != (4 if all_real else 2):
+        raise UndecidedSign("the middles of coefficients have other roots")
+    for (low, high), (other_low, other_high) in itertools.combinations(found, 2):
+        if balls.sign(low - other_high) <= 0 and balls.sign(other_low - high) <= 0:
+            raise UndecidedSign("two roots share an interval")
+    return [balls.union(*ends) for ends in found]
+
+
+def _enclose(quartic: tuple[Interval, ...], root: Interval, bits: int) -> tuple[Interval, Interval]:
+    """Numbers below and above ``root`` at which the quartic has opposite signs."""
+    size = -root if balls.sign(root) < 0 else root
+    for lost in range(16, bits, 16):
+        width = size * balls.exact(Fraction(1, 1 << bits - lost))
+        low, high = balls.middle(root - width), balls.middle(root + width)
+        if balls.sign(evaluate(quartic, low)) * balls.sign(evaluate(quartic, high)) < 0:
+            return low, high
+    raise UndecidedSign("no change of sign around a root")
 
 
 def _fold_roots(

@@ -19,6 +19,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..bifurcation.defining_systems import Family
+from ..bifurcation.paths import ModelEnd
+from ..bifurcation.points import INFINITY, escapes
 from ..bifurcation.tubes import Tubes
 from ..bifurcation.turning_points import secants, size_of
 from ..core.errors import ConvergenceError, ParameterError, require_kind
@@ -28,6 +31,7 @@ from ..models.parameters import POSITIVE, ParameterSet, Range, as_number, set_of
 from ..models.quantities import QuantityValues
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..numerics.vectors import norm
+from ..statics.search import balances_of, number_of
 from .jumps import Ends, Followed, first_limit_points, limit_point_passed, require_known, slopes_of
 
 if TYPE_CHECKING:
@@ -203,14 +207,14 @@ class EndOfState:
 
     Jump value and gradient of one design after the other are found near the last: the first fold is
     the one of :func:`spragsym.jump_gradient`, by tubes from where ``vary`` begins. The next one is
-    found from the last by secants along the curve of states of the new design, in milliseconds;
-    that the followed state ends there is not known then. Where secants end nowhere it is found by
-    tubes again.
+    found from the last by secants along the curve of states of the new design, in milliseconds, and
+    a value at which a state runs to infinity is the nearest one of that kind; that the followed
+    state ends there is not known then. Where there is none it is found by tubes again.
     """
 
     def __init__(self, designs: Space, vary: str, begin: float) -> None:
         self.designs, self.vary, self.begin = designs, vary, begin
-        self.last: FloatArray | None = None
+        self.last: FloatArray | ModelEnd | None = None
 
     def ended(self, z: FloatArray) -> FloatArray:
         """1 where the state has ended, 0 where not, NaN where that is not known; below where the
@@ -225,7 +229,11 @@ class EndOfState:
         p, slopes = self.designs.sets(z), self.designs.slopes(z)
         found = self._next(p) or require_known(first_limit_points(p, self.vary, begin=self.begin))
         unknowns = np.append(found.state, found.value)
-        self.last = unknowns if np.isfinite(unknowns).all() else None
+        other = found.others.get(0)
+        if np.isfinite(unknowns).all():
+            self.last = unknowns
+        else:
+            self.last = other if other and other.kind == INFINITY else None
         # What is not among the slopes the jump does not depend on, as the belt's speed.
         by_z = sum(
             float(slope) * slopes[name]
@@ -238,9 +246,13 @@ class EndOfState:
         return float(found.value) - float(p[self.vary]), by_z
 
     def _next(self, p: ParameterSet) -> Ends | None:
-        """The fold near the last one, if there is one within what the parameter may be."""
+        """The fold near the last one, or the value at which a state runs to infinity, if there is
+        one within what the parameter may be.
+        """
         if self.last is None:
             return None
+        if isinstance(self.last, ModelEnd):
+            return self._next_escape(p, self.last)
         asked, z = Followed(p, self.vary, "up", self.begin, None), self.last[:, None]
         n, tubes = asked.balance.n, Tubes.of_points(asked.balance, self.vary, asked.fixed)
         # At a fold the null vector of K is the direction of the curve: nothing else of z changes
@@ -251,6 +263,29 @@ class EndOfState:
         if not met[0] or not asked.begin[0] <= z[n, 0] <= asked.until[0]:
             return None
         return Ends(z[n, 0], np.zeros(()), z[:n, 0], {}, asked.until)
+
+    def _next_escape(self, p: ParameterSet, last: ModelEnd) -> Ends | None:
+        """The value nearest to the last one at which a state runs to infinity in the same way, if
+        there is one from half to twice of that.
+        """
+        allowed, balances = p.ranges[self.vary], balances_of(p.model)
+        near = sorted([0.5 * last.value, 2 * last.value])
+        low, high = max(near[0], allowed.low, self.begin), min(near[1], allowed.high)
+        if not low < high:
+            return None
+        number = number_of(balances, last.touching)
+        family = Family.of(p, (self.vary,), {self.vary: (low, high)}, balance=balances[number])
+        found, before = escapes(family), [*last.before.values()]
+        places = np.array([found[name] for name in last.before])
+        rows = [
+            k for k in range(len(found)) if np.array_equal(places[:, k], before, equal_nan=True)
+        ]
+        if not rows:
+            return None
+        row = min(rows, key=lambda row: abs(float(found[self.vary][row]) - last.value))
+        end = replace(last, value=float(found[self.vary][row]), error=float(found.error[row]))
+        state, until = np.full(len(before), np.nan), np.full(1, high)
+        return Ends(np.array(end.value), np.array(end.error), state, {}, until, number, {0: end})
 
     def near(self, z: FloatArray, steps: int) -> FloatArray | None:
         """The z of smallest size near a given one where the state ends at the design's own value,

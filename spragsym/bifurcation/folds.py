@@ -36,7 +36,8 @@ def folds(
         A parameter; without it ``theta0``, or the model's first one.
     between : mapping, optional
         Its range, as ``{"mu0": (0.0, 2.0)}``. Without it the parameter's own range; one without an
-        end is searched to ten times the base value, and to 10 at least, which the result says.
+        end is searched to ten times the larger of its base value and its own, and to 10 at least,
+        which the result says.
     within : mapping, optional
         Ranges of coordinates, as for :func:`spragsym.equilibria`.
     options : SearchOptions, optional

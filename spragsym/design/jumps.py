@@ -82,7 +82,8 @@ def jump_value(
         Which way; ``mu0`` and ``theta0`` rise.
     begin, until : float, optional
         From where to where instead. Without ``until`` to the end of the range; where that has no
-        end up to 10 times the base value, 10 at least, of the article's model without end.
+        end up to 10 times the larger of its base value and its own, 10 at least, of the article's
+        model without end.
     method : {"auto", "closed", "search"}
         A closed form if the model brings one for these arguments, the closed form only, or tubes
         around curves of states.

@@ -63,6 +63,7 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     def behind() -> Flags:
         return np.any([numeric(speed, found) <= 0 for speed in it.speeds], axis=0)
 
+    # Where a side has no state, as of two faces that never leave both, its algebra is judged.
     _redraw(found, coordinates, on_wrong_side, rng)
     for symbol, touches in zip(it.switches, pushing.values(), strict=True):
         found[str(symbol)] = 1.0 * touches
@@ -84,14 +85,18 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
 def _redraw(
     found: dict[str, Values], names: Sequence[str], wrong: Callable[[], Flags], rng: Generator
 ) -> bool:
-    """Draw names anew at the samples that are wrong; whether none is at the end."""
+    """Draw names anew at the samples that are wrong, of more and more sizes; whether none is at
+    the end.
+    """
     most_tries = 200
-    for _ in range(most_tries):
+    for tried in range(most_tries):
         there = wrong()
         if not there.any():
             return True
+        most = tried // 20
+        size = 2.0 ** rng.integers(-most, most + 1, there.size)
         for name in names:
-            found[name] = np.where(there, _state(rng, there.size), found[name])
+            found[name] = np.where(there, size * _state(rng, there.size), found[name])
     return False
 
 

@@ -12,24 +12,32 @@ from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
 
-LEVER = '''"""A page of the tests."""
+#: What both pages begin with: the arms of a shoe, its friction, and the speed of the drum.
+SHOE = '''"""A page of the tests."""
 from spragsym.derive.model import Abs, Page, exp, sgn
-page = Page("A lever that presses a block on a drum.")
-J, k_c = page.unit("J", "kg m^2", "inertia"), page.unit("k_c", "N/m", "stiffness of the lining")
+page = Page("Shoes that friction presses on a drum.")
+J, k_c = page.unit("J", "kg m^2", "inertia"), page.unit("k_c", "N/m", "stiffness of a lining")
 b = page.unit("b", "m", "arm of the normal force")
 mu = page.parameter("mu", "1", "friction", ">= 0", 0.3)
 a = page.parameter("a", "m", "arm of friction", ">= 0", 0.8)
-M = page.parameter("M", "N m", "moment of the actuator", ">= 0", 0.1)
 V = page.parameter("V", "m/s", "speed of the drum", ">= 0", 0.5)
 d = page.parameter("d", "s/m", "steepness", "> 0", 10.0)
+law = lambda v: mu * (1 - exp(-d * Abs(v))) * sgn(v)
+'''
+#: A lever that presses a block on the drum.
+LEVER = (
+    SHOE
+    + """
+M = page.parameter("M", "N m", "moment of the actuator", ">= 0", 0.1)
 c = page.parameter("c", "N m s", "damping", ">= 0", 0.01)
 phi = page.coordinate("phi", "rad", "angle of the lever")
 page.kinetic(J * page.rate(phi) ** 2 / 2)
 page.potential(-M * phi)
 page.damper(c, along=phi)
 page.contact(-b * phi, lambda depth: k_c * depth)
-page.friction(a * phi, V, lambda v: mu * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu)
-'''
+page.friction(a * phi, V, law, at_rest=mu)
+"""
+)
 
 
 @pytest.fixture(scope="module")
@@ -69,27 +77,21 @@ def test_locking_refutes_that_nothing_jumps(lever: ss.Model) -> None:
 
 
 #: A leading and a trailing shoe, pressed apart by one cylinder, with a return spring each.
-DUPLEX = '''"""A page of the tests."""
-from spragsym.derive.model import Abs, Page, exp, sgn
-page = Page("A drum brake of two shoes.")
-J, k_c = page.unit("J", "kg m^2", "inertia"), page.unit("k_c", "N/m", "stiffness of a lining")
-b = page.unit("b", "m", "arm of the normal force")
-mu = page.parameter("mu", "1", "friction", ">= 0", 0.3)
-a = page.parameter("a", "m", "arm of friction", ">= 0", 0.8)
+DUPLEX = (
+    SHOE
+    + """
 F = page.parameter("F", "N m", "moment of the cylinder", ">= 0", 0.1)
 k_r = page.parameter("k_r", "N m", "return spring", ">= 0", 0.02)
 g = page.parameter("g", "m", "play of a lining", ">= 0", 0.01)
-V = page.parameter("V", "m/s", "speed of the drum", ">= 0", 0.5)
-d = page.parameter("d", "s/m", "steepness", "> 0", 10.0)
 alpha_1 = page.coordinate("alpha_1", "rad", "angle of the leading shoe")
 alpha_2 = page.coordinate("alpha_2", "rad", "angle of the trailing shoe")
 page.kinetic(J * (page.rate(alpha_1) ** 2 + page.rate(alpha_2) ** 2) / 2)
 page.potential(-F * (alpha_1 + alpha_2) + k_r * (alpha_1**2 + alpha_2**2) / 2)
 for name, shoe, way in (("leading", alpha_1, 1), ("trailing", alpha_2, -1)):
     lining = page.contact(g - b * shoe, lambda depth: k_c * depth, name=name)
-    law = lambda v: mu * (1 - exp(-d * Abs(v))) * sgn(v)
     page.friction(way * a * shoe, V, law, at_rest=mu, on=lining)
-'''
+"""
+)
 
 
 @pytest.fixture(scope="module")

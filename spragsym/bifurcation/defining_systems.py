@@ -102,7 +102,7 @@ class Family:
     ) -> Self:
         """Of a set of parameters, by the balance in contact unless another one is given."""
         # Curves may begin and end on a border: states on it count.
-        balance = Balance(p.model) if balance is None else balance.extended(room=balance.room)
+        balance = Balance(p.model) if balance is None else balance.extended(slack=balance.slack)
         between = between or {}
         spans, asked = ranges(p, vary, between), requested_region(p.model, within)
         given = given_column(p, balance.parameters, vary)
@@ -540,9 +540,9 @@ class Augmented(OfFamily):
         ]
         return rows + [gradient(value, self.n) for value in self.condition.equations(at)]
 
-    def nothing_at(self, boxes: Boxes) -> BoolArray:
+    def without_state(self, boxes: Boxes) -> BoolArray:
         """Boxes where no state is, or without what the condition asks for."""
-        out = super().nothing_at(boxes)
+        out = super().without_state(boxes)
         out = out | at_anchors(boxes, ~out, no_direction)
         if self.condition.excluded is not None:
             out = out | self.condition.excluded(boxes.state)

@@ -283,7 +283,7 @@ def _cover(it: Touches) -> tuple[Patches, FloatArray, BoolArray]:
     bounds = it.bounds(-ends, ends)
     box, _ = region(it.balance, bounds)
     # States beyond a border are looked for too, so that patches of cells that meet it are whole.
-    it.balance = it.balance.extended(room=0.1 * float(box.max()))
+    it.balance = it.balance.extended(slack=0.1 * float(box.max()))
     box, whole = region(it.balance, bounds)
     cells = Patches(-ends, ends, box, box, none)
     found, looked = [cells[none]], 0

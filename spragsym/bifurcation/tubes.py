@@ -369,7 +369,7 @@ class Tubes(ByColumn):
         balance = self.balance
 
         def rows(q: Sequence[Number], parameters: Intervals) -> Sequence[Any]:
-            return balance.state(q, parameters, balance.anywhere).followed("forces")
+            return balance.state(q, parameters, balance.any_side).followed("forces")
 
         with quiet():
             return balance.taped("followed", rows, Intervals.point(z[:-1]), bounds)
@@ -563,7 +563,7 @@ class Tubes(ByColumn):
                 moved = balance.with_angles({self.vary: v}, XP)
                 values = {**balance.arguments(parameters), **moved}
                 at = balance.at(q, values, parameters.shape[1:])
-                at.sides = balance.anywhere if name == "forces" else None
+                at.sides = balance.any_side if name == "forces" else None
                 return entries(at)
 
             key, sizes = ("tubes", name, self.vary, *names), (self.n + 1, len(vanishing))

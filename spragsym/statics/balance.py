@@ -1,5 +1,5 @@
-"""The balance of forces of a model over boxes of coordinates and parameters, as the search asks for
-it, and with many digits.
+"""The balance of forces F(q, p) = 0 of a model, as a system for branch and prune over boxes of
+coordinates and parameters, and as a system in ball arithmetic at one point of the parameters.
 """
 
 from __future__ import annotations
@@ -27,72 +27,80 @@ from ..numerics.tape import Tape
 from .forces import Evaluation, Forces, Values, filled
 from .systems import Boxes, Entries, StateSystem, at_anchors, linear
 
-#: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
+#: A force whose enclosure is smaller than this is 0: rounding outward makes enclosures of 0 wider.
 NEGLIGIBLE = 1e-290
-#: The argument by which a length among the unknowns is measured, where there is one.
+#: Name of the argument that scales an unknown length, in systems that have one.
 SCALE = "l/scale"
 
-#: Ends of parameters that lie in a range.
+#: Lower and upper end of parameters that vary in a range, by name.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
 
 
 class Balance(Forces, StateSystem):
-    """Forces as the search asks for them: unknowns are the coordinates.
+    """The forces of a model as a system F(q, p) = 0 whose unknowns are the coordinates q.
 
-    Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into
-    the arguments of the generated functions, once for each node of the tree of points.
+    Parameters of the search are those of the model, in the model's order. :meth:`prepared` turns
+    them into the arguments of the generated functions, once for each node of the tree of points.
     """
 
-    #: Arguments that follow from units, by parameter.
+    #: Name of the argument p/P, by the name of each parameter p that depends on a unit.
     factors: Mapping[str, str] = MappingProxyType({})
 
     def identity(self) -> Hashable:
-        """Contact, the law of friction, and how far beyond the border states count."""
-        return *self.pushing, self.law, *self.rooms
+        """Touching contacts, friction law and margins beyond the borders, on which tapes depend."""
+        return *self.pushing, self.law, *self.slacks
 
     def across(self, contact: int) -> Balance:
-        """The balance beyond the border of that contact, where the others are as here."""
-        each = zip(self.model.contacts, self.pushing, strict=True)
+        """The balance with the state of one contact switched between open and touching."""
+        entries = zip(self.model.contacts, self.pushing, strict=True)
         touching = tuple(
-            label_of(it) for k, (it, one) in enumerate(each) if bool(one) != (k == contact)
+            label_of(entry) for k, (entry, one) in enumerate(entries) if bool(one) != (k == contact)
         )
         return Balance(self.model, touching, self.law, self.options).extended(
-            self.beyond, self.room
+            self.beyond, self.slack
         )
 
-    def extended(self, contact: int | None = None, room: float = 1e-3) -> Balance:
-        """The same balance, where states count that far beyond the border of that contact too, or
-        of the one that it was extended beyond: those on the border are then inside.
+    def extended(self, contact: int | None = None, slack: float = 1e-3) -> Balance:
+        """The same balance, where states up to ``slack`` beyond a contact's border are accepted
+        too.
+
+        States on the border are then in the interior. Without ``contact``, the border is the one
+        that this balance is extended beyond already, or else that of every contact.
         """
         other = Balance(self.model, self.contact, self.law, self.options)
         other.beyond = self.beyond if contact is None else contact
-        other.room, other.border = room, other.border + room
-        other.rooms = [room if other.beyond in (None, k) else 0.0 for k in other.opens]
+        other.slack, other.border = slack, other.border + slack
+        other.slacks = [slack if other.beyond in (None, k) else 0.0 for k in other.opens]
         return other
 
     @property
     def touching(self) -> str:
-        """Names of the contacts that touch, and of those whose opposite face does."""
-        each = zip(self.model.contacts, self.pushing, strict=True)
+        """Labels of the touching contacts, separated by commas.
+
+        A contact that presses on either of two faces always appears, with the face that touches.
+        """
+        entries = zip(self.model.contacts, self.pushing, strict=True)
         return ", ".join(
-            label_of(it) if one else f"{OPPOSITE} of {it['name']}".removesuffix(" of ")
-            for it, one in each
-            if one or presses_either(it)
+            label_of(entry) if one else f"{OPPOSITE} of {entry['name']}".removesuffix(" of ")
+            for entry, one in entries
+            if one or presses_either(entry)
         )
 
     def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """The forces."""
+        """The forces, which vanish at an equilibrium."""
         return at.forces()
 
     @property
-    def anywhere(self) -> list[int]:
-        """``sides`` for what needs no derivatives: turnings that jump in a box have any value
-        there.
+    def any_side(self) -> list[int]:
+        """``sides`` of an evaluation in which a torsion angle may have any value in [−π, π] in
+        boxes where it jumps. Only values are valid with it, no derivatives.
         """
         return [0] * len(self.torsions)
 
     def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray:
-        """Newton's method in floats."""
+        """Approximate roots, by four steps of Newton's method in floats from the middles of
+        boxes.
+        """
         values = dict(zip(self.codes, parameters.middle, strict=True))
         q = middles
         for _ in range(4):
@@ -103,32 +111,35 @@ class Balance(Forces, StateSystem):
         return q
 
     def slopes_over(self, unknowns: Sequence[Number], parameters: Intervals) -> Matrix:
-        """Stiffness over boxes."""
+        """The Jacobian ∂F/∂q over boxes, from the generated stiffness."""
         return self.state(unknowns, parameters).slopes
 
     def vanishing(self, parameters: Intervals) -> list[bool]:
-        """Prepared parameters that are 0 in all boxes."""
-        there: BoolArray = np.logical_or.reduce(parameters.ends, axis=(0, 2))
-        return [not one for one in there.tolist()]
+        """For each prepared parameter, whether it is 0 in all boxes."""
+        nonzero: BoolArray = np.logical_or.reduce(parameters.ends, axis=(0, 2))
+        return [not one for one in nonzero.tolist()]
 
-    def nothing_at(self, boxes: Boxes) -> BoolArray:
-        """Boxes on the other side of the contact's border, or where no unit vector balances the
-        other forces.
+    def without_state(self, boxes: Boxes) -> BoolArray:
+        """Boxes without a state: those beyond a contact's border, and those near the anchor of a
+        spring whose force can't balance the other forces in any direction.
         """
-        out = super().nothing_at(boxes)
+        out = super().without_state(boxes)
         return out | at_anchors(boxes, ~out, no_direction)
 
     contracts = True
 
     def lines_at(self, made: Callable[..., Tape]) -> list[LineTapes]:
-        """Tapes of forces by the direction of each spring."""
+        """One tape of :func:`direction_entries` for each spring, for boxes near its anchor."""
         return [LineTapes(made(direction_entries(spring))) for spring in range(self.springs)]
 
     def abandoned(
         self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
     ) -> BoolArray:
-        """Small boxes around the anchor of a spring that resists turning: its force has no bound
-        there.
+        """Boxes narrower than ``times`` the option ``pole`` that hold the anchor of a torsion
+        spring.
+
+        The force of such a spring is unbounded at its anchor, so that halving never decides the
+        box.
         """
         if not self.torsions:
             return np.zeros(parameters.shape[1:], dtype=bool)
@@ -136,11 +147,13 @@ class Balance(Forces, StateSystem):
 
     @property
     def covered_by_plan(self) -> bool:
-        """True without torsion springs."""
+        """True without torsion springs: a plan does not know their poles."""
         return not self.torsions
 
     def at_poles(self, at: Evaluation | Boxes, width: float) -> BoolArray:
-        """Whether boxes up to a width hold a pole."""
+        """Boxes narrower than ``width`` that hold the anchor of a spring, if there are torsion
+        springs.
+        """
         out = np.zeros(at.shape, dtype=bool)
         for dx, dy in at.anchors if self.torsions else ():
             out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
@@ -150,14 +163,14 @@ class Balance(Forces, StateSystem):
     # contraction
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
-        """Smaller boxes with the same roots: the coordinates that balance the forces of springs
-        with these directions.
+        """Boxes that hold the same roots, by one interval Newton step with frozen spring
+        directions.
         """
         return self.directed(unknowns, parameters)
 
     def with_directions(self, at: Evaluation) -> FloatArray:
-        """Smaller boxes with the same roots, for springs of the given directions, whatever their
-        lengths.
+        """The contraction of :meth:`contracted` for an evaluation whose directions are given, of
+        springs of any length.
         """
         step = contractors.newton(
             *linear(at, at.box.middle, Evaluation.forces, lambda at: at.slopes)
@@ -165,15 +178,17 @@ class Balance(Forces, StateSystem):
         return np.fmin(step.ends, at.box.ends)
 
     def by_rows(self, at: Evaluation) -> FloatArray:
-        """Bounds on each coordinate from its own row and from forces near 0, where slopes are
-        unknown.
+        """Boxes that hold the same roots, from bounds on each coordinate by its own row.
+
+        The rows are linearized about the point nearest to 0, for boxes where the stiffness is
+        unbounded.
         """
-        given = linear(at, at.box.nearest_to_zero, Evaluation.rows, Evaluation.stiffness)
-        return np.fmin(contractors.by_rows(*given), at.box.ends)
+        lines = linear(at, at.box.nearest_to_zero, Evaluation.rows, Evaluation.stiffness)
+        return np.fmin(contractors.by_rows(*lines), at.box.ends)
 
 
 def direction_entries(spring: int) -> Entries:
-    """G and M of F = G + M (c, s) with the direction (c, s) of a spring."""
+    """Entries of G and M in F = G + M (c, s), where (c, s) is the direction of one spring."""
     first = 3 * spring
 
     def rows(at: Evaluation) -> Sequence[Any]:
@@ -181,16 +196,19 @@ def direction_entries(spring: int) -> Entries:
             fixed = [*at.directions[:first], *direction, *at.directions[first + 2 :]]
             return replace(at, fixed=fixed).forces()
 
-        none, cover = (Intervals(np.full((2, *at.shape), size)) for size in (0.0, 1.0))
-        moved = forces(*jets.variables([cover, cover], 1))
-        return [*forces(none, none), *(entry for row in moved for entry in jets.gradient(row, 2))]
+        zero = Intervals(np.zeros((2, *at.shape)))
+        any_component = Intervals(np.ones((2, *at.shape)))  # [−1, 1]
+        moved = forces(*jets.variables([any_component, any_component], 1))
+        return [*forces(zero, zero), *(entry for row in moved for entry in jets.gradient(row, 2))]
 
     return ("no direction", spring), rows
 
 
 def no_direction(boxes: Boxes, spring: int) -> BoolArray:
-    """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its
-    anchor is.
+    """Boxes in which F = G + M (c, s) vanishes for no unit vector (c, s), the direction of one
+    spring.
+
+    A box may hold the anchor of that spring, where the direction is undefined.
     """
     n = boxes.system.balance.n
     found = boxes.taped(*direction_entries(spring))
@@ -199,11 +217,10 @@ def no_direction(boxes: Boxes, spring: int) -> BoolArray:
 
 
 class PreciseBalance(Digits):
-    """A system of states at one point of the parameters that do not vary, of balls or jets of
-    balls.
+    """A system of states in ball arithmetic, at one point of the parameters.
 
-    ``given`` are those parameters, of a system with a scale with that behind them, and ``spans``
-    parameters that lie in a range.
+    ``given`` are the parameters of the balance, followed by the scale of a length among the
+    unknowns if the system has one. Parameters in ``spans`` are balls that cover a range instead.
     """
 
     def __init__(
@@ -214,36 +231,33 @@ class PreciseBalance(Digits):
         self.bits = bits
         self.order = system.order
         with balls.precision(bits):
-            between = {name: balls.between(*ends) for name, ends in spans.items()}
+            ranges = {name: balls.between(*ends) for name, ends in spans.items()}
         numbers = zip([*self.balance.parameters, SCALE], np.nan_to_num(given), strict=False)
-        values = {
-            name: between[name] if name in spans else ball(float(number), bits)
-            for name, number in numbers
-        }
-        self.arguments = self.balance.arguments_of(values, balls.XP)
+        values = {name: ball(float(number), bits) for name, number in numbers}
+        self.arguments = self.balance.arguments_of(values | ranges, balls.XP)
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """Residuals of the balance at a state."""
+        """Residuals of the system at a state, balls or jets of balls as the unknowns are."""
         return self.system.conditions(self.state(unknowns), unknowns)
 
     def slopes(self, unknowns: Sequence[Any]) -> Matrix:
-        """Slopes of it: of forces alone the stiffness, as it is generated."""
-        return (
-            self.state(unknowns).slopes if self.system is self.balance else super().slopes(unknowns)
-        )
+        """Jacobian of the system; that of the balance itself is the generated stiffness."""
+        if self.system is self.balance:
+            return self.state(unknowns).slopes
+        return super().slopes(unknowns)
 
     def state(self, unknowns: Sequence[Any]) -> Evaluation:
-        """The evaluation at unknowns."""
+        """The evaluation of the system's functions at unknowns."""
         return self.system.at(unknowns, self.arguments, xp=balls.XP)
 
 
 class BalanceInUnits(Balance):
-    """The balance with units among its parameters, after those of the model: dimensional analysis,
-    p = P u₁^e₁ u₂^e₂ ….
+    """The balance with the sizes of units as further parameters, by dimensional analysis.
 
-    P is a parameter as the base values of the page's units make it dimensionless, and u is a unit's
-    value over its base value. Many parameters depend on one unit; the chain rule keeps that, where
-    boxes of the parameters themselves would take each for its own.
+    A parameter of the page is p = P u₁^e₁ u₂^e₂ …. P is its dimensionless value in the base units
+    of the page, and u is the size of a unit over its base value. Many parameters depend on one
+    unit. The search varies P and u, so that interval arithmetic keeps this dependence; with boxes
+    of p itself, each parameter would vary on its own.
     """
 
     def __init__(
@@ -259,31 +273,33 @@ class BalanceInUnits(Balance):
             unit: [name for name in self.balanced if name in one.powers]
             for unit, one in units.items()
         }
-        #: Parameters of the balance that depend on each unit; a unit on which none does matters to
-        #: the motion alone.
+        #: Parameters of the balance that depend on each unit. Without such parameters, a unit
+        #: matters to the motion alone and is left out.
         self.scaling = {unit: names for unit, names in powers.items() if names}
-        self.factors = {  # p/P as arguments of their own
+        self.factors = {
             name: f"{name}/P"
             for name in self.parameters
             if any(name in unit.powers for unit in units.values())
         }
         self.parameters += units
-        #: Those that are asked for: the law at rest depends on nothing of the motion.
+        #: Parameters that need p/P: the law at rest does not depend on parameters of the motion.
         self.needed = [
             name for name in self.factors if law != "friction_at_rest" or name in self.balanced
         ]
         self.codes += [*units, *(self.factors[name] for name in self.needed)]
 
     def identity(self) -> Hashable:
-        """Identity of the balance, and how parameters depend on units."""
+        """Identity of the balance, and the exponents of the units."""
         powers = ((name, *sorted(unit.powers.items())) for name, unit in self.units.items())
         return super().identity(), *powers
 
     def scaled(
         self, values: Values, xp: object = np, names: Iterable[str] | None = None
     ) -> dict[str, Any]:
-        """P and u by name, of any number type, with the page's parameters p in place of P, all or
-        some, and beside them p/P.
+        """Values with P replaced by p, and with the factors p/P added, of any number type.
+
+        ``values`` are P and u by name; ``names`` are the parameters to replace, by default all that
+        depend on a unit.
         """
         found = dict(values)
         for name in self.factors if names is None else names:
@@ -298,13 +314,15 @@ class BalanceInUnits(Balance):
         return found
 
     def arguments_of(self, values: Values, xp: object) -> dict[str, Any]:
-        """Arguments of the generated functions, units and p/P by name, of any number type."""
+        """Arguments of the generated functions, with units and p/P, by name, of any number type."""
         return super().with_angles(self.scaled(values, xp, self.needed), xp)
 
     def prepared_beside(
         self, prepared: FloatArray, fixed: FloatArray, moved: Mapping[str, Intervals]
     ) -> Intervals:
-        """All prepared anew: what follows from one parameter may follow from a unit too."""
+        """Prepared parameters where some have moved; all are computed again, since an argument may
+        depend on a parameter and on a unit.
+        """
         if not self.factors:
             return super().prepared_beside(prepared, fixed, moved)
         bounds = Intervals.point(fixed)
@@ -315,7 +333,9 @@ class BalanceInUnits(Balance):
     def by_parameters(
         self, at: Evaluation, names: Sequence[str], rows: str = "forces_by_parameters"
     ) -> list[list[Any]]:
-        """Derivatives by P, and by u: Σ e p/u ∂/∂p over the parameters that depend on it."""
+        """Derivatives of the rows by P, and by units: ∂/∂u = Σ e p/u ∂/∂p over parameters that
+        depend on u.
+        """
         needed = sorted({part for name in names for part in self.scaling.get(name, [name])})
         return [
             [self._slope(name, dict(zip(needed, row, strict=True)), at.values) for name in names]
@@ -323,6 +343,7 @@ class BalanceInUnits(Balance):
         ]
 
     def _slope(self, name: str, slopes: Mapping[str, Any], values: Values) -> Number:
+        """The derivative of one row by P or by u, from its ``slopes`` ∂/∂p (chain rule)."""
         if name in self.units:
             powers = self.units[name].powers
             return (
@@ -333,6 +354,7 @@ class BalanceInUnits(Balance):
 
 
 def _power(value: Number, power: float, xp: Any) -> Number:
+    """``value**power``; exact powers are products, others go through exp and log."""
     whole = int(power)
     if whole == power:
         return value**whole if whole > 0 else 1 / value**-whole
@@ -340,7 +362,7 @@ def _power(value: Number, power: float, xp: Any) -> Number:
 
 
 def _times(value: Number, factor: Number) -> Number:
-    """Their product; what is 0, and an end that is, stays so."""
+    """The product of ``value`` and ``factor``, exactly 0 where ``value`` or its end is 0."""
     if is_zero(value):
         return value
     product = value * factor

@@ -1,4 +1,9 @@
-"""The generated functions of a model at a state, with arguments of any number type."""
+"""Forces, stiffness, mass and damping of a model at a state, from its generated functions.
+
+:class:`Forces` is a model with its combination of touching contacts: its arguments and borders.
+:class:`Evaluation` is one evaluation of it, at coordinates and arguments of any number type:
+floats, intervals over boxes, balls, or jets of these.
+"""
 
 from __future__ import annotations
 
@@ -32,18 +37,18 @@ from .options import SearchOptions
 
 #: Arguments of generated functions by name, of any number type.
 Values: TypeAlias = Mapping[str, Any]
-#: 1 for a contact that touches, else 0, or any number beside: of every contact.
+#: Indicator of every contact: 1 where it touches, 0 where it is open; a jet may lie between.
 Pushing: TypeAlias = Sequence[Any]
-#: Where an angle is searched that comes around after a turn: beyond π to either side, so that no
-#: state is near the border.
+#: A periodic angle is searched from −this to this: beyond π, so that no image of a state is near
+#: the border of the search.
 SEARCHED_ANGLE = np.pi + 0.02
 
 
 class Forces:
-    """Forces of a model in contact or in lift-off, and all else that is generated for it.
+    """A model with the contacts that touch: arguments of its generated functions and its borders.
 
-    Parameters of the search are those of the model, in its order; :meth:`prepared` turns them into
-    the arguments of the generated functions, once for each node of the tree of points.
+    Parameters of the search are those of the model, in the model's order. :meth:`prepared` turns
+    them into the arguments of the generated functions, once for each node of the tree of points.
     """
 
     def __init__(
@@ -56,40 +61,40 @@ class Forces:
         model.require_answered("rest")
         about = model.about
         self.search_options = options or SearchOptions()
-        #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has
-        #: come to rest.
+        #: Name of the generated function that gives μ; ``"friction_at_speed"`` is μ(V), which a
+        #: motion that has come to rest feels.
         self.law = law
         self.model, self.contact = model, contact
-        #: As a system of states it is its own balance.
+        #: Itself, since other systems of states refer to their balance by this name.
         self.balance: Any = self
         self.coordinates: list[str] = list(model.coordinates)
         self.parameters: list[str] = list(model.parameters)
         self.angles: dict[str, Sequence[str]] = dict(about["angles"])
-        #: Parameters on which the balance depends, and not the motion alone.
+        #: Names of parameters that the forces depend on; others matter to the motion alone.
         self.balanced = model.balanced
-        #: Parameters that may be 0.
+        #: Names of parameters that may be 0.
         self.may_vanish = [
             entry["name"]
             for entry in about["parameters"]
             if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
         ]
-        #: Arguments of the functions: cosines and sines of angles, and these too where they stand
-        #: by themselves.
+        #: Names of all arguments: parameters, cosines and sines of angles, and an angle itself
+        #: only where a function depends on it directly.
         self.codes: list[str] = list(
             dict.fromkeys(itertools.chain(*reversed(about["arguments"].values())))
         )
         self.n = len(self.coordinates)
-        #: Boxes of a point after which it is given up: of three coordinates these are more.
+        #: Most boxes to search for one point.
         self.usual_budget = 20_000 if self.n < 3 else 200_000
         self.springs = len(about["springs"])
-        #: Of each torsion spring the number of the spring that it turns with.
+        #: For each torsion spring, the number of the spring whose direction turns it.
         self.torsions: list[int] = [entry["spring"] for entry in about["torsions"]]
         #: Whether the kinetic energy has terms linear in the rates.
         self.gyroscopic = hasattr(model.algebra, "gyroscopic")
-        #: Names of contacts, and of those that rub.
+        #: Names of contacts, and of contacts with friction.
         self.contacts = [entry["name"] for entry in model.contacts]
         self.rubbing = model.rubbing
-        #: Of every contact whether it touches; one that does not open always does.
+        #: For each contact, 1 if it touches, else 0; one that can't open always touches.
         self.pushing = [
             int(
                 not entry["border"]
@@ -97,40 +102,43 @@ class Forces:
             )
             for entry in model.contacts
         ]
-        #: Numbers of the contacts that open or press on either face, and which of them touch.
+        #: Numbers of the contacts with a border, which open or press on either face; for each of
+        #: these, whether it touches.
         self.opens = [k for k, entry in enumerate(model.contacts) if entry["border"]]
         self.closed = [bool(self.pushing[k]) for k in self.opens]
-        #: How far beyond the borders of contacts states count, too, or beyond that of number
-        #: ``beyond``.
-        self.room, self.rooms = 0.0, [0.0] * len(self.opens)
+        #: States up to ``slack`` beyond a border are accepted: of contact number ``beyond``, or of
+        #: all contacts where that is None. ``slacks`` are the values by contact.
+        self.slack, self.slacks = 0.0, [0.0] * len(self.opens)
         self.beyond: int | None = None
-        #: Whether a state on a border does not count where that contact is open.
+        #: Whether states on the border of an open contact are excluded, since another combination
+        #: of contacts has them.
         self.apart = False
-        #: −low and high of each coordinate: on which side of the border a contact's gap is, where
-        #: that is a coordinate.
+        #: −low and high of each coordinate that borders allow: a bound where the gap of a contact
+        #: is a coordinate itself.
         self.border = np.full((2, self.n), np.inf)
         for k in self.opens:
             if (gap := model.contacts[k]["border"]) in self.coordinates:
                 self.border[self.pushing[k], self.coordinates.index(gap)] = 0.0
-        #: Turns of angles after which all is as before: one turn of each that makes one is
-        #: searched.
+        #: Numbers of coordinates that are periodic angles: one turn of each is searched.
         self.periodic = model.whole_turns
         self.border[:, list(self.periodic)] = SEARCHED_ANGLE
-        #: Beyond them the forces are not asked for.
+        #: −low and high of each coordinate between which the forces are evaluated: the laws of
+        #: contacts that are polynomials are valid beyond their borders.
         self.limits = (
             np.full((2, self.n), np.inf)
             if all(entry["polynomial"] for entry in model.contacts)
             else self.border.copy()
         )
-        #: Sums of rows without forces between coordinates or of contacts that turn, where there
-        #: are such: they vanish together with the forces, and what cancels in them is not lost in
-        #: boxes.
+        #: Generated names of the balance in another basis of rows, if the model has one. It
+        #: vanishes where the forces do; internal forces have been cancelled in it symbolically, so
+        #: that they do not widen intervals.
         self.sums = (
             {"forces": "balance", "forces_jacobian": "balance_jacobian"}
             if hasattr(model.algebra, "balance")
             else {}
         )
-        #: The rows that are followed along a parameter: these, where their slopes by it are known.
+        #: Generated names of the rows that continuation along a parameter follows: those of
+        #: ``sums``, if their derivatives by parameters are generated too.
         self.followed = (
             {**self.sums, "forces_by_parameters": "balance_by_parameters"}
             if hasattr(model.algebra, "balance_by_parameters")
@@ -151,8 +159,9 @@ class Forces:
     def prepared_beside(
         self, prepared: FloatArray, fixed: FloatArray, moved: Mapping[str, Intervals]
     ) -> Intervals:
-        """Prepared parameters of which some have ``moved`` from ``fixed`` ones, whose prepared ends
-        are ``prepared``.
+        """Prepared arguments after the parameters ``moved`` have left their values in ``fixed``.
+
+        ``prepared`` are the ends of the arguments at ``fixed``.
         """
         ends = prepared.copy()
         with quiet():
@@ -162,65 +171,74 @@ class Forces:
         return Intervals(ends)
 
     def with_angles(self, values: Values, xp: Any) -> dict[str, Any]:
-        """Some parameters with cosine and sine of those that are angles."""
+        """The values, with cosine and sine of each parameter that is an angle."""
         found = dict(values)
         for name, (cosine, sine) in self.angles.items():
             if name in values:
                 found |= {cosine: xp.cos(values[name]), sine: xp.sin(values[name])}
         return found
 
-    #: Arguments by name, from all parameters of any number type.
+    #: Arguments of the generated functions by name, from all parameters, of any number type.
     arguments_of = with_angles
 
     def floats(self, columns: Iterable[FloatArray]) -> dict[str, Any]:
-        """Arguments as floats, shape (parameters, N)."""
+        """Arguments by name, as floats, from parameters of shape (parameters, N)."""
         return self.arguments_of(dict(zip(self.parameters, columns, strict=True)), np)
 
     def arguments(self, prepared: Intervals) -> dict[str, Any]:
-        """By name.
+        """Arguments by name, from the prepared array.
 
-        A parameter that is 0 everywhere, and may be, is the number 0: products with it and
-        exponentials of it are exact.
+        A parameter that is 0 in all boxes, and may be 0, becomes the exact number 0, so that
+        products with it and exponentials of it are exact.
         """
         values = dict(zip(self.codes, prepared, strict=False))
         return values | {name: 0 for name in self.may_vanish if values[name].is_nothing()}
 
     def over(self, bounds: Intervals) -> dict[str, Any]:
-        """:meth:`arguments` from parameters of shape (P, N)."""
+        """Arguments by name, from parameters of shape (P, N)."""
         return self.arguments(self.prepared(bounds))
 
     def at(
         self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
     ) -> Evaluation:
-        """The evaluation at coordinates, which functions of parameters alone do not need."""
+        """The evaluation at coordinates ``q``; an empty one serves functions of parameters
+        alone.
+        """
         return Evaluation(self, q if len(q) else [0] * self.n, values, shape, xp)
 
     def sides(self, gaps: Sequence[Intervals]) -> tuple[BoolArray, BoolArray]:
-        """Mask of points where gaps are on this side of their contacts' borders or on them, and
-        where one is beyond; all on this side where none opens.
+        """Masks of the points that lie on the required side of all borders, and of those beyond any
+        border.
+
+        A point is in neither mask if its gap is not known well enough. Without contacts that open,
+        all points are on the required side.
         """
         inside = np.ones(gaps[0].shape, dtype=bool)
         beyond = ~inside
-        for gap, closed, room in zip(gaps, self.closed, self.rooms, strict=False):
+        for gap, closed, slack in zip(gaps, self.closed, self.slacks, strict=False):
             if closed:
-                here, there = gap.high <= room, gap.low > room
+                on_side, off_side = gap.high <= slack, gap.low > slack
             elif self.apart:
-                here, there = gap.low > 0, gap.high <= 0
+                on_side, off_side = gap.low > 0, gap.high <= 0
             else:
-                here, there = gap.low >= -room, gap.high < -room
-            inside, beyond = inside & here, beyond | there
+                on_side, off_side = gap.low >= -slack, gap.high < -slack
+            inside, beyond = inside & on_side, beyond | off_side
         return inside, beyond
 
     def by_parameters(
         self, at: Evaluation, names: Sequence[str], rows: str = "forces_by_parameters"
     ) -> list[list[Any]]:
-        """Derivatives of the forces along each coordinate, or of other ``rows``, by parameters,
-        through the friction law too; an angle as the angle.
+        """Derivatives of ``rows`` by the named parameters, one list for each row.
+
+        Includes the dependence of the friction coefficients on parameters, by the chain rule. The
+        derivative by an angle is by the angle itself, not by its cosine and sine.
         """
-        laws, own = at.of_frictions("friction_by_parameters"), self.model.about["by_parameters"]
+        laws = at.of_frictions("friction_by_parameters")
+        direct = self.model.about["by_parameters"]
 
         def slope(row: Sequence[Any], name: str) -> Number:
-            index, found = self.parameters.index(name), row[own.index(name)] if name in own else 0
+            index = self.parameters.index(name)
+            found = row[direct.index(name)] if name in direct else 0
             for by_mu, law in zip(row[-len(laws) :], laws, strict=True):
                 found = found + by_mu * law[index]
             return found
@@ -230,12 +248,13 @@ class Forces:
 
 @dataclass
 class Evaluation:
-    """Coordinates and arguments of one evaluation, all of one number type, and what follows from
-    them.
+    """One evaluation of a model's generated functions, at coordinates ``q`` and arguments
+    ``values``.
 
-    ``upright`` are springs with dx = 0. ``sides`` tell for each torsion spring what its turning is
-    in boxes that meet the ray where it jumps: NaN without it, with 1 or −1 that on one side of the
-    ray, with 0 anything from −π to π.
+    All numbers are of one type, whose functions are ``xp``; ``shape`` is that of arrays of boxes.
+    ``upright`` are the numbers of springs with dx = 0. ``sides`` say, for each torsion spring,
+    which angle boxes get that meet the ray where it jumps: NaN if not given, the value on one side
+    of the ray for 1 and −1, and [−π, π] for 0.
     """
 
     balance: Forces
@@ -245,20 +264,23 @@ class Evaluation:
     xp: Any = XP
     upright: Sequence[int] = ()
     sides: Sequence[int] | None = None
-    #: Directions and turnings, or turnings alone, where these do not follow from the coordinates.
+    #: Given directions and torsion angles, or torsion angles alone, that replace those that follow
+    #: from the coordinates.
     fixed: Sequence[Any] | None = None
     turnings: Sequence[Any] | None = None
-    #: Coordinates whose rows and columns M, C + G, G and K have; None of all.
+    #: Coordinates to which M, C + G, G and K are restricted; None for all.
     part: Sequence[int] | None = None
 
     @cached_property
     def box(self) -> Intervals:
-        """Boxes of coordinates as one array."""
+        """The coordinates as one array of intervals."""
         return stacked(self.q, self.shape)
 
     def call(self, name: str, first: Iterable[Any], *last: Any, kind: str = "motion") -> Any:
-        """A generated function of coordinates, and directions perhaps, of arguments of a kind, and
-        of what comes behind these.
+        """The value of a generated function.
+
+        Its arguments are ``first`` (coordinates, and perhaps directions), then the parameters that
+        the function takes (those of ``kind``, unless the model lists its own), then ``last``.
         """
         arguments = self.balance.model.about["arguments"]
         listed = [self.values[code] for code in arguments.get(name, arguments[kind])]
@@ -271,26 +293,27 @@ class Evaluation:
 
     @cached_property
     def geometry(self) -> Sequence[Any]:
-        """Vector and undeformed length of every line."""
+        """(dx, dy, undeformed length) of every spring, from the mass to the anchor."""
         return self.call("geometry", self.q, kind="statics")
 
     def of_springs(self, name: str) -> Sequence[Any]:
-        """A function of parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of
-        turning.
+        """A function of parameters alone: ``"stiffnesses"`` of springs or ``"torsions"``, the
+        stiffnesses of torsion springs.
         """
         return self.call(name, self.q, kind="statics")
 
     @property
     def at_rest(self) -> list[tuple[Any, Any]]:
-        """Cosine and sine of the direction in which each torsion spring rests: a line along x has
-        turned by minus its angle.
+        """Cosine and sine of the direction of each torsion spring without torque.
+
+        The turning of a line along x is minus the angle of rest, hence the sign of the sine.
         """
         pairs = self.call("turnings", [*self.q, *[1, 0, 1] * self.balance.springs], kind="statics")
         return [(cosine, -sine) for cosine, sine in pairs]
 
     @cached_property
     def anchors(self) -> list[tuple[Intervals, Intervals]]:
-        """The vectors from the mass to the anchors of all springs, over boxes."""
+        """The vectors from the mass to the anchors of all springs, as intervals."""
         return [
             (as_intervals(dx, self.shape), as_intervals(dy, self.shape))
             for dx, dy, _ in self.geometry
@@ -298,7 +321,7 @@ class Evaluation:
 
     @cached_property
     def directions(self) -> list[Any]:
-        """Cosine, sine and length of every spring, then the turning of every torsion spring."""
+        """Cosine, sine and length of every spring, then the angle of every torsion spring."""
         if self.fixed is not None:
             return list(self.fixed)
         steps = [
@@ -311,8 +334,8 @@ class Evaluation:
         return parts + self._turnings(steps, parts)
 
     def direction(self, dx: Number, dy: Number) -> tuple[Any, Any, Any]:
-        """Cosine, sine and length of a vector: of boxes sharp enclosures, of narrow numbers
-        quotients.
+        """Cosine, sine and length of a vector; sharp enclosures over boxes, quotients for other
+        numbers.
         """
         if self.xp is XP:
             return direction(dx, dy, self.shape)
@@ -320,14 +343,13 @@ class Evaluation:
         return dx / size, dy / size, size
 
     def _turnings(self, steps: Sequence[tuple[Any, Any]], directions: Sequence[Any]) -> list[Any]:
-        """φ of every torsion spring; over boxes 0 where its stiffness is."""
+        """The angle φ of every torsion spring; over boxes, 0 for a spring without stiffness."""
         if self.xp is not XP:
             pairs = self.call("turnings", [*self.q, *directions], kind="statics")
             return [self.xp.atan2(sine, cosine) for cosine, sine in pairs]
-        still = replace(
-            self, values={name: jets.constant(value) for name, value in self.values.items()}
-        )
-        turned = still.call("turnings", map(jets.constant, [*self.q, *directions]), kind="statics")
+        constants = {name: jets.constant(value) for name, value in self.values.items()}
+        point = map(jets.constant, [*self.q, *directions])
+        turned = replace(self, values=constants).call("turnings", point, kind="statics")
         springs, stiffnesses = self.balance.torsions, self.of_springs("torsions")
         sides: Sequence[int | None] = self.sides or [None] * len(springs)
         each = zip(turned, stiffnesses, springs, self.at_rest, sides, strict=True)
@@ -342,25 +364,29 @@ class Evaluation:
     # forces
 
     def rows(self, name: str = "forces", pushing: Pushing | None = None) -> Sequence[Any]:
-        """Rows by coordinate of a function that has the arguments of ``forces``; with ``pushing`` 0
-        as where a contact is open.
+        """Rows by coordinate of a generated function with the arguments of ``forces``.
+
+        ``pushing`` replaces the contact indicators of the balance.
         """
         pushing = self.balance.pushing if pushing is None else pushing
         first = [*self.q, *self.directions]
         return self.call(name, first, *self.frictions, *pushing, kind="statics")
 
     def followed(self, name: str) -> Sequence[Any]:
-        """Rows as :meth:`rows` has them, of the balance that is followed along a parameter."""
+        """Rows as :meth:`rows` gives them, in the basis that continuation along a parameter
+        follows.
+        """
         return self.rows(self.balance.followed.get(name, name))
 
     def forces(self) -> Sequence[Any]:
-        """Rows of the balance."""
+        """Residuals of the balance of forces."""
         return self.rows(self.balance.sums.get("forces", "forces"))
 
     @cached_property
     def slopes(self) -> Matrix:
-        """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where
-        theirs is.
+        """Jacobian of :meth:`forces` by the coordinates.
+
+        Its determinant is det K, and its null vectors are those of K.
         """
         return self.rows(self.balance.sums.get("forces_jacobian", "forces_jacobian"))
 
@@ -369,24 +395,25 @@ class Evaluation:
         return self._parted(self.rows("forces_jacobian") if self.balance.sums else self.slopes)
 
     def _parted(self, A: Matrix) -> Matrix:
+        """The matrix restricted to the coordinates ``part``."""
         return A if self.part is None else part_of(A, self.part)
 
     def contact_force(self, contact: int, pushing: Any) -> Number:
-        """The normal force of a contact, by its number."""
+        """The normal force of contact number ``contact``, for that indicator ``pushing``."""
         return self.call(named("contact_force", self.balance.contacts[contact]), self.q, pushing)
 
     def of_frictions(self, name: str) -> list[Any]:
-        """A function of parameters alone, of every friction."""
+        """A generated function of parameters alone, for every contact with friction."""
         return [self.call(named(name, one), ()) for one in self.balance.rubbing]
 
     @cached_property
     def frictions(self) -> list[Any]:
-        """The friction coefficients at steady sliding."""
+        """The friction coefficient μ of every contact with friction, in steady sliding."""
         return self.of_frictions(self.balance.law)
 
     @property
     def circulatory_frictions(self) -> list[Any]:
-        """Friction coefficients of the contacts that touch with which K is not symmetric."""
+        """Friction coefficients of the touching contacts whose friction makes K unsymmetric."""
         balance = self.balance
         return [
             mu
@@ -397,30 +424,30 @@ class Evaluation:
         ]
 
     def mass(self) -> Matrix:
-        """M of the kinetic energy."""
+        """The mass matrix M."""
         return self._parted(self.call("mass_matrix", self.q))
 
     def damping(self, pushing: Pushing | None = None) -> Matrix:
-        """C of dampers and of the slopes of the friction laws."""
+        """The damping matrix C, of dampers and of the slopes of the friction laws."""
         pushing = self.balance.pushing if pushing is None else pushing
         return self.call(
             "damping", [*self.q, *self.directions[: 3 * self.balance.springs]], *pushing
         )
 
     def gyroscopic(self) -> Matrix:
-        """G of a kinetic energy with terms linear in the rates; 0 of a model without."""
+        """The gyroscopic matrix G; 0 if the kinetic energy has no terms linear in the rates."""
         if self.balance.gyroscopic:
             return self._parted(self.call("gyroscopic", self.q))
         return [[0] * len(self.q) for _ in self.q]
 
     def circulatory(self) -> Matrix:
-        """K − Kᵀ, of a model with G; of another it is not asked for, and 0."""
+        """K − Kᵀ of a gyroscopic model. Other models do not need it and get 0."""
         if self.balance.gyroscopic:
             return self.rows("circulatory")
         return self.gyroscopic()
 
     def by_rates(self) -> Matrix:
-        """C + G: what the rates bring."""
+        """C + G, the derivative of the forces by the rates."""
         C = self._parted(self.damping())
         if not self.balance.gyroscopic:
             return C
@@ -428,30 +455,27 @@ class Evaluation:
         return [[c + g for c, g in zip(*row, strict=True)] for row in rows]
 
     def slopes_of_friction(self) -> list[Any]:
-        """Slopes of the friction laws at steady sliding."""
+        """dμ/dv of every friction law, in steady sliding."""
         return self.of_frictions("friction_slope")
 
     def slope_has_a_sign(self) -> BoolArray:
-        """Whether the slope of one friction law is shown not to be 0, over one of its exponentials:
-        also where that is too small for floats.
+        """Whether dμ/dv of at least one friction law is proved to be nonzero.
+
+        The sum of terms factor · exp(power) is scaled by one exponential, so that the proof also
+        works where the slope underflows.
         """
         out = np.zeros(self.shape, dtype=bool)
         sizes = self.of_frictions("friction_slope_by_sizes")
         for terms in itertools.chain(*sizes):
-            kept = [
-                (factor, power)
-                for factor, power in terms
-                if as_intervals(factor, self.shape).ends.any()
-            ]
-            total = sum(
-                (factor * XP.exp(power) for factor, power in kept),
-                Intervals.point(np.zeros(self.shape)),
-            )
+            total = Intervals.point(np.zeros(self.shape))
+            for factor, power in terms:
+                if as_intervals(factor, self.shape).ends.any():
+                    total = total + factor * XP.exp(power)
             out |= ~total.holds_zero()
         return out
 
     def gap(self, contact: int) -> Number:
-        """The gap of a contact, by its number."""
+        """The gap of contact number ``contact``."""
         name = named("contact_gap", self.balance.contacts[contact])
         return self.call(name, self.q, kind="statics")
 
@@ -460,26 +484,25 @@ class Evaluation:
         return [self.gap(contact) for contact in self.balance.opens]
 
     def beside_border(self) -> tuple[BoolArray, BoolArray]:
-        """Boxes on this side of the contacts' borders or on them, and boxes beyond one."""
+        """Masks of boxes on the required side of all borders, and of boxes beyond any border."""
         return self.balance.sides([as_intervals(gap, self.shape) for gap in self.gaps() or [0]])
 
     def mirrored(self) -> Sequence[Any]:
-        """The image of the state in the model's mirror."""
+        """The mirror image of the state."""
         return self.call("mirror", self.q, kind="statics")
 
 
 def _is_none(stiffness: Number) -> bool:
-    """0 everywhere, and no unknown."""
+    """Whether a stiffness is the constant 0 in all boxes."""
     return is_zero(stiffness) or (isinstance(stiffness, Intervals) and stiffness.is_nothing())
 
 
 def direction(dx: Number, dy: Number, shape: Shape) -> tuple[Any, Any, Any]:
-    """Cosine, sine and length of the vector (dx, dy): arrays of intervals of that shape, or jets of
-    them.
+    """Cosine, sine and length of the vector (dx, dy), as intervals of that shape or jets of them.
 
-    With the turned and scaled change u + i v of the vector, (c + i s) (1 + u + i v) l is the
-    vector. So all derivatives come from the sharp enclosures of c, s and l, not from quotients of
-    intervals.
+    Let u + i v be the relative change of the vector, seen in its own direction: the changed vector
+    is (c + i s) (1 + u + i v) l. All derivatives then follow from the sharp enclosures of c, s and
+    l, and not from quotients of intervals.
     """
     c, s, L = _at(dx, dy, shape)
     order = order_of(dx, dy)
@@ -487,7 +510,7 @@ def direction(dx: Number, dy: Number, shape: Shape) -> tuple[Any, Any, Any]:
         return c, s, L
     u, v = change_along(dx, dy, c, s, L)
     w = u * 2 + u**2 + v**2
-    root, inverse = (w.composed(binomial_series(Fraction(way, 2), order)) for way in (1, -1))
+    root, inverse = (w.composed(binomial_series(Fraction(sign, 2), order)) for sign in (1, -1))
     cosine, sine = (u + 1) * inverse, v * inverse
     return cosine * c - sine * s, cosine * s + sine * c, root * L
 
@@ -499,15 +522,13 @@ def turning(
     shape: Shape,
     side: int | None,
 ) -> Number:
-    """The turning φ of a spring in [−π, π], an array of intervals or a jet of them; NaN where boxes
-    meet the ray φ = ±π.
+    """The torsion angle φ in [−π, π], as intervals or a jet of them; NaN in boxes that meet φ = ±π.
 
-    ``value`` holds cosine and sine of φ without their changes, ``rest`` those of the inclination at
-    rest; ``side`` says what is given on the ray instead, see
-    :func:`spragsym.numerics.interval_arrays.atan2`. Its derivatives are those of the spring's angle
-    less those of the angle at rest: algebra in sharp enclosures of direction and length. They hold
-    at every point off the ray, and so on either side of it, but no mean value theorem holds across
-    it.
+    ``value`` holds cosine and sine of φ, ``vector`` that of its spring, and ``rest`` cosine and
+    sine of the direction at rest. ``side`` chooses the value in boxes that meet the ray φ = ±π, see
+    :func:`spragsym.numerics.interval_arrays.atan2`. Derivatives are those of the spring's direction
+    minus those of the direction at rest. They hold on either side of the ray, but the mean value
+    theorem does not hold across it.
     """
     cosine, sine = (as_intervals(part, shape) for part in value)
     phi: Any = atan2(sine, cosine, side)
@@ -519,20 +540,20 @@ def turning(
 
 
 def _at(dx: Number, dy: Number, shape: Shape) -> tuple[Intervals, Intervals, Intervals]:
-    """Direction and length without their changes."""
+    """Direction and length at the point itself, of jets their constant terms."""
     along, across = (as_intervals(constant(part), shape) for part in (dx, dy))
     return *unit_vector(along, across), length(along, across)
 
 
 def as_intervals(value: Number, shape: Shape) -> Intervals:
-    """A number, or intervals of some shape, as an array of intervals of that shape."""
+    """A number, or intervals of any shape, as intervals of the given shape."""
     if isinstance(value, Intervals) and value.shape == shape:
         return value
     return stacked([value], shape)[0]
 
 
 def filled(rows: Matrix, shape: Shape) -> FloatArray:
-    """A matrix of numbers and arrays as an array, each entry of one shape."""
+    """A matrix of numbers and arrays as one float array, shape (rows, columns, *shape)."""
     found = np.empty((len(rows), len(rows[0]) if rows else 0, *shape))
     for i, row in enumerate(rows):
         for j, entry in enumerate(row):

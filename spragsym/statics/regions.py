@@ -445,18 +445,18 @@ def _force_of(at: Evaluation, contact: int) -> Intervals:
     """Bounds of a contact's force by those of its penetration, from that at which states beyond its
     border count.
     """
-    room = _room(at.balance, contact)
-    least = np.full(at.shape, -room)
+    slack = _slack(at.balance, contact)
+    least = np.full(at.shape, -slack)
     limits = Intervals.between(least, np.maximum(_deepest(at, contact), least))
     force = as_intervals(at.contact_force(contact, _Pressed(limits)), at.shape)
     by_depth = _stiffness(at, contact) * limits
     low, high = (np.nan_to_num(end, nan=np.inf, posinf=np.inf) for end in by_depth.ends)
-    return _cut_off(force, Intervals.between(-low if room else np.maximum(-low, 0.0), high))
+    return _cut_off(force, Intervals.between(-low if slack else np.maximum(-low, 0.0), high))
 
 
-def _room(balance: Forces, contact: int) -> float:
+def _slack(balance: Forces, contact: int) -> float:
     """How far beyond the border of a contact states count."""
-    return balance.rooms[balance.opens.index(contact)]
+    return balance.slacks[balance.opens.index(contact)]
 
 
 def _deepest(at: Evaluation, contact: int) -> FloatArray:
@@ -475,8 +475,8 @@ def _deepest(at: Evaluation, contact: int) -> FloatArray:
             sign = 1 if balance.pushing[other] else -1
             along = slopes[own] + slopes[row] * sign
             total = sum(map(mul, along, shift), values[own] + values[row] * sign)
-            room = Intervals.point(np.full(at.shape, balance.rooms[row]))
-            most = np.fmin(most, (room - total).high)
+            slack = Intervals.point(np.full(at.shape, balance.slacks[row]))
+            most = np.fmin(most, (slack - total).high)
     return most
 
 
@@ -528,11 +528,11 @@ def _closed(at: Evaluation, contact: int) -> FloatArray:
     """
     near, ends = at.box.nearest_to_zero, at.box.ends
     at_near, slopes, *_ = linear(replace(at, xp=FREE), near, lambda at: [at.gap(contact)])
-    shift, room = at.box - Intervals.point(near), _room(at.balance, contact)
+    shift, slack = at.box - Intervals.point(near), _slack(at.balance, contact)
     found = ends.copy()
     for index in range(len(at.q)):
         others = sum(
-            (slopes[0, j] * shift[j] for j in range(len(at.q)) if j != index), at_near[0] - room
+            (slopes[0, j] * shift[j] for j in range(len(at.q)) if j != index), at_near[0] - slack
         )
         most = Intervals.point(near[index]) - others / slopes[0, index]
         for side in (0, 1):  # where the gap grows towards that side

@@ -66,7 +66,7 @@ def further(name: str) -> Iterator[tuple[str, StateSystem, FloatArray]]:
     states on a border do not count.
     """
     for contact, apart in ((True, False), (False, True), (False, False)):
-        balance = Balance(load(name), contact).extended(room=0.125)
+        balance = Balance(load(name), contact).extended(slack=0.125)
         balance.apart = apart
         values = [getattr(load(name).Parameters(), code) for code in balance.parameters]
         column = np.array([[0.3 if value is None else float(value)] for value in values])

@@ -16,7 +16,7 @@ import numpy as np
 from . import tree
 from .lexer import Cursor, Token, Tokens, nested, split, texts
 from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
-from .matrices import paired, product, quotient, shape_of, total
+from .matrices import of_blocks, paired, product, quotient, shape_of, total
 from .names import AT_REST, Name, Names, moved
 from .roots import without_signs
 from .tree import ONE, ZERO, Argument, Equation, Node, Unread, Vocabulary, leaf, printed
@@ -141,13 +141,15 @@ class _LatexReader:
         self.matrices, self.arguments = vocabulary.matrices, vocabulary.arguments
         self.size, self.has_roots = len(vocabulary.coordinates), vocabulary.has_roots
         for text, page in vocabulary.renamed.items():
-            name = self.only_name(nested(text))
-            if name is None:
-                raise Unread(f"{text} under [symbols] is not one name", 0)
+            name, power = self.name(here := Cursor(nested(text)))
+            if name is None or here.item is not None or (power and name.sup):
+                said = "list one letter or word, with indices, dots or primes"
+                raise Unread(f"{text} under [symbols] is not one name; {said}", 0)
+            name = name if power is None else replace(name, sup=_label(power))
             if page in tree.FUNCTIONS and page not in self.names.symbols:
                 self.names.functions[name] = page
             else:
-                self.names.renamed[name,] = self.page(page)
+                self.names.renamed[name] = self.page(page)
 
     def page(self, text: str) -> Node:
         """A name or an expression in the page's names; a prime is a rate."""
@@ -471,7 +473,7 @@ class _LatexReader:
         rows = _rows(item)
         if len({*map(len, rows)}) != 1:
             raise Unread("rows of different length", item.at[0])
-        return np.array([[self.number(cell) for cell in row] for row in rows])
+        return of_blocks([[self.expression(cell) for cell in row] for row in rows], item.at[0])
 
     def diagonal(self, here: Cursor) -> Factor | None:
         """A diagonal matrix by its entries, as \\mathrm{diag}(m, m); nothing is taken for none."""
@@ -708,8 +710,7 @@ class _LatexReader:
                 name = replace(name, order=name.order + 1)
                 continue
             argument = _argument(here)
-            letters_of = texts(_flat(argument))
-            label = "".join(text.removeprefix("\\") for text in letters_of)
+            letters_of, label = texts(_flat(argument)), _label(argument)
             primes = letters_of.count(r"\prime") + letters_of.count("'")
             # What stands in the place of an exponent, and is an index.
             if sign == "_":
@@ -729,6 +730,11 @@ class _LatexReader:
                 raise Unread("two exponents", place)
             else:
                 exponent = argument
+        if exponent is not None and not name.sup:
+            # An index that is listed so, as in k^{NL}.
+            listed = replace(name, sup=_label(exponent))
+            if listed in self.names.renamed:
+                return listed, None
         return name, exponent
 
 
@@ -759,6 +765,11 @@ def _flat(items: Tokens) -> list[Token]:
         elif it.text not in _ROMAN:
             flat.append(it)
     return flat
+
+
+def _label(items: Tokens) -> str:
+    """An index in letters."""
+    return "".join(text.removeprefix("\\") for text in texts(_flat(items)))
 
 
 def _inside(items: Tokens) -> Tokens:

@@ -42,6 +42,25 @@ def matrix_of(entries: Sequence[str]) -> tuple[str, tuple[int, int]] | None:
     return None
 
 
+def of_blocks(cells: Sequence[Sequence[Value]], place: int) -> Matrix:
+    """A matrix of numbers, or of matrices, where a 0 fills its block."""
+    heights = [max((*shape_of(it), 1)[0] for it in row) for row in cells]
+    widths = [max((*shape_of(it), 1, 1)[1] for it in column) for column in zip(*cells, strict=True)]
+
+    def filled(it: Value, shape: Shape) -> Matrix:
+        if not isinstance(it, Node) and it.shape == shape:
+            return it
+        if isinstance(it, Node) and (shape == (1, 1) or it.value == "0"):
+            return np.full(shape, it)
+        raise Unread("blocks whose sizes do not fit", place)
+
+    blocks = []
+    for high, row in zip(heights, cells, strict=True):
+        blocks.append([filled(it, (high, wide)) for wide, it in zip(widths, row, strict=True)])
+    whole: Matrix = np.block(blocks)
+    return whole
+
+
 def identity(size: int) -> Matrix:
     """The identity matrix."""
     return np.array([ZERO, ONE])[np.eye(size, dtype=int)]

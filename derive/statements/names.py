@@ -72,7 +72,7 @@ class Names:
         self.words = {
             it for it in self.symbols - {*self.next.values()} if len(it) > 1 and it.isalnum()
         }
-        self.renamed: dict[tuple[Name, ...], Node] = {}
+        self.renamed: dict[Name, Node] = {}
         #: functions by their printed names, as SymPy calls them
         self.functions: dict[Name, str] = {}
         #: columns of coordinates, rates and accelerations, by the words for them; none where the
@@ -99,8 +99,8 @@ class Names:
 
     def known(self, name: Name, at: tuple[int, int]) -> Node | None:
         """Meaning of a name on the page, or nothing."""
-        if (name,) in self.renamed:
-            return moved(self.renamed[name,], at)
+        if name in self.renamed:
+            return moved(self.renamed[name], at)
         if name.order:
             before = self.known(replace(name, order=name.order - 1), at)
             if before is None or name.has_dots or self.function_of(before) is None:

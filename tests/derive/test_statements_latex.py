@@ -20,6 +20,7 @@ WORDS = Vocabulary(
         r"v_r": "V - vx",
         r"\mathbf{q}": "coordinates",
         "H": "Heaviside",
+        "k_1^{NL}": "k_c",
     },
     laws=frozenset({"mu", "N"}),
 )
@@ -49,6 +50,15 @@ READ = {
     r"\begin{aligned} m\ddot x &= k x \\ &+ k y, \\ a &= 0. \end{aligned}": [
         "m*ax = k*x + k*y",
         "a = 0",
+    ],
+    r"k_1^{NL} x^2 = k_1^{\mathrm{NL}} x + (k^{NL}_1)^2": ["k_c*x**2 = k_c*x + k_c**2"],
+    r"\mathbf{B} = \begin{bmatrix} \mathbf{0} & -\begin{pmatrix} a \\ g\end{pmatrix} \\ m & 0\end{bmatrix}": [
+        "mathbfB_11 = 0",
+        "mathbfB_12 = -a",
+        "mathbfB_21 = 0",
+        "mathbfB_22 = -g",
+        "mathbfB_31 = m",
+        "mathbfB_32 = 0",
     ],
     r"\mathbf{K} = \begin{bmatrix} k & 0 \\ -a & k_c\end{bmatrix}": [
         "mathbfK_11 = k",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
@@ -13,9 +12,9 @@ import sympy as sp
 from sympy import Expr, S, Symbol
 from sympy.core.relational import Relational
 
-from .. import algebra
 from ..algebra import Pair
 from .derivatives import expressions
+from .identities import is_zero
 from .objects import BOTH, LAMBDA
 from .reading import Item
 from .repair import Values, evaluated, same, same_but_for_constant
@@ -277,32 +276,3 @@ def _is_new(item: Item, left: Node) -> bool:
     """Whether a name on the left is none of the page, or, of a scale, what is scaled."""
     known = item.held.law != "scale" and left.value in item.it.names
     return left.kind == "symbol" and not known
-
-
-def is_zero(expression: Expr) -> bool:
-    """Whether an expression is 0 on all unit circles."""
-    plain, names, circles = _on_circles(expression)
-    return not plain.has(sp.Piecewise) and algebra.equal(plain.xreplace(names), S.Zero, circles)
-
-
-def normal_form(expression: Expr) -> Expr:
-    """An expression modulo sin² + cos² = 1 of every angle: 0 exactly where it is 0."""
-    plain, names, circles = _on_circles(expression)
-    if plain.has(sp.Piecewise):  # a choice that is not made is compared with nothing
-        return plain
-    gap = algebra.difference(plain.xreplace(names), S.Zero, circles)
-    return gap.xreplace({dummy: node for node, dummy in names.items()})
-
-
-def _on_circles(plain: Expr) -> tuple[Expr, Mapping[Expr, Expr], algebra.Circles]:
-    """An expression in cosines and sines of angles, and what stands for these."""
-    if plain.has(sp.tan, sp.cot):
-        plain = plain.replace(sp.cot, lambda angle: sp.cos(angle) / sp.sin(angle))
-        plain = plain.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
-    plain = sp.expand_trig(plain)
-    angles = sorted({node.args[0] for node in plain.atoms(sp.cos, sp.sin)}, key=sp.default_sort_key)
-    circles = tuple((sp.Dummy("c", real=True), sp.Dummy("s", real=True)) for _ in angles)
-    names: dict[Expr, Expr] = {}
-    for angle, (cosine, sine) in zip(angles, circles, strict=True):
-        names |= {sp.cos(angle): cosine, sp.sin(angle): sine}
-    return plain, names, circles

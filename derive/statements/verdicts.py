@@ -14,9 +14,9 @@ from .. import units
 from ..pages import PageModel
 from . import samples
 from .book import equations_of
-from .comparison import Comparison, Component, Conventions, equation_of, judged_side, normal_form
-from .comparison import is_zero
+from .comparison import Comparison, Component, Conventions, equation_of, judged_side
 from .conventions import settled
+from .identities import is_zero, normal_form
 from .markup import repaired_print
 from .objects import LAMBDA, TIME
 from .papers import Paper, Statement

@@ -359,6 +359,37 @@ def test_zero_is_decided_in_polynomials() -> None:
     assert algebra.equal((sp.sqrt(2) + sp.sqrt(x)) ** 2, 2 + x + 2 * sp.sqrt(2) * sp.sqrt(x), ())
 
 
+def test_identities_of_functions_are_known() -> None:
+    """Of angles that are multiples of each other, exponentials, sizes and signs; wrong ones are
+    none.
+    """
+    from spragsym.derive.statements.identities import is_zero, normal_form
+
+    a, p = sp.symbols("a p", positive=True)
+    x, y = sp.symbols("x y", real=True)
+    right = {
+        "sin((1 - a)*y)": "sin(y)*cos(a*y) - cos(y)*sin(a*y)",
+        "1 - cos(x - y)": "2*sin((x - y)/2)**2",
+        "tan(x/2)": "sin(x)/(1 + cos(x))",
+        "cos(x)": "cos(x/3)*(4*cos(x/3)**2 - 3)",
+        "tanh(x)": "(1 - exp(-2*x))/(1 + exp(-2*x))",
+        "1 - tanh(x)**2": "1/cosh(x)**2",
+        "exp(-(x + y)/p)": "exp(-x/p)*exp(-y/p)",
+        "sign(x)*Abs(x)": "x",
+        "Abs(p*x - p*y)": "p*Abs(y - x)",
+        "Abs(x)**3": "sign(x)*x**3",
+    }
+    names = {str(it): it for it in (a, p, x, y)}
+    for left, value in right.items():
+        gap = sp.sympify(f"{left} - ({value})", locals=names)
+        assert is_zero(gap), left
+        assert not is_zero(gap + x * y / 7), left
+        assert not is_zero(sp.sympify(f"{left} + ({value})", locals=names)), left
+    assert normal_form(sp.cos(x / 2) ** 2 + sp.sin(x / 2) ** 2 - 1) == 0
+    shown = normal_form(sp.cos(x / 2) - sp.cos(x))
+    assert shown.free_symbols == {x}
+
+
 @pytest.mark.parametrize(
     ("about", "text", "kinds"),
     [

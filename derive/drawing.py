@@ -21,9 +21,6 @@ from . import pages
 from .model import Contact, Coordinate, Element, Page, Point
 from .shapes import Axis, Drawing, arrow, damper, spring, wall
 
-#: Length of an inclined spring of undeformed length 1, in units of the drawing.
-_LENGTH = 190.0
-
 
 def render(page: Page, docstring: str = "") -> str:
     """The SVG file of a page: its mechanism where that is one that can be drawn, else the drawing
@@ -255,7 +252,8 @@ def _between_ends(drawing: Drawing, page: Page) -> None:
 
     def place_of(part: Element) -> complex:
         x, y = (float(component.subs(values)) for component in anchor(part))
-        return _LENGTH * complex(x, -y) + top
+        # An inclined spring of undeformed length 1 is 190 units of the drawing long.
+        return 190.0 * complex(x, -y) + top
 
     shared: dict[complex, list[Element]] = {}
     for part in (it for it in (*page.springs, *page.dampers) if it.ends is not None):
@@ -361,7 +359,7 @@ def _leaning(drawing: Drawing, page: Page) -> None:
         along = math.atan2(float(ratio), 1.0)
         along += math.pi * (math.sin(along) < 0)  # upwards
         start = -1j * _half(page).imag
-        axis = Axis(start, start + cmath.rect(0.7 * _LENGTH, -along))
+        axis = Axis(start, start + cmath.rect(133.0, -along))
         spring(drawing, axis)
         at = {symbol: index + 1 for index, symbol in enumerate(page.places[:2])}
         drawing.name(_letter(energy.subs(at)), axis.at(0.5 * axis.length, -26.0), anchor="end")

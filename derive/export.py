@@ -18,7 +18,7 @@ from .emit import definitions, targets
 from .emit.function import Function, Module, renamed
 from .emit.python import algebra
 from .emit.quantities import Quantity, interval
-from .emit.targets.c.layout import WIDTH, broken
+from .emit.targets.c.layout import broken
 from .mechanics import Mechanics, NormalForce, number
 from .model import Datum
 
@@ -382,7 +382,7 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
         template = name.replace(".py", ".txt")  # no Python until it is filled in
         whole = targets.spoken(targets.runtime(__file__, f"{language}/{template}"), words)
         return "\n".join(
-            broken(line) if language == "c" and len(line) > WIDTH else line
+            broken(line) if language == "c" and len(line) > definitions.WIDTH else line
             for line in whole.split("\n")
         )
 

@@ -34,9 +34,6 @@ SIDE = Symbol("side", real=True)
 MU = Symbol("mu", real=True)
 #: Penetration, positive, of a law that is no polynomial.
 DEPTH = Symbol("_depth", positive=True)
-#: 1 while friction holds the mass to the belt, 0 while it slips; the force of a friction that
-#: holds.
-STUCK, FRICTION = sp.symbols("_stuck _friction", real=True)
 #: A sliding speed, positive.
 SLIP = Symbol("_slip", positive=True)
 
@@ -255,13 +252,13 @@ class FrictionForce:
 
     @property
     def stuck(self) -> Symbol:
-        """STUCK of this friction."""
-        return of_contact(STUCK, self.name)
+        """1 while it holds the mass to the belt, 0 while it slips."""
+        return of_contact(Symbol("_stuck", real=True), self.name)
 
     @property
     def unknown(self) -> Symbol:
-        """FRICTION of this friction."""
-        return of_contact(FRICTION, self.name)
+        """Its force while it holds."""
+        return of_contact(Symbol("_friction", real=True), self.name)
 
 
 def named(function: str, of: NormalForce | FrictionForce) -> str:

@@ -15,8 +15,6 @@ from .mechanics import DEPTH, Mechanics, number
 
 #: A pair of bounds.
 _Ends = tuple[Expr, Expr]
-#: Places at which floats look for a witness.
-_TRIALS = 2000
 
 
 def is_nonnegative(model: Mechanics, expression: Expr) -> bool:
@@ -135,8 +133,9 @@ def negative_place(
     rng = random.Random(0)
     needed = [symbol for symbol in domains if symbol in expression.free_symbols]
     by_floats = sp.lambdify([needed], expression, "math")
-    for trial in range(_TRIALS):
-        point = [_drawn(rng, domains[symbol], trial) for symbol in needed]
+    # Floats look for a witness among numbers of common size, then of any.
+    for common in [True] * 1000 + [False] * 1000:
+        point = [_drawn(rng, domains[symbol], common) for symbol in needed]
         try:
             negative = by_floats(point) < 0
         except (ArithmeticError, ValueError, TypeError):
@@ -154,8 +153,8 @@ def _shown(symbol: Symbol) -> str:
     return "depth" if symbol.name.startswith(DEPTH.name) else symbol.name
 
 
-def _drawn(rng: random.Random, allowed: Interval, trial: int) -> float:
-    """A number of a domain, with few digits: first those of common size, then of any."""
+def _drawn(rng: random.Random, allowed: Interval, common: bool) -> float:
+    """A number of a domain, with few digits, of common size or of any."""
     low, high = allowed.low, allowed.high
     # Sizes of what has no bounds.
     sizes = tuple(10.0**power for power in range(-6, 4))
@@ -163,7 +162,7 @@ def _drawn(rng: random.Random, allowed: Interval, trial: int) -> float:
         if math.isfinite(low) and math.isfinite(high):
             value = low + (high - low) * rng.random()
         else:
-            size = rng.uniform(0.1, 3.0) * (1.0 if trial < _TRIALS // 2 else rng.choice(sizes))
+            size = rng.uniform(0.1, 3.0) * (1.0 if common else rng.choice(sizes))
             away = low if math.isfinite(low) else high if math.isfinite(high) else 0.0
             sign = 1 if math.isfinite(low) else -1 if math.isfinite(high) else rng.choice((-1, 1))
             value = away + sign * size

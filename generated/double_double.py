@@ -31,10 +31,6 @@ Flag: TypeAlias = Any
 absolute: Any = numpy.abs
 sqrt: Any = numpy.sqrt
 
-#: 2^27 + 1 splits a double into two halves of 26 bits.
-SPLITTER = 134217729.0
-
-
 class Wide(NamedTuple):
     """A double-double: high + low, with high nearest to the sum."""
 
@@ -76,11 +72,13 @@ def fast_two_sum(a: Real, b: Real) -> Wide:
 
 def two_product(a: Real, b: Real) -> Wide:
     """a b, exactly (Dekker, Veltkamp)."""
+    # 2^27 + 1 splits a double into two halves of 26 bits.
+    splitter = 134217729.0
     p = a * b
-    big_a = SPLITTER * a
+    big_a = splitter * a
     high_a = big_a - (big_a - a)
     low_a = a - high_a
-    big_b = SPLITTER * b
+    big_b = splitter * b
     high_b = big_b - (big_b - b)
     low_b = b - high_b
     return Wide(p, ((high_a * high_b - p) + high_a * low_b + low_a * high_b) + low_a * low_b)

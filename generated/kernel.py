@@ -63,14 +63,6 @@ COUNT_THETA = 16.0
 #: A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings
 #: covers.
 SMALLEST_PARAMETER = 1e-250
-#: Between these the largest coefficient of f can be divided out without underflow or overflow.
-SMALLEST_SCALE = 1e-200
-LARGEST_SCALE = 1e200
-#: The least |b| over the largest coefficient: the quartic in t is divided by it, and roots farther
-#: apart share no scale.
-SMALLEST_RATIO = 1e-60
-#: Where P or Q vanishes, as at a cusp, it is replaced by the smallest normal number.
-SMALLEST_NORMAL = 2.2250738585072014e-308
 #: Between these, numbers are far enough from underflow and overflow for the exact products of
 #: double-double arithmetic.
 SMALLEST_WIDE = 1e-50
@@ -78,8 +70,6 @@ LARGEST_WIDE = 1e50
 #: The unit roundoff of double-double arithmetic, 2^-102: sixteen units of 2^-106, of which its
 #: operations lose 15 at most.
 WIDE_ROUNDOFF = 1.9721522630525295e-31
-#: What underflow may add to P³ + Q² at most, generously.
-UNDERFLOW = 1e-307
 INFINITY = float("inf")
 
 
@@ -270,12 +260,12 @@ def balance(point: Point) -> LineBalance:
 
 
 def representable(line: LineBalance) -> Flag:
-    """Whether double precision can carry the quartic of this balance."""
-    return (
-        (line.scale > SMALLEST_SCALE)
-        & (line.scale < LARGEST_SCALE)
-        & (rough(line.b) <= -SMALLEST_RATIO)
-    )
+    """Whether double precision can carry the quartic of this balance.
+
+    Its largest coefficient was divided out without underflow or overflow; and the quartic is
+    divided by |b|: where that is less than 1e−60 of the largest, roots share no scale.
+    """
+    return (line.scale > 1e-200) & (line.scale < 1e200) & (rough(line.b) <= -1e-60)
 
 
 # -------------------------------------------------------------------------------------------- the
@@ -317,14 +307,15 @@ def discriminant(line: LineBalance, it: Cubic, u: Real) -> Discriminant:
     """The sign of P³ + Q² is that of the discriminant, reversed.
 
     From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2
-    (|Q| + error) error; cubing, squaring and adding round four times more.
+    (|Q| + error) error; cubing, squaring and adding round four times more. Underflow adds less than
+    1e−307.
     """
     size = depressed_size(line.a_size, absolute(rough(line.b)), line.d_size, rough(line.m))
     P_bound = absolute(rough(it.P)) + COUNT_P * u * size.P
     Q_bound = absolute(rough(it.Q)) + COUNT_Q * u * size.Q
     from_P = P_bound * P_bound * size.P * (3.0 * COUNT_P + 4.0)
     from_Q = Q_bound * size.Q * (2.0 * COUNT_Q + 4.0)
-    return Discriminant(rough(it.P * it.P * it.P + it.Q * it.Q), u * (from_P + from_Q) + UNDERFLOW)
+    return Discriminant(rough(it.P * it.P * it.P + it.Q * it.Q), u * (from_P + from_Q) + 1e-307)
 
 
 def one_positive(line: LineBalance, e: Quartic, u: Real) -> Flag:
@@ -388,15 +379,17 @@ def one_or_three(point: Point, u: Real) -> Real:
 
 def outermost(P: Real, Q: Real) -> Real:
     """The root of z³ + 3 P z + 2 Q of largest magnitude, which is far from the others."""
+    # Takes the place of P or Q where these vanish, as at a cusp: the smallest normal number.
+    smallest = 2.2250738585072014e-308
     size = absolute(Q)
     inside = P * P * P + Q * Q
     # One real root: Cardano, in the form that does not cancel for P > 0.
-    w = cube_root(size + sqrt(maximum(inside, 0.0)) + SMALLEST_NORMAL)
+    w = cube_root(size + sqrt(maximum(inside, 0.0)) + smallest)
     v = P / w
     alone = where(P > 0.0, 2.0 * size / (w * w + P + v * v), w - v)
     # Three: 2 √−P cos(φ/3) with cos φ = |Q| / √−P³, from 4 z³ − 3 z = cos φ on [√3/2, 1], where
     # Newton converges at once.
-    root = sqrt(maximum(-P, SMALLEST_NORMAL))
+    root = sqrt(maximum(-P, smallest))
     cosine = minimum(size / (root * root * root), 1.0)
     z = 0.8660254037844386 + cosine * (0.16306 - 0.02908 * cosine)
     for _ in range(2):
@@ -517,13 +510,6 @@ def guesses(point: Point, line: LineBalance, u: Real) -> Guesses:
     )
 
 
-#: The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks
-#: for 1/2.
-LARGEST_H = 0.4
-#: The largest radius around θ, over sin θ, for which the bounds on the state below hold.
-LARGEST_RADIUS = 1e-3
-
-
 class Kind(NamedTuple):
     """Code of the stability, and whether rounding errors can't change it."""
 
@@ -580,7 +566,9 @@ def at_root(t: Real, point: Point, line: LineBalance, u: Real) -> Root:
     bend = 2.0 * (line.a_size + m_size) + b_size + line.d_size
     newton = value / steepness
     h = newton * bend / steepness
-    proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS * s_size) & sound(point)
+    # Kantorovich's theorem asks for h ≤ 1/2, the bounds on the state below for a radius that is
+    # small beside sin θ.
+    proved = (steepness > 0.0) & (h < 0.4) & (newton < 1e-3 * s_size) & sound(point)
     # The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
     radius = where(proved, 1.0001 * newton / (1.0 - h), INFINITY)
 

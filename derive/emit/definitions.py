@@ -12,6 +12,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+#: Characters of a line of generated text; that of a method is indented by four more.
+WIDTH = 126
 #: Functions that generated algebra calls, by what follows ``xp.``; ``abs`` is a built-in one.
 NAMES = ("sqrt", "pi", "exp", "log", "tanh", "atan", "cos", "sin", "atan2", "abs", "sign")
 #: Symbols with the name of a function that languages have, and what stands for them where the two

@@ -19,9 +19,6 @@ from typing import NamedTuple
 
 from .language import Flag, Real, absolute, sqrt, where
 
-#: 2^27 + 1 splits a double into two halves of 26 bits.
-SPLITTER = 134217729.0
-
 
 class Wide(NamedTuple):
     """A double-double: high + low, with high nearest to the sum."""
@@ -64,11 +61,13 @@ def fast_two_sum(a: Real, b: Real) -> Wide:
 
 def two_product(a: Real, b: Real) -> Wide:
     """a b, exactly (Dekker, Veltkamp)."""
+    # 2^27 + 1 splits a double into two halves of 26 bits.
+    splitter = 134217729.0
     p = a * b
-    big_a = SPLITTER * a
+    big_a = splitter * a
     high_a = big_a - (big_a - a)
     low_a = a - high_a
-    big_b = SPLITTER * b
+    big_b = splitter * b
     high_b = big_b - (big_b - b)
     low_b = b - high_b
     return Wide(p, ((high_a * high_b - p) + high_a * low_b + low_a * high_b) + low_a * low_b)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NoReturn, TypeAlias, TypeGuard
@@ -80,13 +80,13 @@ class Constant:
 @dataclass(frozen=True)
 class Source:
     """The kernel as read: its parts, which a target prints, and its text, which the Python target
-    copies.
+    copies. A model that needs no kernel has an empty one.
     """
 
-    text: str
-    constants: tuple[Constant, ...]
-    records: Mapping[str, Record]
-    routines: Mapping[str, Routine]
+    text: str = ""
+    constants: tuple[Constant, ...] = ()
+    records: Mapping[str, Record] = field(default_factory=dict)
+    routines: Mapping[str, Routine] = field(default_factory=dict)
 
     @property
     def summary(self) -> str:
@@ -102,10 +102,6 @@ class Source:
     def lines(self) -> list[str]:
         """Lines of the text, from line 1 at index 0."""
         return self.text.splitlines()
-
-
-#: What a model has that needs no kernel.
-NOTHING = Source("", (), {}, {})
 
 
 class KernelError(ArithmeticError):

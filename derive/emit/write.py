@@ -15,12 +15,12 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+from .definitions import WIDTH
+
 #: Begins the name of a folder in which files wait to take their places.
 _LEFT = ".spragsym-"
 #: Stands for the digest of all files, or its first 16 digits, until they are all there.
 DIGEST = "<digest-of-all>".ljust(64, "-")
-#: Characters of a line of JSON.
-_WIDTH = 130
 
 
 def header() -> str:
@@ -49,7 +49,7 @@ def as_json(value: object) -> str:
 
 def _json(value: object, indent: int) -> str:
     line = json.dumps(value, ensure_ascii=False)
-    if indent + len(line) <= _WIDTH or not value or not isinstance(value, dict | list | tuple):
+    if indent + len(line) <= WIDTH or not value or not isinstance(value, dict | list | tuple):
         return line
     if isinstance(value, dict):
         entries = [
@@ -73,7 +73,7 @@ def _lines(entries: list[str], indent: int) -> list[str]:
     lines = [" " * (indent + 1) + entries[0]]
     for entry in entries[1:]:
         # What is itself broken begins a line and ends one.
-        if "\n" in lines[-1] + entry or len(lines[-1]) + len(entry) + 3 > _WIDTH:
+        if "\n" in lines[-1] + entry or len(lines[-1]) + len(entry) + 3 > WIDTH:
             lines.append(" " * (indent + 1) + entry)
         else:
             lines[-1] += f", {entry}"

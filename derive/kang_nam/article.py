@@ -30,5 +30,3 @@ BASE = {
     sigma: Rational(1, 10),
     beta: sp.Integer(0),
 }
-#: The angle of its Figure 7a, in degrees.
-BASE_ANGLE_DEG = 49

@@ -14,12 +14,6 @@ from .kernel import INFINITY, LineBalance, Point, direction, rough, sound
 f, f_slope, state, stiffness, invariants = derived(5)
 COUNT_F, COUNT_SLOPE, COUNT_STATE, COUNT_THETA, COUNT_K = derived(5)
 
-#: The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks
-#: for 1/2.
-LARGEST_H = 0.4
-#: The largest radius around θ, over sin θ, for which the bounds on the state below hold.
-LARGEST_RADIUS = 1e-3
-
 
 class Kind(NamedTuple):
     """Code of the stability, and whether rounding errors can't change it."""
@@ -77,7 +71,9 @@ def at_root(t: Real, point: Point, line: LineBalance, u: Real) -> Root:
     bend = 2.0 * (line.a_size + m_size) + b_size + line.d_size
     newton = value / steepness
     h = newton * bend / steepness
-    proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS * s_size) & sound(point)
+    # Kantorovich's theorem asks for h ≤ 1/2, the bounds on the state below for a radius that is
+    # small beside sin θ.
+    proved = (steepness > 0.0) & (h < 0.4) & (newton < 1e-3 * s_size) & sound(point)
     # The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
     radius = where(proved, 1.0001 * newton / (1.0 - h), INFINITY)
 

@@ -28,7 +28,7 @@ DIGITS = 50
 class ParameterPoint:
     """Numbers for the parameters; ``theta0_deg`` in degrees, the rest exact rationals."""
 
-    theta0_deg: Fraction = Fraction(article.BASE_ANGLE_DEG)
+    theta0_deg: Fraction = Fraction(49)  #: of Figure 7a
     mu0: Fraction = Fraction(str(article.BASE[nm.mu0]))
     kappa: Fraction = Fraction(str(article.BASE[nm.kappa]))
     alpha: Fraction = Fraction(str(article.BASE[nm.alpha]))

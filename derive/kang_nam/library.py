@@ -14,7 +14,6 @@ from ..emit.quantities import Interval, Quantity, written
 
 
 _HERE = Path(__file__).parent
-_GENERAL = Path(language.__file__).parent
 
 
 def exported(written_in: str) -> dict[str, str]:
@@ -113,12 +112,13 @@ def material(generated: Callable[[str], str]) -> targets.Material:
 
 def kernel() -> language.Source:
     """Search for the equilibria of a point and their examination, as every target prints it."""
-    return language.read(_HERE / "kernel.py", _HERE / "examination.py", _GENERAL / "elementary.py")
+    elementary = Path(language.__file__).with_name("elementary.py")
+    return language.read(_HERE / "kernel.py", _HERE / "examination.py", elementary)
 
 
 def double_doubles() -> language.Source:
     """The arithmetic on which the kernel runs a second time."""
-    return language.read(_GENERAL / "double_double.py")
+    return language.read(Path(language.__file__).with_name("double_double.py"))
 
 
 def _of_page(text: str) -> tuple[Definition, ...]:

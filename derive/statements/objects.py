@@ -24,8 +24,8 @@ NORMAL, LAMBDA, TIME = Symbol("N", real=True), Symbol("lam"), Symbol("t", real=T
 
 #: Sides on which a statement is meant: all contacts touch, none of those that can open, or either.
 CONTACT, LIFT_OFF, BOTH = "contact", "lift-off", "both"
-#: Behind a side, of these words: every belt is ahead, so that a friction has one sign.
-AHEAD, MOVING = "belt ahead", ("motion", "acceleration")
+#: Behind the side of these words ``belt ahead`` may stand: then a friction has one sign.
+MOVING = ("motion", "acceleration")
 
 T = TypeVar("T")
 
@@ -642,8 +642,8 @@ def derived(it: Derivation, about: str) -> Object:
     """
     said, _, where = (part.strip() for part in about.partition(","))
     word, _, rest = said.partition(" ")
-    ahead = where.endswith(AHEAD)
-    side = where.removesuffix(AHEAD).rstrip(", ") or CONTACT
+    ahead = where.endswith("belt ahead")
+    side = where.removesuffix("belt ahead").rstrip(", ") or CONTACT
     if word not in OBJECTS:
         raise NoObject(f"{about!r} is no object; there are {', '.join(OBJECTS)}")
     resting = ("balance", "equilibrium", "state", "characteristic", "threshold", "direction")
@@ -652,7 +652,7 @@ def derived(it: Derivation, about: str) -> Object:
     if side not in (*it.sides, BOTH):
         raise NoObject(f"{side!r} is no side of the contacts; there are {'; '.join(it.sides)}")
     if ahead and not (word in MOVING and it.speeds):
-        raise NoObject(f"{AHEAD} is of {' and '.join(MOVING)} on a page with friction")
+        raise NoObject(f"belt ahead is of {' and '.join(MOVING)} on a page with friction")
     found = it.kept(word, f"{rest.strip()}, {side}", lambda: OBJECTS[word](it, rest.strip(), side))
     # What tells the sides apart is meant on both.
     return replace(found, ahead=ahead, side=BOTH if word == "pushing" else side)

@@ -27,10 +27,6 @@
 #elif !defined(__STRICT_ANSI__) || defined(__cplusplus) /* where gcc fuses unless told not to */
 #pragma GCC optimize("fp-contract=off")
 #endif
-/* A name that Windows' math.h has for something else. */
-#ifdef UNDERFLOW
-#undef UNDERFLOW
-#endif
 /* What a loop calls must be part of it before it can be turned into vector instructions. */
 #if defined(__GNUC__) || defined(__clang__)
 #define INLINE static inline __attribute__((always_inline, unused))
@@ -92,8 +88,8 @@ INLINE double algebra_f_curvature(double cos_theta, double sin_theta, double a_f
         2.0 * m_f * square(sin_theta);
 }
 
-/* Coefficients of (1 + t^2)^2 f = e0 + e1 t + e2 t^2 + e3 t^3 + e4 t^4 with t = tan(theta/2). Source: (12), (13) eliminated.
- * Operations: 7. */
+/* Coefficients of (1 + t^2)^2 f = e0 + e1 t + e2 t^2 + e3 t^3 + e4 t^4 with t = tan(theta/2). Source: (12), (13)
+ * eliminated. Operations: 7. */
 INLINE void algebra_t_quartic(double a_f, double b_f, double d_f, double m_f, double result[5]) {
     result[0] = b_f;
     result[1] = 2.0 * (a_f + d_f);
@@ -102,8 +98,8 @@ INLINE void algebra_t_quartic(double a_f, double b_f, double d_f, double m_f, do
     result[4] = -b_f;
 }
 
-/* Coefficients of the cubic r0 + r1 l + r2 l^2 + l^3 with the discriminant of the quartic in t. Source: (12), (13) eliminated.
- * Operations: 15. */
+/* Coefficients of the cubic r0 + r1 l + r2 l^2 + l^3 with the discriminant of the quartic in t. Source: (12), (13)
+ * eliminated. Operations: 15. */
 INLINE void algebra_resolvent(double a_f, double b_f, double d_f, double m_f, double result[3]) {
     result[0] = -b_f * (a_f * d_f + b_f * m_f) / 4.0;
     result[1] = -square(a_f) / 4.0 + square(b_f) / 4.0 + square(d_f) / 4.0;
@@ -111,8 +107,8 @@ INLINE void algebra_resolvent(double a_f, double b_f, double d_f, double m_f, do
 }
 
 /* Spring length and displacement at an equilibrium with direction theta. Source: (4), (5), (13) or (15). Operations: 15. */
-INLINE void algebra_state(double cos_theta, double sin_theta, double cos0, double sin0, double kappa, double sigma, double beta,
-    double nbar, double result[3]) {
+INLINE void algebra_state(double cos_theta, double sin_theta, double cos0, double sin0, double kappa, double sigma,
+    double beta, double nbar, double result[3]) {
     const double B = beta + nbar;
     const double q = B + sigma;
     const double w0 = 1.0 / q;
@@ -123,8 +119,8 @@ INLINE void algebra_state(double cos_theta, double sin_theta, double cos0, doubl
 }
 
 /* K, the Jacobian of (F_x, F_y). Source: (28). Operations: 14. */
-INLINE void algebra_stiffness(double cos_theta, double sin_theta, double L, double mu0, double alpha, double sigma, double beta,
-    double nbar, double result[4]) {
+INLINE void algebra_stiffness(double cos_theta, double sin_theta, double L, double mu0, double alpha, double sigma,
+    double beta, double nbar, double result[4]) {
     const double p = alpha + sigma;
     const double M = mu0 * nbar;
     const double B = beta + nbar;
@@ -137,8 +133,8 @@ INLINE void algebra_stiffness(double cos_theta, double sin_theta, double L, doub
     result[3] = -square(cos_theta) * w0 + q;
 }
 
-/* Trace, determinant (negative: divergence) and discriminant in lambda^2 (negative: flutter) of K. Source: (27). Operations:
- * 8. */
+/* Trace, determinant (negative: divergence) and discriminant in lambda^2 (negative: flutter) of K. Source: (27).
+ * Operations: 8. */
 INLINE void algebra_invariants(double K11, double K12, double K21, double K22, double result[3]) {
     const double w0 = K12 * K21;
     const double base0 = K11 - K22;
@@ -194,8 +190,8 @@ INLINE void algebra_f_changes(double cos0, double sin0, double mu0, double kappa
     result[23] = 0.0;
 }
 
-/* Coefficients of e0 + ... + e6 t^6 = (1 + t^2)^3 (f' f_v - f f_v') with t = tan(theta/2), whose roots are all folds along a
- * parameter v but theta0; minus its sign is that of dv/dtheta on the surface. Source: f = f' = 0. Operations: 34. */
+/* Coefficients of e0 + ... + e6 t^6 = (1 + t^2)^3 (f' f_v - f f_v') with t = tan(theta/2), whose roots are all folds along
+ * a parameter v but theta0; minus its sign is that of dv/dtheta on the surface. Source: f = f' = 0. Operations: 34. */
 INLINE void algebra_fold_sextic(double a_f, double b_f, double d_f, double m_f, double a_v, double b_v, double d_v, double m_v,
     double result[7]) {
     const double ab = a_f * b_v - a_v * b_f;
@@ -216,8 +212,8 @@ INLINE void algebra_fold_sextic(double a_f, double b_f, double d_f, double m_f, 
     result[6] = -ab - bd;
 }
 
-/* Coefficients of e0 + ... + e9 s^9, whose real roots s = sin theta in (-1, 1) are all cusps. Needs alpha > 0 and alpha != 1 +
- * beta. Source: f = f' = f'' = 0. Operations: 103. */
+/* Coefficients of e0 + ... + e9 s^9, whose real roots s = sin theta in (-1, 1) are all cusps. Needs alpha > 0 and alpha !=
+ * 1 + beta. Source: f = f' = f'' = 0. Operations: 103. */
 INLINE void algebra_cusp_polynomial(double kappa, double alpha, double sigma, double beta, double result[10]) {
     const double B = beta + 1.0;
     const double p = alpha + sigma;
@@ -293,8 +289,8 @@ INLINE void algebra_cusp_point(double sin_theta, double kappa, double alpha, dou
 }
 
 /* df/dv and df'/dv for v = theta0, mu0, kappa, alpha, sigma, beta in turn. Source: f = f' = 0. Operations: 90. */
-INLINE void algebra_unfolding(double cos_theta, double sin_theta, double cos0, double sin0, double mu0, double kappa, double alpha,
-    double sigma, double beta, double result[12]) {
+INLINE void algebra_unfolding(double cos_theta, double sin_theta, double cos0, double sin0, double mu0, double kappa,
+    double alpha, double sigma, double beta, double result[12]) {
     const double w0 = alpha + sigma;
     const double w1 = cos0 * (alpha * beta + beta * sigma + w0);
     const double w2 = alpha * sin0;
@@ -413,7 +409,8 @@ INLINE void algebra_turning_polynomial(double kappa, double alpha, double sigma,
     result[6] = w41 *
         (16.0 * B * alpha_2 * sigma_2 - B * sigma_3 * w27 + 5.0 * B_2 * alpha * sigma_2 + 14.0 * B_2 * alpha_2 * sigma + B_2 * sigma_3 - B_2 * w3 + 12.0 * alpha_2 * sigma_3 - sigma_3 * w45 - 13.0 * w15 - 6.0 * w37 - 14.0 * w39 - w46);
     result[7] = 2.0 * sigma_3 * (-B * w4 * w45 + B_2 * w36 + alpha * w46 + w14 + w29 - w35 * w5 - 7.0 * w42 + w44 + w9);
-    result[8] = -kappa * sigma_3 * w1 * (B * alpha_2 * sigma + 5.0 * alpha_2 * sigma_2 - w16 * w3 - w23 - w36 - w38 - w4 * w43);
+    result[8] = -kappa * sigma_3 * w1 *
+        (B * alpha_2 * sigma + 5.0 * alpha_2 * sigma_2 - w16 * w3 - w23 - w36 - w38 - w4 * w43);
     result[9] = 2.0 * sigma_4 * square(w1) * w3;
 }
 
@@ -445,7 +442,8 @@ INLINE void algebra_turning_sine(double sin_theta, double kappa, double alpha, d
     result[1] = -a_1 * c_2 + a_2 * c_1;
 }
 
-/* cos theta cos theta0 where the curve of folds turns back in mu0. Needs alpha > 0. Source: f = f_theta0 = 0. Operations: 11. */
+/* cos theta cos theta0 where the curve of folds turns back in mu0. Needs alpha > 0. Source: f = f_theta0 = 0. Operations:
+ * 11. */
 INLINE double algebra_turning_cosine(double sin_theta, double sin0, double kappa, double alpha, double sigma, double beta) {
     (void)beta;
     const double p = alpha + sigma;
@@ -511,28 +509,13 @@ INLINE double cube_root(double x) {
     return (x > 0.0) ? root : 0.0;
 }
 
-/* 2^27 + 1 splits a double into two halves of 26 bits. */
-#define SPLITTER 134217729.0
 /* A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers. */
 #define SMALLEST_PARAMETER 1e-250
-/* Between these the largest coefficient of f can be divided out without underflow or overflow. */
-#define SMALLEST_SCALE 1e-200
-#define LARGEST_SCALE 1e+200
-/* The least |b| over the largest coefficient: the quartic in t is divided by it, and roots farther apart share no scale. */
-#define SMALLEST_RATIO 1e-60
-/* Where P or Q vanishes, as at a cusp, it is replaced by the smallest normal number. */
-#define SMALLEST_NORMAL 2.2250738585072014e-308
 /* Between these, numbers are far enough from underflow and overflow for the exact products of double-double arithmetic. */
 #define SMALLEST_WIDE 1e-50
 #define LARGEST_WIDE 1e+50
 /* The unit roundoff of double-double arithmetic, 2^-102: sixteen units of 2^-106, of which its operations lose 15 at most. */
 #define WIDE_ROUNDOFF 1.9721522630525295e-31
-/* What underflow may add to P^3 + Q^2 at most, generously. */
-#define UNDERFLOW 1e-307
-/* The largest h = |f| max|f''| / f'^2 for which a root is taken as proved: Kantorovich's theorem asks for 1/2. */
-#define LARGEST_H 0.4
-/* The largest radius around theta, over sin theta, for which the bounds on the state below hold. */
-#define LARGEST_RADIUS 0.001
 #define COUNT_P 22.0
 #define COUNT_Q 27.0
 #define COUNT_E1 10.0
@@ -592,12 +575,14 @@ typedef struct {
     double p1, q1, p2, q2;
 } Factors;
 
-/* Roots of a quadratic, the one of larger magnitude first, and a quarter of the discriminant, negative if they are not real. */
+/* Roots of a quadratic, the one of larger magnitude first, and a quarter of the discriminant, negative if they are not
+ * real. */
 typedef struct {
     double large, small, discriminant;
 } Pair;
 
-/* tan(theta/2) at the roots that may be equilibria, ascending, how many there are, and whether there are certainly no more. */
+/* tan(theta/2) at the roots that may be equilibria, ascending, how many there are, and whether there are certainly no
+ * more. */
 typedef struct {
     double t0, t1, t2, t3, count;
     int certain;
@@ -612,8 +597,8 @@ typedef struct {
 /* Quantities at a root of f.
  *
  * The state; the radius around theta in which exactly one root is proved, infinite where none is; a bound on the error of
- * theta, L, x and y over max(1, |value|); whether it certainly is an equilibrium (L > 0, and y on the side that nbar says);
- * whether it certainly is none; its stability, and whether that is certain. */
+ * theta, L, x and y over max(1, |value|); whether it certainly is an equilibrium (L > 0, and y on the side that nbar
+ * says); whether it certainly is none; its stability, and whether that is certain. */
 typedef struct {
     double L, x, y, radius, error;
     int member, outsider;
@@ -713,11 +698,13 @@ INLINE Wide fast_two_sum(double a, double b) {
 
 /* a b, exactly (Dekker, Veltkamp). */
 INLINE Wide two_product(double a, double b) {
+    /* 2^27 + 1 splits a double into two halves of 26 bits. */
+    const double splitter = 134217729.0;
     const double p = a * b;
-    const double big_a = SPLITTER * a;
+    const double big_a = splitter * a;
     const double high_a = big_a - (big_a - a);
     const double low_a = a - high_a;
-    const double big_b = SPLITTER * b;
+    const double big_b = splitter * b;
     const double high_b = big_b - (big_b - b);
     const double low_b = b - high_b;
     const Wide result = {p, high_a * high_b - p + high_a * low_b + low_a * high_b + low_a * low_b};
@@ -806,8 +793,8 @@ INLINE Wide dd_sqrt(Wide x) {
 
 /* cos x and sin x of a double 0 < x < pi, within 2^-101 of themselves.
  *
- * x = k pi/2 + r with |r| <= pi/4 by pi/2 in three parts, of which the first leaves nothing to round; then Taylor's series,
- * whose terms from the tenth on need a double only. */
+ * x = k pi/2 + r with |r| <= pi/4 by pi/2 in three parts, of which the first leaves nothing to round; then Taylor's
+ * series, whose terms from the tenth on need a double only. */
 INLINE SplitDirection dd_cosine_and_sine(double x) {
     const double k = (x > 0.7853981633974483 ? 1.0 : 0.0) + (x > 2.356194490192345 ? 1.0 : 0.0);
     const double near = x - k * 1.5707963267948966;
@@ -889,10 +876,11 @@ INLINE LineBalance balance(Point point) {
     return result;
 }
 
-/* Whether double precision can carry the quartic of this balance. */
-INLINE int representable(LineBalance line) {
-    return (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (line.b <= -SMALLEST_RATIO);
-}
+/* Whether double precision can carry the quartic of this balance.
+ *
+ * Its largest coefficient was divided out without underflow or overflow; and the quartic is divided by |b|: where that is
+ * less than 1e-60 of the largest, roots share no scale. */
+INLINE int representable(LineBalance line) { return (line.scale > 1e-200) & (line.scale < 1e+200) & (line.b <= -1e-60); }
 
 /* The resolvent r0 + r1 l + r2 l^2 + l^3 without its quadratic term; P^3 + Q^2 < 0: four real roots in t. */
 INLINE Depressed depressed(double r0, double r1, double r2) {
@@ -932,14 +920,14 @@ INLINE Quartic quartic(double a, double b, double d, double m) {
 /* The sign of P^3 + Q^2 is that of the discriminant, reversed.
  *
  * From bounds on the errors of P and Q: |P~^3 - P^3| <= 3 (|P| + error)^2 error and |Q~^2 - Q^2| <= 2 (|Q| + error) error;
- * cubing, squaring and adding round four times more. */
+ * cubing, squaring and adding round four times more. Underflow adds less than 1e-307. */
 INLINE Discriminant discriminant(LineBalance line, Cubic it, double u) {
     const Depressed size = depressed_size(line.a_size, fabs(line.b), line.d_size, line.m);
     const double P_bound = fabs(it.P) + COUNT_P * u * size.P;
     const double Q_bound = fabs(it.Q) + COUNT_Q * u * size.Q;
     const double from_P = P_bound * P_bound * size.P * (3.0 * COUNT_P + 4.0);
     const double from_Q = Q_bound * size.Q * (2.0 * COUNT_Q + 4.0);
-    const Discriminant result = {it.P * it.P * it.P + it.Q * it.Q, u * (from_P + from_Q) + UNDERFLOW};
+    const Discriminant result = {it.P * it.P * it.P + it.Q * it.Q, u * (from_P + from_Q) + 1e-307};
     return result;
 }
 
@@ -968,15 +956,15 @@ INLINE Above above(double e1, double e2, double e3, double e4, double c, double 
 
 /* The number of equilibria in contact, 1 or 3; 0 where that is open.
  *
- * Each is a positive root in t. One is positive unless all four are real and e1 > 0; then three are, by Descartes' rule. Of
- * these the ones in contact have sin theta > s* = sin theta0 - kappa/sigma. At the lower end t = c of these directions f is
- * negative, so that none or two of the three lie below it. None lies beyond the upper end, where cos theta < 0 and sin
- * theta = s < s* < sin theta0: there f = |cos theta| (|b| - a s) + s (m (s* - s) + alpha q cos theta0) is positive, by |b|
- * - a s > alpha q s and |cos theta| > |cos theta0|.
+ * Each is a positive root in t. One is positive unless all four are real and e1 > 0; then three are, by Descartes' rule.
+ * Of these the ones in contact have sin theta > s* = sin theta0 - kappa/sigma. At the lower end t = c of these
+ * directions f is negative, so that none or two of the three lie below it. None lies beyond the upper end, where cos
+ * theta < 0 and sin theta = s < s* < sin theta0: there f = |cos theta| (|b| - a s) + s (m (s* - s) + alpha q cos
+ * theta0) is positive, by |b| - a s > alpha q s and |cos theta| > |cos theta0|.
  *
- * `margin` is more than what the derivatives at c may be off by. All coefficients are at most 4 and c at most 1; the largest
- * share is that of c, which is off by sqrt (22 u) at most, near c = 1, and changes a derivative by up to 44 times as much;
- * the rest is below 480 u (1 + a_size + d_size). */
+ * `margin` is more than what the derivatives at c may be off by. All coefficients are at most 4 and c at most 1; the
+ * largest share is that of c, which is off by sqrt (22 u) at most, near c = 1, and changes a derivative by up to 44
+ * times as much; the rest is below 480 u (1 + a_size + d_size). */
 INLINE double one_or_three(Point point, double u) {
     const LineBalance line = balance(point);
     const Quartic e = quartic(line.a, line.b, line.d, line.m);
@@ -994,14 +982,16 @@ INLINE double one_or_three(Point point, double u) {
 
 /* The root of z^3 + 3 P z + 2 Q of largest magnitude, which is far from the others. */
 INLINE double outermost(double P, double Q) {
+    /* Takes the place of P or Q where these vanish, as at a cusp: the smallest normal number. */
+    const double smallest = 2.2250738585072014e-308;
     const double size = fabs(Q);
     const double inside = P * P * P + Q * Q;
     /* One real root: Cardano, in the form that does not cancel for P > 0. */
-    const double w = cube_root(size + sqrt(larger(inside, 0.0)) + SMALLEST_NORMAL);
+    const double w = cube_root(size + sqrt(larger(inside, 0.0)) + smallest);
     const double v = P / w;
     const double alone = P > 0.0 ? 2.0 * size / (w * w + P + v * v) : w - v;
     /* Newton converges at once. */
-    const double root = sqrt(larger(-P, SMALLEST_NORMAL));
+    const double root = sqrt(larger(-P, smallest));
     const double cosine = smaller(size / (root * root * root), 1.0);
     double z = 0.8660254037844386 + cosine * (0.16306 - 0.02908 * cosine);
     for (int i = 0; i < 2; i++) {
@@ -1081,8 +1071,8 @@ INLINE Pair root_pair(double p, double q) {
 
 /* The roots that may be equilibria.
  *
- * In contact only positive ones: with sin theta < 0 < L, y = sin theta0 - L sin theta would be positive. The first factor has
- * a root of either sign; those of the second are complex, or both negative, or both positive. */
+ * In contact only positive ones: with sin theta < 0 < L, y = sin theta0 - L sin theta would be positive. The first factor
+ * has a root of either sign; those of the second are complex, or both negative, or both positive. */
 INLINE Guesses guesses(Point point, LineBalance line, double u) {
     const Quartic e = quartic(line.a, line.b, line.d, line.m);
     const Cubic resolved = cubic(line.a, line.b, line.d, line.m);
@@ -1106,14 +1096,15 @@ INLINE Guesses guesses(Point point, LineBalance line, double u) {
     const double inner = larger(a1, b1);
     const double outer = smaller(a2, b2);
     const double count = (contact ? 1.0 : 2.0) + (more ? 2.0 : 0.0);
-    const Guesses result = {smaller(a1, b1), smaller(inner, outer), larger(inner, outer), larger(a2, b2), count, (spared | real)};
+    const Guesses result = {smaller(a1, b1), smaller(inner, outer), larger(inner, outer), larger(a2, b2), count,
+        (spared | real)};
     return result;
 }
 
 /* 1 stable, 2 divergent, 3 flutter, by (27).
  *
- * The sign of det K is that of f', which is known where the root is proved. `uncertainty` bounds the errors of cos theta, and
- * of sin theta and L over themselves. */
+ * The sign of det K is that of f', which is known where the root is proved. `uncertainty` bounds the errors of cos theta,
+ * and of sin theta and L over themselves. */
 INLINE Kind stability(Direction at, double L, double slope, double uncertainty, Point point) {
     double stiffness_results[4];
     algebra_stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar, stiffness_results);
@@ -1140,14 +1131,14 @@ INLINE Kind stability(Direction at, double L, double slope, double uncertainty, 
 
 /* State, error bounds and stability at a root of f that is proved to lie near theta = 2 atan t.
  *
- * Newton-Kantorovich on f at theta: a root lies within about |f|/|f'|. Then, with R = (beta + nbar) sin theta0 + kappa, L =
- * sigma/q + R/(q sin theta), y = (sigma (sin theta0 - sin theta) - kappa)/q and x = cos theta0 - L cos theta over that
- * radius: sin theta changes by at most radius (|cos theta| + radius), cos theta by radius (|sin theta| + radius), and 1/sin
- * theta as sin theta does, over sin^2 theta, but for some thousandths.
+ * Newton-Kantorovich on f at theta: a root lies within about |f|/|f'|. Then, with R = (beta + nbar) sin theta0 + kappa, L
+ * = sigma/q + R/(q sin theta), y = (sigma (sin theta0 - sin theta) - kappa)/q and x = cos theta0 - L cos theta over
+ * that radius: sin theta changes by at most radius (|cos theta| + radius), cos theta by radius (|sin theta| + radius),
+ * and 1/sin theta as sin theta does, over sin^2 theta, but for some thousandths.
  *
  * Where y can't be told from 0, as at theta0 under a small preload, f decides: at the border of contact, sin theta* = sin
- * theta0 - kappa/sigma, it is q (alpha sin(theta* - theta0) - kappa cos theta*), negative for acute theta* and positive for
- * obtuse ones. Where f is monotone from there to the root, y < 0 if f rises, and y > 0 if it falls. */
+ * theta0 - kappa/sigma, it is q (alpha sin(theta* - theta0) - kappa cos theta*), negative for acute theta* and positive
+ * for obtuse ones. Where f is monotone from there to the root, y < 0 if f rises, and y > 0 if it falls. */
 INLINE Root at_root(double t, Point point, LineBalance line, double u) {
     const Direction at = direction(t);
     const double c_size = fabs(at.cosine);
@@ -1162,7 +1153,8 @@ INLINE Root at_root(double t, Point point, LineBalance line, double u) {
     const double bend = 2.0 * (line.a_size + m_size) + b_size + line.d_size;
     const double newton = value / steepness;
     const double h = newton * bend / steepness;
-    const int proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS * s_size) & sound(point);
+    /* small beside sin theta. */
+    const int proved = (steepness > 0.0) & (h < 0.4) & (newton < 0.001 * s_size) & sound(point);
     /* The root is within (1 - sqrt (1 - 2 h))/h <= 1/(1 - h) Newton steps. */
     const double radius = proved ? 1.0001 * newton / (1.0 - h) : INFINITY;
     double state_results[3];
@@ -1282,8 +1274,8 @@ INLINE WideLineBalance wide_balance(WidePoint point) {
         point.sigma, point.beta, point.nbar);
     const Wide a = wide_f_coefficients_results.value0, b = wide_f_coefficients_results.value1, d = wide_f_coefficients_results.value2, m = wide_f_coefficients_results.value3;
     double f_magnitudes_results[2];
-    algebra_f_magnitudes(point.cos0.high, point.sin0.high, point.mu0.high, point.kappa.high, point.alpha.high, point.sigma.high,
-        point.beta.high, point.nbar.high, f_magnitudes_results);
+    algebra_f_magnitudes(point.cos0.high, point.sin0.high, point.mu0.high, point.kappa.high, point.alpha.high,
+        point.sigma.high, point.beta.high, point.nbar.high, f_magnitudes_results);
     const double a_size = f_magnitudes_results[0], d_size = f_magnitudes_results[1];
     const double scale = larger(larger(fabs(a.high), fabs(b.high)), larger(fabs(d.high), m.high));
     const double over = 1.0 / scale;
@@ -1293,7 +1285,9 @@ INLINE WideLineBalance wide_balance(WidePoint point) {
 }
 
 /* `pressed` in double-double arithmetic. */
-INLINE double wide_pressed(WidePoint point) { return (point.beta.high + point.nbar.high) * point.sin0.high + point.kappa.high; }
+INLINE double wide_pressed(WidePoint point) {
+    return (point.beta.high + point.nbar.high) * point.sin0.high + point.kappa.high;
+}
 
 /* `moderate` in double-double arithmetic. */
 INLINE int wide_moderate(WidePoint point) {
@@ -1304,7 +1298,7 @@ INLINE int wide_moderate(WidePoint point) {
 
 /* `representable` in double-double arithmetic. */
 INLINE int wide_representable(WideLineBalance line) {
-    return (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (line.b.high <= -SMALLEST_RATIO);
+    return (line.scale > 1e-200) & (line.scale < 1e+200) & (line.b.high <= -1e-60);
 }
 
 /* Coefficients of (1 + t^2)^2 f = e0 + e1 t + e2 t^2 + e3 t^3 + e4 t^4 with t = tan(theta/2). */
@@ -1355,7 +1349,7 @@ INLINE Discriminant wide_discriminant(WideLineBalance line, WideCubic it, double
     const double from_P = P_bound * P_bound * size.P * (3.0 * COUNT_P + 4.0);
     const double from_Q = Q_bound * size.Q * (2.0 * COUNT_Q + 4.0);
     const Discriminant result = {dd_leading(dd_add(dd_multiply(dd_multiply(it.P, it.P), it.P), dd_multiply(it.Q, it.Q))),
-        u * (from_P + from_Q) + UNDERFLOW};
+        u * (from_P + from_Q) + 1e-307};
     return result;
 }
 
@@ -1454,8 +1448,8 @@ INLINE WideGuesses wide_guesses(WidePoint point, WideLineBalance line, double u)
     const Wide inner = dd_larger(a1, b1);
     const Wide outer = dd_smaller(a2, b2);
     const double count = (contact ? 1.0 : 2.0) + (more ? 2.0 : 0.0);
-    const WideGuesses result = {dd_smaller(a1, b1), dd_smaller(inner, outer), dd_larger(inner, outer), dd_larger(a2, b2), count,
-        (spared | real)};
+    const WideGuesses result = {dd_smaller(a1, b1), dd_smaller(inner, outer), dd_larger(inner, outer), dd_larger(a2, b2),
+        count, (spared | real)};
     return result;
 }
 
@@ -1522,8 +1516,8 @@ INLINE Wides3 wide_invariants(Wide K11, Wide K12, Wide K21, Wide K22) {
 
 /* `stability` in double-double arithmetic. */
 INLINE Kind wide_stability(WideDirection at, Wide L, double slope, double uncertainty, WidePoint point) {
-    const Wides4 wide_stiffness_results = wide_stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta,
-        point.nbar);
+    const Wides4 wide_stiffness_results = wide_stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma,
+        point.beta, point.nbar);
     const Wide K11 = wide_stiffness_results.value0, K12 = wide_stiffness_results.value1, K21 = wide_stiffness_results.value2, K22 = wide_stiffness_results.value3;
     const Wides3 wide_invariants_results = wide_invariants(K11, K12, K21, K22);
     const Wide wide_trace = wide_invariants_results.value0, wide_flutter = wide_invariants_results.value2;
@@ -1557,10 +1551,10 @@ INLINE Root wide_at_root(Wide t, WidePoint point, WideLineBalance line, double u
     const double bend = 2.0 * (line.a_size + m_size) + b_size + line.d_size;
     const double newton = value / steepness;
     const double h = newton * bend / steepness;
-    const int proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS * s_size) & wide_sound(point);
+    const int proved = (steepness > 0.0) & (h < 0.4) & (newton < 0.001 * s_size) & wide_sound(point);
     const double radius = proved ? 1.0001 * newton / (1.0 - h) : INFINITY;
-    const Wides3 wide_state_results = wide_state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta,
-        point.nbar);
+    const Wides3 wide_state_results = wide_state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma,
+        point.beta, point.nbar);
     const Wide wide_L = wide_state_results.value0, wide_x = wide_state_results.value1, wide_y = wide_state_results.value2;
     const double L = wide_L.high;
     const double x = wide_x.high;
@@ -2755,8 +2749,8 @@ spragsym_status spragsym_rhs(double x, double y, double vx, double vy, double co
     return deliver(2, value, result);
 }
 
-spragsym_status spragsym_regime_rhs(double x, double y, double vx, double vy, double cos0, double sin0, double mu0, double kappa,
-    double alpha, double sigma, double beta, double V, double d, double nbar, double side, double result[2]) {
+spragsym_status spragsym_regime_rhs(double x, double y, double vx, double vy, double cos0, double sin0, double mu0,
+    double kappa, double alpha, double sigma, double beta, double V, double d, double nbar, double side, double result[2]) {
     const double given[] = {x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, nbar, side};
     double value[2];
     if (!result || !finite_all(15, given)) {

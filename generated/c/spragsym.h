@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "10783f600af042a2"
+#define SPRAGSYM_SOURCE "f26637d0d6eaad35"
 
 /** What became of a call. */
 typedef enum {
@@ -195,13 +195,13 @@ spragsym_status spragsym_critical_friction(const spragsym_parameters *parameters
  * side: sign of V - x': 1 where the belt is ahead of the mass, -1 where the mass is ahead
  */
 
-/** Coefficients of c0 + c1 L + c2 L^2 + c3 L^3 + c4 L^4 = 0 in contact. Result: c0, c1, c2, c3, c4. Source: (21), (A1)-(A5).
- * Operations: 44. */
+/** Coefficients of c0 + c1 L + c2 L^2 + c3 L^3 + c4 L^4 = 0 in contact. Result: c0, c1, c2, c3, c4. Source: (21),
+ * (A1)-(A5). Operations: 44. */
 spragsym_status spragsym_contact_quartic(double cos0, double sin0, double mu0, double kappa, double alpha, double sigma,
     double beta, double result[5]);
 
-/** Coefficients of d0 + d1 L + d2 L^2 + d3 L^3 + d4 L^4 = 0 in lift-off, d0 as derived. Result: d0, d1, d2, d3, d4. Source:
- * (26), (A1) corrected, (A6)-(A9). Operations: 36. */
+/** Coefficients of d0 + d1 L + d2 L^2 + d3 L^3 + d4 L^4 = 0 in lift-off, d0 as derived. Result: d0, d1, d2, d3, d4.
+ * Source: (26), (A1) corrected, (A6)-(A9). Operations: 36. */
 spragsym_status spragsym_liftoff_quartic(double cos0, double sin0, double kappa, double alpha, double sigma, double beta,
     double result[5]);
 
@@ -225,8 +225,8 @@ spragsym_status spragsym_f_curvature(double cos_theta, double sin_theta, double 
  * Source: (12), (13) eliminated. Operations: 7. */
 spragsym_status spragsym_t_quartic(double a_f, double b_f, double d_f, double m_f, double result[5]);
 
-/** Coefficients of the cubic r0 + r1 l + r2 l^2 + l^3 with the discriminant of the quartic in t. Result: r0, r1, r2. Source:
- * (12), (13) eliminated. Operations: 15. */
+/** Coefficients of the cubic r0 + r1 l + r2 l^2 + l^3 with the discriminant of the quartic in t. Result: r0, r1, r2.
+ * Source: (12), (13) eliminated. Operations: 15. */
 spragsym_status spragsym_resolvent(double a_f, double b_f, double d_f, double m_f, double result[3]);
 
 /** Spring length and displacement at an equilibrium with direction theta. Result: L, x, y. Source: (4), (5), (13) or (15).
@@ -249,8 +249,8 @@ spragsym_status spragsym_invariants(double K11, double K12, double K21, double K
 /** dF_x/dx' at steady sliding. Result: C11. Source: (8), (10) linearized. Operations: 7. */
 spragsym_status spragsym_damping(double y, double mu0, double V, double d, double nbar, double *result);
 
-/** Coefficients of det(lambda^2 I + lambda C + K), highest power first; C11 = 0 is (27). Result: e4, e3, e2, e1, e0. Source:
- * (27) with damping. Operations: 5. */
+/** Coefficients of det(lambda^2 I + lambda C + K), highest power first; C11 = 0 is (27). Result: e4, e3, e2, e1, e0.
+ * Source: (27) with damping. Operations: 5. */
 spragsym_status spragsym_characteristic(double K11, double K12, double K21, double K22, double C11, double result[5]);
 
 /** Length of the inclined spring. Result: L. Source: (6) corrected. Operations: 7. */
@@ -259,17 +259,17 @@ spragsym_status spragsym_spring_length(double x, double y, double cos0, double s
 /** The friction coefficient at the speed x' of the mass. Result: mu. Source: (10). Operations: 12. */
 spragsym_status spragsym_friction(double vx, double mu0, double V, double d, double *result);
 
-/** Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Result: (q_1'', ...). Source:
- * (8)-(11). Operations: 45. */
+/** Accelerations, kinked where a border is zero: there those of contact, and of the belt ahead. Result: (q_1'', ...).
+ * Source: (8)-(11). Operations: 45. */
 spragsym_status spragsym_rhs(double x, double y, double vx, double vy, double cos0, double sin0, double mu0, double kappa,
     double alpha, double sigma, double beta, double V, double d, double result[2]);
 
 /** Accelerations in a smooth regime, continued beyond its borders. Result: (q_1'', ...). Source: (8)-(10). Operations: 35. */
-spragsym_status spragsym_regime_rhs(double x, double y, double vx, double vy, double cos0, double sin0, double mu0, double kappa,
-    double alpha, double sigma, double beta, double V, double d, double nbar, double side, double result[2]);
+spragsym_status spragsym_regime_rhs(double x, double y, double vx, double vy, double cos0, double sin0, double mu0,
+    double kappa, double alpha, double sigma, double beta, double V, double d, double nbar, double side, double result[2]);
 
-/** Derivatives of regime_rhs by the coordinates and the rates. Result: ((dq_1''/dq_1, ..., dq_1''/dv_1, ...), ...). Source:
- * (8)-(10). Operations: 40. */
+/** Derivatives of regime_rhs by the coordinates and the rates. Result: ((dq_1''/dq_1, ..., dq_1''/dv_1, ...), ...).
+ * Source: (8)-(10). Operations: 40. */
 spragsym_status spragsym_regime_jacobian(double x, double y, double vx, double vy, double cos0, double sin0, double mu0,
     double kappa, double alpha, double sigma, double beta, double V, double d, double nbar, double side, double result[8]);
 

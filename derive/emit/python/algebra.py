@@ -12,7 +12,7 @@ import sympy as sp
 from sympy import Add, Expr, Symbol
 from sympy.printing.str import StrPrinter
 
-from ..definitions import nested
+from ..definitions import WIDTH, nested
 from ..function import Function, Module, Results
 from ..quantities import Quantity
 from ..statements import Body, straight_line
@@ -30,8 +30,6 @@ BY_NAME: Mapping[type[sp.Basic], str] = {
     sp.Abs: "abs",
     sp.sign: "sign",
 }
-
-_WIDTH = 126
 
 
 class RoundedError(ArithmeticError):
@@ -170,13 +168,13 @@ def whole(
         str(symbol) for function in module.functions for symbol in function.accepted
     )
     table = "\n".join(
-        textwrap.fill(f"{name} : {meanings[name]}", _WIDTH - 2, subsequent_indent="    ")
+        textwrap.fill(f"{name} : {meanings[name]}", WIDTH - 2, subsequent_indent="    ")
         for name in symbols
     )
     summary, table = (
         text.replace("\\", r"\\").replace('""', r'"\"') for text in (module.summary, table)
     )
-    said = f'"""{summary}\n\n{table}\n\n{textwrap.fill(header, _WIDTH - 2)}\n"""\n\n'
+    said = f'"""{summary}\n\n{table}\n\n{textwrap.fill(header, WIDTH - 2)}\n"""\n\n'
     return (
         said
         + "\n\n\n".join(["\n".join(imports), *body, "__all__ = broadcasting(globals())"])
@@ -187,7 +185,7 @@ def whole(
 def listed(opening: str, items: Iterable[str], closing: str) -> str:
     """A list between brackets, on as many lines as it needs."""
     inside = textwrap.fill(
-        ", ".join(items), _WIDTH - 2, initial_indent="    ", subsequent_indent="    "
+        ", ".join(items), WIDTH - 2, initial_indent="    ", subsequent_indent="    "
     )
     return f"{opening}\n{inside},\n{closing}"
 
@@ -209,7 +207,7 @@ def definition(function: Function, trimmed: bool = False) -> str:
             arguments, further = arguments[:-unread], ["*_", *further[1:]]
     arguments += further
     signature = f"def {function.name}({', '.join(arguments)}):"
-    if len(signature) > _WIDTH:
+    if len(signature) > WIDTH:
         signature = listed(f"def {function.name}(", arguments, "):")
     return "\n".join(
         [signature, textwrap.indent(_docstring(function, body.operations), "    "), *statements]
@@ -247,7 +245,7 @@ def _printed(printer: AlgebraPrinter) -> list[str]:
 def _return(results: Results, printer: AlgebraPrinter) -> str:
     """The return statement, on one line or one result a line."""
     line = f"    return {nested(results, '()', printer.doprint)}"
-    if len(line) <= _WIDTH or not isinstance(results, tuple):
+    if len(line) <= WIDTH or not isinstance(results, tuple):
         return _wrap(line)
     return (
         "    return (\n"
@@ -258,14 +256,14 @@ def _return(results: Results, printer: AlgebraPrinter) -> str:
 
 def _wrap(line: str) -> str:
     """Break a long statement between terms, inside brackets."""
-    if len(line) <= _WIDTH:
+    if len(line) <= WIDTH:
         return line
     indent = " " * (len(line) - len(line.lstrip()))
     head, separator, rest = line.strip().rpartition(" = ")
     if line.strip().startswith("return "):
         head, separator, rest = "return", " ", line.strip().removeprefix("return ")
     pieces = textwrap.wrap(
-        rest, _WIDTH - len(indent) - 4, break_long_words=False, break_on_hyphens=False
+        rest, WIDTH - len(indent) - 4, break_long_words=False, break_on_hyphens=False
     )
     return (
         f"{indent}{head}{separator}(\n"
@@ -280,4 +278,4 @@ def _docstring(function: Function, operations: int) -> str:
     """
     source = f" Source: {function.equations}." if function.equations else ""
     text = f'"""{function.summary} Returns {function.returns}.{source} Operations: {operations}."""'
-    return textwrap.fill(text, _WIDTH - 4, break_long_words=False, break_on_hyphens=False)
+    return textwrap.fill(text, WIDTH - 4, break_long_words=False, break_on_hyphens=False)

@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 from ..definitions import Definition, symbols
-from ..language import NOTHING, Source, joined
+from ..language import Source, joined
 from ..quantities import Interval, Quantity
 
 #: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine,
@@ -102,7 +102,7 @@ class Material:
     # names of files and functions begin with it in languages without modules of their own
     library: str = "spragsym"
     summary: str = ""  #: one sentence: what the library computes
-    kernel: Source = NOTHING
+    kernel: Source = field(default_factory=Source)
     #: Counts of roundings that the kernel's error bounds name.
     counts: Mapping[str, float] = field(default_factory=dict)
     #: By target language, the model's own files: what it offers besides algebra, with ``@name@``
@@ -115,8 +115,8 @@ class Material:
         str, ...
         # functions of the kernel that extension modules in C call, besides the model's own files
     ] = ()
-    arithmetic: Source = NOTHING  #: double-double numbers
-    widened: Source = NOTHING  #: the kernel a second time, on these
+    arithmetic: Source = field(default_factory=Source)  #: double-double numbers
+    widened: Source = field(default_factory=Source)  #: the kernel a second time, on these
     motion: MotionMaterial | None = None  #: of a page
 
     @property

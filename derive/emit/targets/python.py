@@ -6,10 +6,9 @@ import re
 import textwrap
 from collections.abc import Mapping
 
-from ..definitions import NAMES, Definition, nested, ported
+from ..definitions import NAMES, WIDTH, Definition, nested, ported
 from . import Angles, Material, taken
 
-_WIDTH = 126
 #: Kinks are choices: both sides have derivatives, and the one that is taken gives its own.
 _HEAD = """
 import {module} as xp
@@ -38,7 +37,7 @@ def render(material: Material, module: str, where: str, names: Mapping[str, str]
         for name in taken(it, material.angles)
     }
     table = "\n".join(
-        textwrap.fill(f"{name} : {meanings[name]}", _WIDTH, subsequent_indent="    ")
+        textwrap.fill(f"{name} : {meanings[name]}", WIDTH, subsequent_indent="    ")
         for name in sorted(meanings)
     )
     said = f"{material.summary}\n\n{table}\n\n{material.header}".replace("\\", r"\\").replace(
@@ -72,7 +71,7 @@ def _function(function: Definition, angles: Angles, ports: Mapping[str, str]) ->
     lines = [
         f"def {function.name}({', '.join(given)}):",
         textwrap.indent(
-            textwrap.fill(said, _WIDTH, break_long_words=False, break_on_hyphens=False), "    "
+            textwrap.fill(said, WIDTH, break_long_words=False, break_on_hyphens=False), "    "
         ),
         *(
             f"    {cosine}, {sine} = xp.cos({angle}), xp.sin({angle})"

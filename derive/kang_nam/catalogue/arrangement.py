@@ -13,7 +13,6 @@ ANGLE = (c, s)
 #: A point of parameters, all of them but the friction, and those that are stiffnesses.
 POINT, WITHOUT_FRICTION, STIFFNESS = (*ANGLE0, *PARAMETERS), PARAMETERS[1:], PARAMETERS[2:]
 F_COEFFICIENTS = (fa, fb, fd, fm)
-F_AT = (*ANGLE, *F_COEFFICIENTS)
 
 
 def require_same(what: str, arranged: Row, derived: Row, names: Names | None = None) -> None:

@@ -29,7 +29,6 @@ from ..nomenclature import (
 from .arrangement import (
     ANGLE,
     ANGLE0,
-    F_AT,
     F_COEFFICIENTS,
     POINT,
     STIFFNESS,
@@ -76,6 +75,7 @@ def module() -> Module:
     state = elimination.state()
     along, across = equilibrium.balance()
     f, trig = elimination.f_form, elimination.f_coefficients()
+    at_angle = (*ANGLE, *F_COEFFICIENTS)
     r0, r1, r2, _ = elimination.resolvent_cubic()
     return Module(
         "equilibrium",
@@ -162,7 +162,7 @@ def module() -> Module:
                 "f",
                 "The scalar function whose roots are the equilibria.",
                 "(12), (13) eliminated",
-                F_AT,
+                at_angle,
                 f,
                 "f",
             ),
@@ -170,7 +170,7 @@ def module() -> Module:
                 "f_slope",
                 "df/dθ, which is L det K at an equilibrium.",
                 "(12), (13) eliminated",
-                F_AT,
+                at_angle,
                 sp.collect(catastrophe.slope, s),
                 "f′",
             ),
@@ -178,11 +178,13 @@ def module() -> Module:
                 "f_curvature",
                 "d²f/dθ².",
                 "(12), (13) eliminated",
-                F_AT,
+                at_angle,
                 catastrophe.curvature,
                 "f″",
             ),
-            Function("f_third", "d³f/dθ³.", "(12), (13) eliminated", F_AT, catastrophe.third, "f‴"),
+            Function(
+                "f_third", "d³f/dθ³.", "(12), (13) eliminated", at_angle, catastrophe.third, "f‴"
+            ),
             Function(
                 "t_quartic",
                 "Coefficients of (1 + t²)² f = e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ with t = "

@@ -78,8 +78,8 @@ export const algebra = Object.freeze({
 
   // Minus the sum of forces along each coordinate. Source: the page. Operations: 17.
   forces(x_, y_, c1_, s1_, l1_, cos0_, sin0_, kappa_, alpha_, sigma_, beta_, mu_, pushing_) {
-    return [c1_*sigma_ - cos0_*sigma_ + mu_*pushing_*y_ + x_*(alpha_ + sigma_), kappa_ + s1_*sigma_ - sigma_*sin0_ + y_*(beta_ +
-      pushing_ + sigma_)];
+    return [c1_*sigma_ - cos0_*sigma_ + mu_*pushing_*y_ + x_*(alpha_ + sigma_), kappa_ + s1_*sigma_ - sigma_*sin0_ + y_*(beta_
+      + pushing_ + sigma_)];
   },
 
   // The tension of every spring, negative where it pushes. Source: the page. Operations: 9.
@@ -121,8 +121,8 @@ export const algebra = Object.freeze({
     const c1_ = w0*w1;
     const mu_ = mu0_*side_*(-near1_*Math.exp(-d_*side_*(V_ - vx_)) + 1);
     const s1_ = w0*w2;
-    return [-c1_*sigma_ + cos0_*sigma_ - mu_*pushing_*y_ - x_*(alpha_ + sigma_), -kappa_ - s1_*sigma_ + sigma_*sin0_ - y_*(beta_ +
-      pushing_ + sigma_)];
+    return [-c1_*sigma_ + cos0_*sigma_ - mu_*pushing_*y_ - x_*(alpha_ + sigma_), -kappa_ - s1_*sigma_ + sigma_*sin0_ -
+      y_*(beta_ + pushing_ + sigma_)];
   },
 
   // The gap and the sliding speed, each zero on a kink of the field; 1 where there is none. Source: the page. Operations: 1.

@@ -12,6 +12,7 @@ from types import FunctionType
 from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
+import numpy.typing as npt
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
@@ -75,7 +76,7 @@ def _documentation(function: Callable[..., Any]) -> str:
     return f"{' '.join((function.__doc__ or '').split())}\n\nParameters\n----------\n{described}"
 
 
-def _fill(result: Any, shape: tuple[int, ...], dtype: Any) -> Any:
+def _fill(result: npt.ArrayLike, shape: tuple[int, ...], dtype: np.dtype[Any]) -> object:
     if isinstance(result, tuple):
         return tuple(_fill(item, shape, dtype) for item in result)
     if np.shape(result) == shape:
@@ -87,7 +88,7 @@ def _fill(result: Any, shape: tuple[int, ...], dtype: Any) -> Any:
     return filled
 
 
-def _typed(result: Any, numbers: list[Any]) -> Any:
+def _typed(result: object, numbers: list[Any]) -> object:
     """Constants of the algebra in the number type of the arguments."""
     if isinstance(result, tuple):
         return tuple(_typed(item, numbers) for item in result)

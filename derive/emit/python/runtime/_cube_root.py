@@ -6,11 +6,12 @@
 from typing import Any
 
 import numpy
+import numpy.typing as npt
 
 __all__ = ["cube_root"]
 
 
-def cube_root(x: Any) -> Any:
+def cube_root(x: npt.ArrayLike) -> npt.NDArray[Any]:
     """Cube root of x > 0, 0 of 0: of doubles a third of the exponent by the bits, then Halley's
     method; of others NumPy's.
     """

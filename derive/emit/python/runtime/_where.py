@@ -4,17 +4,15 @@ where flags are hard to guess.
 @header@
 """
 
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy
+import numpy.typing as npt
 
 __all__ = ["where"]
 
-#: Of so few numbers, or so few by either flag in every number, NumPy's own choice is faster.
-_MANY, _RARE = 1024, 1 / 16
 
-
-def where(flag: Any, one: Any, other: Any) -> Any:
+def where(flag: npt.ArrayLike, one: npt.ArrayLike, other: npt.ArrayLike) -> Any:
     """As ``numpy.where``, bit for bit; of many doubles with mixed flags by their bits, ((one ^
     other) & mask) ^ other.
     """
@@ -33,14 +31,15 @@ def where(flag: Any, one: Any, other: Any) -> Any:
     return numpy.where(flag, one, other)
 
 
-def _is_mixed(flag: Any) -> bool:
-    if not isinstance(flag, numpy.ndarray) or flag.size < _MANY:
+def _is_mixed(flag: npt.ArrayLike) -> TypeGuard[npt.NDArray[numpy.bool_]]:
+    """Whether flags are so many, and mixed so much, that NumPy's own choice is slower."""
+    if not isinstance(flag, numpy.ndarray) or flag.size < 1024:
         return False
     share = float(numpy.count_nonzero(flag)) / flag.size
-    return _RARE < share < 1 - _RARE
+    return 1 / 16 < share < 15 / 16
 
 
-def _bits(value: Any) -> Any:
+def _bits(value: npt.ArrayLike) -> numpy.int64 | npt.NDArray[numpy.int64] | None:
     """Doubles as integers of 64 bits; None of anything else."""
     if isinstance(value, float):
         return numpy.float64(value).view(numpy.int64)

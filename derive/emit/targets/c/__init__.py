@@ -6,11 +6,12 @@ import re
 import textwrap
 from collections.abc import Iterable, Mapping
 
+from ...definitions import WIDTH
 from ...expressions import hands_back, printed
 from ...language import Kinds, Routine, Source
 from .. import Material, runtime, spoken, words
 from . import algebra, cost, kernel
-from .layout import WIDTH, plain
+from .layout import plain
 
 
 def render(material: Material) -> dict[str, str]:

@@ -4,10 +4,10 @@ import re
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from ...definitions import NAMES, SPELLED, Definition, ported
+from ...definitions import NAMES, SPELLED, WIDTH, Definition, ported
 from ...quantities import Quantity
 from .. import Angles, taken
-from .layout import WIDTH, broken, comment, definition, plain
+from .layout import broken, comment, definition, plain
 
 
 def _expression(text: str) -> str:

@@ -12,7 +12,7 @@ import textwrap
 import unicodedata
 from collections.abc import Iterator
 
-WIDTH = 130
+from ...definitions import WIDTH
 
 
 def broken(line: str) -> str:

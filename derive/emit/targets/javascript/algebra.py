@@ -5,10 +5,8 @@ number at a time.
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from ...definitions import NAMES, Definition, nested, ported, symbols
+from ...definitions import NAMES, WIDTH, Definition, nested, ported, symbols
 from ...quantities import Quantity
-
-_WIDTH = 130
 
 
 def definition(function: Definition) -> str:
@@ -45,7 +43,7 @@ def meanings(functions: Iterable[Definition], quantities: Mapping[str, Quantity]
 def comment(text: str, indent: str = "") -> str:
     """Lines of a comment."""
     return textwrap.fill(
-        text, _WIDTH, initial_indent=f"{indent}// ", subsequent_indent=f"{indent}// "
+        text, WIDTH, initial_indent=f"{indent}// ", subsequent_indent=f"{indent}// "
     )
 
 
@@ -64,5 +62,5 @@ def declaration(function: Definition) -> str:
 def wrapped(line: str, further: str = "      ") -> str:
     """A statement on as many lines as it needs."""
     return textwrap.fill(
-        line, _WIDTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False
+        line, WIDTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False
     )

@@ -12,7 +12,7 @@ import textwrap
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ...definitions import symbols
+from ...definitions import WIDTH, symbols
 from ...expressions import number
 from ...quantities import Interval
 from .. import Material, ranges, runtime, spoken
@@ -85,7 +85,7 @@ def _words(material: Material) -> dict[str, str]:
 
 def _contents(material: Material, own: dict[str, str]) -> str:
     """Text of ``help`` on the package."""
-    lines = textwrap.wrap(f"{material.summary} {material.header.replace('``', '')}", algebra.WIDTH)
+    lines = textwrap.wrap(f"{material.summary} {material.header.replace('``', '')}", WIDTH)
     lines.append("")
     for name, text in own.items():
         if not name.startswith(_EXAMPLE):
@@ -104,7 +104,7 @@ def _contents(material: Material, own: dict[str, str]) -> str:
 
 def _listed(text: str, indent: int) -> list[str]:
     return textwrap.wrap(
-        text, algebra.WIDTH, initial_indent=" " * indent, subsequent_indent=" " * (indent + 2)
+        text, WIDTH, initial_indent=" " * indent, subsequent_indent=" " * (indent + 2)
     )
 
 

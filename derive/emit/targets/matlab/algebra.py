@@ -4,10 +4,7 @@ other.
 
 import textwrap
 
-from ...definitions import NAMES, Definition, ported
-
-#: Of a function, which is indented by four.
-WIDTH = 126
+from ...definitions import NAMES, WIDTH, Definition, ported
 
 
 def definition(function: Definition) -> str:

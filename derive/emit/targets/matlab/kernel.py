@@ -6,11 +6,12 @@ import ast
 import math
 from collections.abc import Iterator
 
+from ...definitions import WIDTH
 from ...expressions import Syntax, number, printed
 from ...language import Routine, Source
 from ...routines import Printer, places
 from .. import Material, words
-from .algebra import WIDTH, comment, wrapped
+from .algebra import comment, wrapped
 
 
 def method_name(name: str) -> str:

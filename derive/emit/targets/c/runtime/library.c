@@ -27,10 +27,6 @@
 #elif !defined(__STRICT_ANSI__) || defined(__cplusplus) /* where gcc fuses unless told not to */
 #pragma GCC optimize("fp-contract=off")
 #endif
-/* A name that Windows' math.h has for something else. */
-#ifdef UNDERFLOW
-#undef UNDERFLOW
-#endif
 /* What a loop calls must be part of it before it can be turned into vector instructions. */
 #if defined(__GNUC__) || defined(__clang__)
 #define INLINE static inline __attribute__((always_inline, unused))

@@ -31,7 +31,7 @@ from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Evaluation
 from ..statics.precise_balance import reduced_by_turns
 from ..statics.regions import region
-from ..statics.search import Asked, balances_of, roots_of
+from ..statics.search import ContactArgument, balances_of, roots_of
 from ..statics.stability import type_at
 from .defining_systems import Augmented, Family, cusp
 from .singularities import isolated
@@ -41,7 +41,7 @@ from .singularities import isolated
 def precise_equilibria(
     p: ParameterSet,
     exact: Mapping[str, Any],
-    contact: Asked,
+    contact: ContactArgument,
     digits: int,
     *,
     method: Method = "auto",

@@ -33,28 +33,29 @@ def equilibria(
         Of any model, of any shape; θ₀ and μ₀ of the article's model are needed.
     contact : bool or sequence of str, optional
         True for states with a gap ≤ 0, False for states with a gap ≥ 0 without the contact's force:
-        n̄ = 1 and n̄ = 0 of the article. Of several contacts, that open, True is for all of them,
-        False for none, and names are for these and no others, as ``("front",)``. Left out, states
-        in which at least one touches: each combination is searched and proved on its own, and the
-        column ``touching`` says which it is. A contact that presses on either of two faces, as in
-        a slot, rubs with the size of N: True is for states with N ≥ 0, False for those with N ≤ 0,
-        left out both are searched.
+        n̄ = 1 and n̄ = 0 of the article. With several contacts that open, True means that all touch,
+        False that none does, and names, as ``("front",)``, that these touch and no others. Left
+        out, all states in which at least one contact touches: each combination is searched and
+        proved on its own, and the column ``touching`` names it. A contact that presses on either of
+        two faces, as in a slot, has friction μ |N|: True is for states with N ≥ 0, False for those
+        with N ≤ 0; left out, both are searched.
     within : mapping, optional
-        Ranges of coordinates that are searched, as ``{"x": (-5.0, 5.0)}``. Without it a box that is
-        proved to hold all of them; where there is no such proof, ten times the largest length that
-        the model has at these parameters, or that Newton's method comes to rest at.
+        Ranges of coordinates to search, as ``{"x": (-5.0, 5.0)}``. By default a box that is proved
+        to hold all equilibria or, where there is no such proof, ten times the largest length of the
+        model at these parameters or of a state to which Newton's method converges.
     options : SearchOptions, optional
-        Tolerances and limits of the search, which asks for it where a closed form would answer.
+        Tolerances and limits of the search. If given, the search answers instead of a closed form.
     method : {"auto", "closed", "search"}
-        A closed form if the model brings one, the closed form only, or the search.
+        A closed form if the model has one and else the search; only the closed form; or only the
+        search.
 
     Returns
     -------
     Equilibria
-        Of the article's model one or three in contact, up to four in lift-off, with |error| ≤ 1e-12
-        max(1, |value|). Points of an array that have no answer are not ``decided``. On a belt that
-        stands still nothing slides: where friction holds the mass, :func:`spragsym.sticking_states`
-        has all states of rest.
+        The article's model has one or three in contact, up to four in lift-off, with |error| ≤
+        1e-12 max(1, |value|). Points of an array without an answer are not ``decided``. On a belt
+        at rest nothing slides: where friction holds the mass, :func:`spragsym.sticking_states` has
+        all states of rest.
 
     Raises
     ------
@@ -67,11 +68,11 @@ def equilibria(
     Notes
     -----
     Source: branch and prune over boxes of coordinates and of parameters, see
-    :mod:`spragsym.numerics.boxes`, in a region with all equilibria since the springs pull back
-    harder than all else pushes, see :mod:`spragsym.statics.regions`. A stiff spring is looked at in
-    its angle and tension, see :mod:`spragsym.statics.polar`. What float64 does not decide is
-    reduced to one unknown and decided with many digits, see :mod:`spragsym.numerics.precise_roots`.
-    Of the article's model: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated,
+    :mod:`spragsym.numerics.boxes`, in a region that is proved to hold all equilibria, see
+    :mod:`spragsym.statics.regions`. Near a stiff spring, its angle and tension are the unknowns,
+    see :mod:`spragsym.statics.polar`. Clusters that float64 does not decide are reduced to one
+    unknown and decided in ball arithmetic, see :mod:`spragsym.numerics.precise_roots`. The
+    article's model: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, with (12)–(13) eliminated,
     and stability by (27)–(28), see :mod:`spragsym.kang_nam.quartic.solver`.
 
     Examples
@@ -88,15 +89,16 @@ def equilibria(
     >>> eq.count.tolist(), eq.complete
     ([3, 1], True)
     """
-    from .search import equilibria_by_search  # where a closed form answers nothing of it is loaded
+    from .search import equilibria_by_search  # not loaded where a closed form answers
 
     return equilibria_by_search(p, contact, within, options)
 
 
 @question
 def count(p: ParameterSet, *, method: Method = "auto") -> Int8Array:
-    """The number of equilibria in contact of every point; for the article's model without solving
-    for the states.
+    """The number of equilibria in contact at every point.
+
+    The article's model needs no solution for it.
 
     Parameters
     ----------

@@ -1,14 +1,13 @@
-"""Namespaces ``xp`` of a model's functions: over boxes, at states that run to infinity, and of
-mirror symmetries.
+"""Namespaces ``xp`` for the generated functions: over boxes, at infinity, and for mirror
+symmetries.
 
-At infinity coordinates are q = u/w with w → 0. A number a w^−k is a pair of a, regular at w = 0,
-and the integer k. Sums, products, quotients, even roots and lengths of springs are such numbers
-again; so the algebra that is generated for the balance gives each row as w^−k G(u, w) with G
-regular at w = 0, where it is the part of highest degree. An exponential or a cosine of what runs
-away is none: :class:`NoChart`.
+At infinity the coordinates are q = u/w with w → 0. A number a w^−k is stored as a, regular at w =
+0, and the integer k. Sums, products, quotients, even roots and lengths of springs keep this form.
+So each row of the balance becomes w^−k G(u, w), and G at w = 0 is its part of highest degree. An
+exponential or a cosine of an infinite argument has no such form: :class:`NoChart`.
 
-Of a mirror symmetry, by which coordinates may change sign with all forces following, parity is a
-number type of the algebra.
+A mirror symmetry changes the signs of some coordinates and of their rows. Parity (odd, even,
+neither) is a number type for which the generated functions show this.
 """
 
 from __future__ import annotations
@@ -29,12 +28,11 @@ if TYPE_CHECKING:
 
 
 class LawFunctions(Functions):
-    """Interval functions in which roots and logarithms are taken of what is not negative.
+    """Interval functions whose square roots and logarithms clip their argument to be ≥ 0.
 
-    A law of contact that is no polynomial is asked for on its own side of the border only
-    (``Balance.limits``), and what else has roots or logarithms has them of what is seen to be
-    positive when its page is read. So their arguments are not negative, and where an enclosure
-    reaches below 0 that is rounding, or an enclosure that is not sharp.
+    The arguments are not negative: a contact law that is no polynomial is evaluated on its own side
+    of the border (``Balance.limits``), and other arguments of roots and logarithms are checked when
+    the page is read. An enclosure that reaches below 0 does so by overestimation.
     """
 
     #: π.
@@ -47,23 +45,24 @@ class LawFunctions(Functions):
         return super().of(name, value)
 
     def exp(self, value: Number) -> Number:
-        """Exponential: 1 of the number 0."""
+        """Exponential; the exact 1 for the exact 0."""
         return 1 if isinstance(value, int | float) and value == 0 else self.of("exp", value)
 
 
 def _enclosed(value: Number) -> Number:
-    """A number as an interval, so that a function of it is one that is rounded outward."""
+    """A number as an interval, so that functions of it are rounded outward."""
     return Intervals.point([float(value)]) if isinstance(value, int | float) else value
 
 
 def _not_negative(value: Number) -> Number:
+    """Intervals, or the constant term of a jet, clipped to be ≥ 0."""
     if isinstance(value, Jet):
         return Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
     return value.not_negative() if isinstance(value, Intervals) else value
 
 
 class FreeWaves(LawFunctions):
-    """Functions with cosines and sines as free numbers from −1 to 1, the same for every value."""
+    """Functions whose cosines and sines are free numbers in [−1, 1], whatever their argument is."""
 
     def of(self, name: str, value: Number) -> Number:
         """A function of one number or jet."""
@@ -74,18 +73,19 @@ class FreeWaves(LawFunctions):
 
 #: ``xp`` over boxes.
 XP = LawFunctions(interval_arrays, _enclosed)
-#: The same functions for numbers of which directions are quotients: affine ones by tapes.
+#: The same functions under another identity, for affine numbers: directions of springs are then
+#: computed as quotients.
 NARROW = LawFunctions(interval_arrays, _enclosed)
-#: For bounds far away, where forces are linear but for what is bounded.
+#: ``xp`` for bounds on far states, where forces are linear up to bounded terms.
 FREE = FreeWaves(interval_arrays, _enclosed)
 
 
 class NoChart(Exception):
-    """A function of what runs to infinity that has no expansion there."""
+    """Raised for a function of an infinite argument that has no expansion in powers of w."""
 
 
 class Scaled(Arithmetic):
-    """A number value · w^−order, with one w for all."""
+    """A number value · w^−order; w is the same for all numbers of a computation."""
 
     __slots__ = ("order", "value", "w")
     __array_ufunc__ = None
@@ -97,7 +97,7 @@ class Scaled(Arithmetic):
         return other if isinstance(other, Scaled) else Scaled(other, 0, self.w)
 
     def finite(self) -> Any:
-        """The number itself, where it does not run away."""
+        """The number itself; raises NoChart if it is infinite."""
         if self.order > 0:
             raise NoChart
         return self.value * self.w**-self.order if self.order else self.value
@@ -138,13 +138,13 @@ class Scaled(Arithmetic):
 
 
 class _ScaledFunctions:
-    """The namespace ``xp`` of generated functions of such numbers."""
+    """The namespace ``xp`` for :class:`Scaled` numbers."""
 
     pi = XP.pi
 
     @staticmethod
     def sqrt(value: Number) -> Number:
-        """Square root of an even order: half of it."""
+        """Square root; raises NoChart for an odd order."""
         if not isinstance(value, Scaled):
             return XP.sqrt(value)
         if value.order % 2:
@@ -153,7 +153,7 @@ class _ScaledFunctions:
 
     @staticmethod
     def atan2(sine: Number, cosine: Number) -> NoReturn:
-        """Angle; of no number that runs to infinity."""
+        """Always raises NoChart: the angle has no expansion."""
         raise NoChart
 
     def __getattr__(self, name: str) -> Callable[[Any], Any]:
@@ -170,8 +170,10 @@ SCALED: Any = _ScaledFunctions()
 
 
 class Parity(Arithmetic):
-    """A number that changes its sign (``odd``), does not, or does neither (None); numbers beside it
-    are even, and 0 is both.
+    """A number that changes its sign in a mirror (``odd`` True), does not (False), or neither
+    (None).
+
+    Plain numbers are even, except that 0 is both odd and even.
     """
 
     __slots__ = ("odd",)
@@ -206,6 +208,8 @@ class Parity(Arithmetic):
 
 
 class _ParityFunctions:
+    """The namespace ``xp`` for :class:`Parity`."""
+
     pi = 3
 
     def __getattr__(self, name: str) -> Callable[..., Parity]:
@@ -221,18 +225,20 @@ class _ParityFunctions:
 
 
 def follows(balance: Balance, values: Values, odd: Collection[int]) -> bool:
-    """Whether the rows of these coordinates, and no others, change their signs with them; the gap
-    does not.
+    """Whether a mirror that changes the signs of the coordinates ``odd`` is a symmetry of the
+    balance.
+
+    It is if the rows of these coordinates change their signs and all other rows and gaps do not.
     """
     xp = _ParityFunctions()
     q = [Parity(i in odd) for i in range(balance.n)]
     given = {name: 0 if is_zero(value) else Parity(False) for name, value in values.items()}
     at = balance.at(q, given, xp=xp)
-    wanted = [
+    expected = [
         *((row, i in odd) for i, row in enumerate(at.rows("forces"))),
         *((gap, False) for gap in at.gaps()),
     ]
     return all(
-        (row.odd is side) if isinstance(row, Parity) else (row == 0 or not side)
-        for row, side in wanted
+        (row.odd is is_odd) if isinstance(row, Parity) else (row == 0 or not is_odd)
+        for row, is_odd in expected
     )

@@ -11,49 +11,50 @@ from ..numerics.precise_roots import DigitOptions
 
 @dataclass(frozen=True)
 class SearchOptions(BoxOptions, DigitOptions):
-    """Options of a search for states. None of them decides what is true: smaller limits leave more
-    undecided, and larger ones take longer.
+    """Options of a search for states.
+
+    No option decides what is true: smaller limits leave more undecided, larger limits take longer.
 
     Parameters
     ----------
     tolerance : float
-        Bound on the error, over 1 or the size of the state, up to which a state counts as settled
-        by floats; others are narrowed with many digits.
+        Largest error, relative to 1 or the size of the state, of a state that floats settle; others
+        are narrowed in ball arithmetic.
     bits, root_bits : int
-        Bits of the forces where roots are looked for with many digits, twice as many if these do
-        not do, and bits of a root that is known, and of what it is asked for there.
+        Bits of ball arithmetic: in a search for roots, doubled once if they do not suffice, and at
+        a root that is known.
     clusters : int, optional
-        Clusters of undecided boxes of a point that are looked at with many digits. Left out, 24 of
-        equilibria, and 12 of points along a parameter.
+        Most clusters of undecided boxes at one point that ball arithmetic treats; by default 24 for
+        equilibria, and 12 for bifurcation points along a parameter.
     open_parts : int
-        Parts of a cluster that are left open beyond which more bits are not tried.
+        Undecided parts of a cluster beyond which more bits are not tried.
     open_clusters : int
-        Clusters of a point of which that many parts are left, after which others are told as one
-        box.
+        Clusters at one point with that many undecided parts, after which further clusters are left
+        as one undecided box each.
     folded : int
-        Undecided boxes of a point beyond which they are told as the one around them.
+        Undecided boxes at one point beyond which only their hull is kept.
     near : float
-        Half-width of the region that is searched where no bound on the states is shown, in units of
-        the largest length of the model.
+        Half-width of the searched region where no bound on the states is proved, in units of the
+        largest length of the model.
     rounds, cell_rounds, sweeps, halvings : int
-        Rounds in which rows of the forces bound one another's coordinates, in the whole plane and
-        in cells of one coordinate; times that each is cut into cells; and times that ranges of
+        Effort to prove a bound on the states: contractions over the whole plane, and over a cell of
+        one coordinate; times that each coordinate is cut into cells; and times that ranges of
         parameters are halved.
     stalled : float
-        Share of all widths that a round may leave, where all are bounded, after which there are no
-        more: the search contracts on its own.
+        The contractions end when a round leaves more than this share of all widths, once all are
+        finite.
     scattered : int
-        Undecided boxes beyond which they are not taken to lie around points.
+        Undecided boxes beyond which they are not assumed to lie around isolated points.
     stiff : float
-        Stiffness of a spring, over that of the contact, from which on states are looked for around
-        its anchor first.
+        Stiffness of a spring over that of the contact beyond which states are first searched in
+        polar coordinates around its anchor.
     samples : int
-        Values of a parameter between which floats look for onsets where the search is not complete.
+        Values of a parameter between which floats look for onsets if the search is not complete.
     budget, node_budget, narrow, margin, shrunk, spread, small, pole, pieces
-        Of the search over boxes: how many are looked at for one point, and when one is halved; see
-        :class:`spragsym.numerics.boxes.BoxOptions`.
+        Options of the search over boxes: how many boxes one point may take, and when a box is
+        halved; see :class:`spragsym.numerics.boxes.BoxOptions`.
     depth, parts
-        Of the search with many digits: times that a box is halved, and parts that are looked at.
+        Options of the search in ball arithmetic: most halvings of a box, and most parts.
 
     Examples
     --------

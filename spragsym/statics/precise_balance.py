@@ -1,13 +1,12 @@
-"""Acceptance of what a search finds: with many digits near folds and cusps, on one side of the
-contact's border, within one turn.
+"""Acceptance of the roots that a search finds: near folds and cusps, by contact side, within one
+turn.
 
-What float64 does not decide is decided by the balance of forces with many digits, at one point of
-parameters.
+Roots that float64 does not decide are decided in ball arithmetic, at one point of the parameters.
 
-A search excludes boxes that lie beyond the border; a box that meets it may hold a root on either
-side. So the sign of the gap is proved at the root itself: over the box in which it is known to
-floats, and where that meets the border over one of many digits. What digits do not tell from a root
-on the border is among the boxes that are left.
+A search excludes boxes beyond a contact's border; a box that meets the border may hold a root on
+either side. So the sign of the gap is proved at the root itself: over its box in floats or, where
+that box meets the border, over a narrower box of balls. If balls do not tell the gap from 0, the
+root becomes an undecided box.
 """
 
 from collections import Counter
@@ -37,8 +36,8 @@ from .systems import GAPS, Boxes, StateSystem
 def refined(
     system: StateSystem, given: FloatArray, found: Roots, among: BoolArray | bool = False
 ) -> Roots:
-    """Roots in narrower boxes where the error is beyond the tolerance of the options, and others
-    ``among`` them.
+    """The roots, with narrower boxes by ball arithmetic where the error exceeds the tolerance, and
+    for those marked in ``among``.
     """
     ends = found.ends.copy()
     for root in np.flatnonzero(~(found.error <= system.options.tolerance) | among):
@@ -60,69 +59,68 @@ def refined_in_digits(
     *,
     most: int = 24,
 ) -> Roots:
-    """Clusters that a search has left or knows to few digits, with many digits, one after the
-    other; a root that is known to be alone has its digits before that.
+    """The result of a search after ball arithmetic has treated undecided and inaccurate clusters.
 
-    Not of points with more clusters than ``most``, if the options do not say, nor with more boxes
-    than their ``folded``, of which the hull is left.
+    A root that is known to be alone in its box is only narrowed. Points with more clusters than
+    ``most``, unless the options give another number, are left as they are. Points with more
+    undecided boxes than the option ``folded`` are left with the hull of these boxes.
     """
     options = system.options
     most = most if options.clusters is None else options.clusters
     many = np.flatnonzero(np.bincount(found.undecided_point) > options.folded)
     if many.size:
-        whole = [
+        merged = [
             found.undecided[:, :, found.undecided_point == point].max(axis=2) for point in many
         ]
-        decided = refined_in_digits(system, given, box, found.of(many, others=True), most=most)
-        return decided.concatenated(
-            found.of(many).select(undecided=slice(0)).with_undecided(np.stack(whole, axis=2), many)
-        )
+        others = refined_in_digits(system, given, box, found.of(many, others=True), most=most)
+        roots = found.of(many).select(undecided=slice(0))
+        return others.concatenated(roots.with_undecided(np.stack(merged, axis=2), many))
     found = refined(system, given, found)
     poor = ~(found.error <= options.tolerance)
     boxes = np.concatenate([found.undecided, found.ends[:, :, poor] + 2.0**-13], axis=2)
     hulls, owner = clusters(boxes, np.concatenate([found.undecided_point, found.point[poor]]))
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
     few = count <= most
-    parts, lost = list[Roots](), Counter[int]()
+    parts, failures = list[Roots](), Counter[int]()
     for k, point in enumerate(owner.tolist()):
         if few[which[k]]:
             own, hull = found.of(np.array([point])), hulls[:, :, k]
-            if lost[point] < options.open_clusters:
+            if failures[point] < options.open_clusters:
                 part = _or_known(own, hull, reduced(system, given[:, point], hull, point))
             else:
-                part = own.select(
-                    contractors.within(own.ends, hull[:, :, None]), slice(0)
-                ).with_undecided(hull[:, :, None], np.array([point]))
-            lost[point] += part.undecided_point.size > options.open_parts
+                inside = contractors.within(own.ends, hull[:, :, None])
+                roots = own.select(inside, slice(0))
+                part = roots.with_undecided(hull[:, :, None], np.array([point]))
+            failures[point] += part.undecided_point.size > options.open_parts
             parts.append(part)
     if not parts:
         return found
     mine = found.of(points[few])
-    again = different(
-        mine.select(mine.error <= options.tolerance, slice(0)).concatenated(*parts), box
-    )
-    # Clusters are looked at in boxes that are wider than they are.
+    accurate = mine.select(mine.error <= options.tolerance, slice(0))
+    again = different(accurate.concatenated(*parts), box)
+    # Clusters were widened, and may have undecided parts outside of the searched box.
     inside = ~contractors.apart(again.undecided, box[:, :, again.undecided_point])
     return found.of(points[few], others=True).concatenated(again.select(undecided=inside))
 
 
 def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
-    """Roots of a cluster by many digits; where they leave something, roots that are known already,
-    to few digits.
+    """The roots ``part`` of a cluster by ball arithmetic or, if these are incomplete, the float
+    roots.
+
+    The float roots serve only if they lie in the hull of the cluster and nothing else there is
+    undecided.
     """
     inside = contractors.within(found.ends, hull[:, :, None])
-    if (
-        not part.undecided.shape[2]
-        or not inside.any()
-        or not contractors.apart(found.undecided, hull[:, :, None]).all()
-    ):
-        return part
-    return found.select(inside, slice(0))
+    decided = contractors.apart(found.undecided, hull[:, :, None]).all()
+    if part.undecided.shape[2] and inside.any() and decided:
+        return found.select(inside, slice(0))
+    return part
 
 
 def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: int = 0) -> Roots:
-    """Roots of a system in a cluster, at one point of that number, with more bits if fewer leave
-    something.
+    """Roots of a system in one cluster, at point number ``point``, by reduction to one unknown.
+
+    Twice the number of bits is tried if something remains undecided.
     """
     cluster = cluster + (0.25 * width_of(cluster) + 1e-9)
     middle = Intervals(cluster).middle
@@ -147,10 +145,10 @@ def reduced(system: StateSystem, given: FloatArray, cluster: FloatArray, point: 
 
 
 def clusters(boxes: FloatArray, point: IntArray) -> tuple[FloatArray, IntArray]:
-    """Hulls of boxes of the same point, shape (2, n, N), that meet each other, until no two hulls
-    meet; and the point of each.
+    """Hulls of boxes of the same point that meet, shape (2, n, clusters), and the point of each.
 
-    Two meet if one of them, widened by half of itself, meets the other.
+    Two boxes meet if one of them, widened by half its width, intersects the other. Hulls are merged
+    until no two meet.
     """
     parts, owner = [boxes[:, :, :0]], list[IntArray]()
     for number in np.unique(point):
@@ -172,12 +170,13 @@ def clusters(boxes: FloatArray, point: IntArray) -> tuple[FloatArray, IntArray]:
 
 
 def _widened(boxes: FloatArray) -> FloatArray:
+    """Boxes widened by half their width on either side."""
     return boxes + (0.5 * width_of(boxes) + 1e-8)
 
 
 def on_contact_side(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
-    """Roots on the side of the border that was asked for; those that may lie on it among the boxes
-    that are left.
+    """The roots on the required side of the contacts' borders; roots that may lie on a border
+    become undecided boxes.
 
     ``given`` are parameters, shape (parameters, points).
     """
@@ -187,12 +186,12 @@ def on_contact_side(system: StateSystem, given: FloatArray, found: Roots) -> Roo
 
     inside, beyond = beside_border(found.ends, found.point)
     for row in np.flatnonzero(~(inside | beyond)).tolist():
-        digits = PreciseBalance(system, given[:, found.point[row]], system.options.root_bits)
+        precise = PreciseBalance(system, given[:, found.point[row]], system.options.root_bits)
         with suppress(UndecidedSign, ZeroDivisionError):
-            root = narrowed(digits, found.ends[:, :, row], found.alone[:, :, row])
-            gaps = [] if root is None else digits.state(root).gaps()
+            root = narrowed(precise, found.ends[:, :, row], found.alone[:, :, row])
+            gaps = [] if root is None else precise.state(root).gaps()
             if gaps and all(isinstance(gap, Ball) for gap in gaps):
-                inside[row : row + 1], beyond[row : row + 1] = digits.balance.sides(
+                inside[row : row + 1], beyond[row : row + 1] = precise.balance.sides(
                     list(as_intervals(gaps))
                 )
     found = found.reopened(inside, ~(inside | beyond))
@@ -202,19 +201,16 @@ def on_contact_side(system: StateSystem, given: FloatArray, found: Roots) -> Roo
 def on_side(
     system: StateSystem, parameters: Intervals, ends: FloatArray
 ) -> tuple[BoolArray, BoolArray]:
-    """Boxes, shape (2, n, N), that lie on the side asked for, its border included, and boxes that
-    lie beyond it.
-    """
+    """Masks of boxes, shape (2, n, N), on the required side of the borders, and of boxes beyond."""
     with quiet():
         gaps = Boxes(system, Intervals(ends), parameters).taped(*GAPS)
         return system.balance.sides(list(gaps))
 
 
 def reduced_by_turns(periodic: Iterable[int], found: Roots) -> Roots:
-    """Roots and boxes that are left, without those whose image after a turn is there too.
+    """Roots and undecided boxes within one turn of each periodic angle, without their images.
 
-    What meets an end of the turn itself, of which this can't be said, is among the boxes that are
-    left.
+    A root whose box meets an end of the turn becomes an undecided box.
     """
     angles = list(periodic)
     if not angles:
@@ -225,12 +221,11 @@ def reduced_by_turns(periodic: Iterable[int], found: Roots) -> Roots:
 
 
 def _parted(ends: FloatArray, periodic: Sequence[int]) -> tuple[BoolArray, BoolArray]:
-    """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of
-    it.
+    """Masks of boxes outside of the turn, and of boxes that meet an end of it, for any of the
+    angles.
     """
     low, high = -ends[0, periodic], ends[1, periodic]
-    # Where the turn ends; the search goes beyond it at both ends.
-    end = TURN_BEGIN + TURN
+    end = TURN_BEGIN + TURN  # the search goes beyond both ends
     beyond = np.logical_or.reduce((low > end) | (high < TURN_BEGIN))
     across = np.logical_or.reduce(
         (low <= end) & (high >= end) | (low <= TURN_BEGIN) & (high >= TURN_BEGIN)

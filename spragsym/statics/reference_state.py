@@ -1,8 +1,8 @@
-"""The reference state, that of small deformation, from which a state is followed unless another one
-is chosen; the states' order.
+"""The reference state: the equilibrium of small deformation that is followed unless another is
+chosen.
 
-Which is "the smallest" or "the nearest" state, and which the first, does not depend on rounding
-where two are alike to within their errors.
+Choices of the smallest or nearest state break ties by the coordinates, so that the answer does not
+depend on rounding.
 """
 
 from __future__ import annotations
@@ -38,24 +38,25 @@ from .balance import Balance
 from .equilibria import equilibria
 from .namespaces import XP
 
-#: Least eigenvalue of the stiffness at the origin over the largest, from which on a strain energy
-#: is convex there.
+#: A strain energy is convex at the origin if the least eigenvalue of its stiffness there exceeds
+#: this share of the largest.
 LEAST_CONVEXITY = 1e-6
-#: Difference of strain energies that are alike, over the largest.
+#: Strain energies that differ by less than this share of the largest are equal.
 SAME_ENERGY = 1e-9
 
 
 def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
-    """The slot of the stable equilibrium of least strain energy, for each point; where none is
-    stable, of any of least strain.
+    """Slot of the stable equilibrium of least strain energy, for each point; where none is stable,
+    of least strain energy among all.
 
-    ``eq`` is in contact, of any shape, slots are the last axis; ``near`` are coordinates to which
-    it is the nearest, instead. Strain energy is that of springs, torsion springs, contact and the
-    page's potentials, without applied forces. Where it is convex at the origin of the coordinates,
-    it is taken to second order there, so that a spring that flipped over, as that of a truss which
-    snapped, counts as deformed though it may be relaxed again. Of equal energies, as those of
-    mirror images, the state of smaller first coordinate is taken, by size, then the one of larger
-    coordinates.
+    ``eq`` are equilibria in contact, of any shape, with slots as the last axis. With
+    ``near``, a value for each coordinate, the nearest state is chosen instead.
+
+    Strain energy is that of springs, torsion springs, contact and the page's potentials, without
+    applied forces. Where it is convex at the origin of the coordinates, its second-order expansion
+    there is used. A spring that has flipped, as in a truss that snapped through, then counts as
+    deformed even if it is relaxed again. Of states of equal energy, as mirror images, the one with
+    the smaller |first coordinate| is taken, then the one with larger coordinates.
     """
     q = list(eq.coordinates.values())
     stable = eq.undamped == EquilibriumType.STABLE
@@ -66,8 +67,11 @@ def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> 
 def reference_place(
     p: ParameterSet, near: Mapping[str, float] | None, where: str
 ) -> tuple[FloatArray, str, float]:
-    """Coordinates of the reference state of one point, the contacts that touch, of several, and a
-    bound on its error; an exception, which says ``where``, if none is known to be stable.
+    """Coordinates of the reference state at one point, its touching contacts, and a bound on its
+    error.
+
+    The contacts are empty if the model has only one combination. Raises ConvergenceError, which
+    names ``where``, if no state is known to be stable.
     """
     eq = equilibria(p)
     if not eq.decided or not (eq.undamped == EquilibriumType.STABLE).any():
@@ -84,8 +88,9 @@ def nearest_state(
     among: BoolArray | bool = True,
     error: float | FloatArray = 0.0,
 ) -> IndexArray:
-    """The slot of the equilibrium that is nearest to a state, for each point, among all or some;
-    distances have these errors.
+    """Slot of the equilibrium nearest to given coordinates, for each point.
+
+    Only states marked in ``among`` are considered; ``error`` bounds the errors of coordinates.
     """
     q = [eq.coordinates[name] for name in near]
     return _nearest(
@@ -99,6 +104,7 @@ def nearest_state(
 def _nearest(
     q: Sequence[FloatArray], off: Sequence[FloatArray], error: FloatArray | float, among: BoolArray
 ) -> IndexArray:
+    """Slot of the least distance ``off`` among those marked."""
     return least_slot(np.where(among, np.linalg.norm(off, axis=0), np.inf), np.array(q), error)
 
 
@@ -109,8 +115,9 @@ def chosen_state(
     among: BoolArray,
     near: Mapping[str, float] | None,
 ) -> IndexArray:
-    """The chosen state from coordinates, slots last, bounds on their errors, and the slots to
-    choose from.
+    """Slot of the reference state, or of the state nearest to ``near``, from coordinates.
+
+    ``q`` and ``error`` have slots as the last axis; ``among`` marks the slots to choose from.
     """
     model = p.model
     if near is not None:
@@ -120,26 +127,24 @@ def chosen_state(
             error,
             among,
         )
-    (_, point), *_ = model.cases()
-    # Of the motion: not felt here.
-    missing = {name: point[name] for name in model.parameters if p[name] is None}
+    (_, example), *_ = model.cases()
+    # Parameters of the motion may be missing: any value serves, since strain ignores them.
+    missing = {name: example[name] for name in model.parameters if p[name] is None}
     given = [value[..., None] for value in model.arguments(p.replace(**missing), "motion")]
     energy, shape = undecorated(model.algebra.strain_energy), (*p.shape, 1)
-    with quiet():  # beyond ``count`` there are no numbers
+    with quiet():  # empty slots are NaN
         strain = energy(*q, *given, *_pushing(model, p, q), xp=np)
         state = np.array(q)
-        here = [*map(Intervals.point, given), *[1] * len(model.contacts)]
-        at_origin, slope, stiffness = (
-            part.middle for part in _at_origin(lambda q: energy(*q, *here, xp=XP), len(q), shape)
-        )
+        arguments = [*map(Intervals.point, given), *[1] * len(model.contacts)]
+        expansion = _at_origin(lambda q: energy(*q, *arguments, xp=XP), len(q), shape)
+        at_origin, slope, stiffness = (part.middle for part in expansion)
         at_origin = np.nan_to_num(np.abs(at_origin))
-        second = (slope * state).sum(axis=0) + 0.5 * (state[:, None] * stiffness * state).sum(
-            axis=(0, 1)
-        )
+        quadratic = (state[:, None] * stiffness * state).sum(axis=(0, 1))
+        second_order = (slope * state).sum(axis=0) + 0.5 * quadratic
     convex = np.asarray(np.isfinite(stiffness).all(axis=(0, 1)) & _has_stiffness(model))
-    low, most = _stiffest(stiffness, convex)
-    convex &= low > LEAST_CONVEXITY * most
-    strain = np.where(convex, second, strain)
+    low, high = _stiffest(stiffness, convex)
+    convex &= low > LEAST_CONVEXITY * high
+    strain = np.where(convex, second_order, strain)
     strain = np.where(among & np.isfinite(strain), strain, np.inf)
     sizes = np.abs(strain).max(axis=-1, keepdims=True, initial=0.0, where=np.isfinite(strain))
     largest = np.maximum(sizes, at_origin)  # two states may both be relaxed, but for rounding
@@ -149,7 +154,7 @@ def chosen_state(
 
 
 def _at_origin(energy: Callable[[Any], Any], n: int, shape: Shape) -> tuple[Intervals, ...]:
-    """Strain energy where all coordinates are 0, its slopes and its stiffness, enclosed."""
+    """Enclosures of the strain energy, its gradient and its Hessian where all coordinates are 0."""
     series, every = energy(variables([Intervals.point(np.zeros(shape))] * n, 2)), range(n)
     rows = [[series.derivative(i, j) for j in every] for i in every]
     value, slope = stacked([series.value], shape)[0], stacked(gradient(series, n), shape)
@@ -158,8 +163,9 @@ def _at_origin(energy: Callable[[Any], Any], n: int, shape: Shape) -> tuple[Inte
 
 @cache
 def _has_stiffness(model: Model) -> bool:
-    """Whether the strain energy has a stiffness at the origin of the coordinates, where all
-    contacts touch: that of a power between 1 and 2 has none, at whatever parameters.
+    """Whether the strain energy has a Hessian at the origin, with all contacts touching.
+
+    A power law with an exponent between 1 and 2 has none, for any parameters.
     """
     (_, point), *_ = model.cases()
     given = [*map(Intervals.point, np.reshape(model.arguments(point, "motion"), (-1, 1)))]
@@ -172,7 +178,9 @@ def _has_stiffness(model: Model) -> bool:
 
 
 def _stiffest(stiffness: FloatArray, among: BoolArray) -> tuple[FloatArray, FloatArray]:
-    """Least eigenvalue, and largest by size, of matrices (n, n, …); 0 where not ``among``."""
+    """Least eigenvalue, and largest by absolute value, of matrices (n, n, …); 0 where not
+    ``among``.
+    """
     roots = np.linalg.eigvalsh(np.moveaxis(np.where(among, stiffness, 0.0), (0, 1), (-2, -1)))
     return roots[..., 0], np.abs(roots).max(axis=-1)
 
@@ -180,39 +188,45 @@ def _stiffest(stiffness: FloatArray, among: BoolArray) -> tuple[FloatArray, Floa
 def is_reference(
     balance: Balance, bounds: Intervals, ends: FloatArray, box: FloatArray
 ) -> BoolArray:
-    """Boxes, each with one stable state for all parameters within its ``bounds``, shape (P, N), in
-    which that is proved to be the reference state; ``box`` are boxes that hold all states.
+    """Boxes in which the one state is proved to be the reference state, for all their parameters.
 
-    Source: what may be the reference state lies in a box about the one that is asked for. Two
-    states in that would be a and b with K (a − b) = 0, K within its bounds over the box.
+    ``bounds`` are ranges of parameters, shape (P, N), ``ends`` boxes with one stable state for each
+    parameter, and ``box`` boxes that hold all states.
+
+    Source: a box around the state holds every state that may be the reference state. If the
+    enclosure of K over that box is regular, K (a − b) = 0 excludes a second state b.
     """
     parameters = balance.prepared(bounds)
     with quiet():
         codes, proved = stability.types_over(balance, parameters, ends)
         own = proved & (codes == EquilibriumType.STABLE)
         if _has_stiffness(balance.model):
-            reach, convex = _little_strained(balance, parameters, ends, box)
-            return own & convex & _one_at_most(balance, parameters, reach)
+            rivals, convex = _little_strained(balance, parameters, ends, box)
+            return own & convex & _one_at_most(balance, parameters, rivals)
         alone = np.zeros_like(own)
-        for narrow in (2.0**-4, 2.0**-6):  # wider boxes tell it of most, in a fifth of the time
-            if (rows := np.flatnonzero(own & ~alone)).size:
-                some = bounds[:, rows], ends.take(rows, axis=2), box.take(rows, axis=2)
-                reach = _less_strained(balance, *some, narrow)
-                alone[rows] = _one_at_most(balance, parameters[:, rows], reach)
+        for narrow in (2.0**-4, 2.0**-6):  # wider boxes decide most, in a fifth of the time
+            rows = np.flatnonzero(own & ~alone)
+            if rows.size:
+                selected = bounds[:, rows], ends.take(rows, axis=2), box.take(rows, axis=2)
+                rivals = _less_strained(balance, *selected, narrow)
+                alone[rows] = _one_at_most(balance, parameters[:, rows], rivals)
     return own & alone
 
 
-def _one_at_most(balance: Balance, parameters: Intervals, reach: FloatArray) -> BoolArray:
-    """Boxes in which no two states are, K being regular over them."""
-    K = balance.jacobian(Intervals(reach), parameters)
-    one = Intervals.point(-np.eye(balance.n)[:, :, None])
-    left = Intervals(contractors.product(contractors.inverse(K.middle), K.ends)) + one
+def _one_at_most(balance: Balance, parameters: Intervals, box: FloatArray) -> BoolArray:
+    """Boxes that hold at most one state: the interval matrix K is regular over them.
+
+    That is so if |1 − Y K| < 1 in the maximum norm, for the inverse Y of the middle of K.
+    """
+    K = balance.jacobian(Intervals(box), parameters)
+    minus_one = Intervals.point(-np.eye(balance.n)[:, :, None])
+    residual = Intervals(contractors.product(contractors.inverse(K.middle), K.ends)) + minus_one
     # Far more than the roundings of a product and a sum of n numbers.
-    return left.magnitude.sum(axis=1).max(axis=0) < 1 - 1e-9
+    return residual.magnitude.sum(axis=1).max(axis=0) < 1 - 1e-9
 
 
 def _strain_energy(balance: Balance, parameters: Intervals) -> Callable[[Sequence[Any]], Any]:
-    """Strain energy at coordinates, for boxes of prepared parameters."""
+    """The strain energy as a function of coordinates, for boxes of prepared parameters."""
     values, shape = balance.arguments(parameters), parameters.shape[1:]
     return lambda q: balance.at(q, values, shape).call("strain_energy", q, *balance.pushing)
 
@@ -220,8 +234,10 @@ def _strain_energy(balance: Balance, parameters: Intervals) -> Callable[[Sequenc
 def _little_strained(
     balance: Balance, parameters: Intervals, ends: FloatArray, box: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
-    """Boxes that hold all of no more strain energy to second order, ½ qᵀ S q + s · q, an ellipsoid
-    about the origin; and where that is proved to be one.
+    """Boxes around the states of no more strain energy than that in ``ends``, to second order.
+
+    These states lie in an ellipsoid ½ qᵀ S q + s · q ≤ const about the origin. Also returns where S
+    is proved to be positive definite.
     """
     n, shape = balance.n, parameters.shape[1:]
     value, slope, stiffness = _at_origin(_strain_energy(balance, parameters), n, shape)
@@ -230,42 +246,46 @@ def _little_strained(
         rows = [sum(map(mul, row, q), 2 * one) for one, row in zip(slope, stiffness, strict=True)]
         return (sum(map(mul, rows, q), 0 * value) * 0.5).magnitude
 
-    off = 0.5 * n * stiffness.width.max(axis=(0, 1))
-    low, most = _stiffest(stiffness.middle, np.isfinite(off))
-    convex = low - off > LEAST_CONVEXITY * (most + off)
-    S = np.where(convex, stiffness.middle - off * np.eye(n)[:, :, None], np.eye(n)[:, :, None])
-    along = np.sqrt(np.diagonal(np.linalg.inv(np.moveaxis(S, 2, 0)), axis1=1, axis2=2)).T
-    # What counts as alike is a share of the largest energy of all states.
+    error = 0.5 * n * stiffness.width.max(axis=(0, 1))
+    low, high = _stiffest(stiffness.middle, np.isfinite(error))
+    convex = low - error > LEAST_CONVEXITY * (high + error)
+    S = np.where(convex, stiffness.middle - error * np.eye(n)[:, :, None], np.eye(n)[:, :, None])
+    semi_axes = np.sqrt(np.diagonal(np.linalg.inv(np.moveaxis(S, 2, 0)), axis1=1, axis2=2)).T
+    # Energies are equal up to a share of the largest energy of all states.
     largest = np.maximum(strain(Intervals(box)), value.magnitude)
-    least = (slope.magnitude * along).sum(axis=0)
-    t = least + np.sqrt(least**2 + 2 * (strain(Intervals(ends)) + 2 * SAME_ENERGY * largest))
+    linear = (slope.magnitude * semi_axes).sum(axis=0)
+    t = linear + np.sqrt(linear**2 + 2 * (strain(Intervals(ends)) + 2 * SAME_ENERGY * largest))
     # S is no worse conditioned than 1/LEAST_CONVEXITY, so that a thousandth covers all roundings.
-    return np.minimum(1.001 * t * along, balance.border[:, :, None]), convex
+    return np.minimum(1.001 * t * semi_axes, balance.border[:, :, None]), convex
 
 
 def _less_strained(
     balance: Balance, bounds: Intervals, ends: FloatArray, box: FloatArray, narrow: float
 ) -> FloatArray:
-    """Hulls of boxes and of all stable states of no more strain energy, by a search that parts no
-    ``narrow`` box: what it leaves has more energy, or is not stable, or near.
+    """Hulls of each box and of all other states that may be the reference state, by a search.
+
+    Boxes that the search leaves are dropped if they have more strain energy or are proved not to be
+    stable. The search does not cut boxes narrower than ``narrow``.
     """
-    # Many more than a box takes that is told from all others at all.
+    # The budget is many times what a box takes whose state is told from all others at all.
     found = boxes.search(balance, box, bounds.low, bounds.high, budget=2000, narrow=narrow)
-    row, part = found.points.below(found.every.nodes)
+    row, point = found.points.below(found.every.nodes)
     every, parameters = found.every.ends.take(row, axis=2), balance.prepared(bounds)
-    here = parameters[:, part]
-    codes, proved = stability.types_over(balance, here, every)
-    strain = _strain_energy(balance, here)(list(Intervals(every)))
+    own_parameters = parameters[:, point]
+    codes, proved = stability.types_over(balance, own_parameters, every)
+    strain = _strain_energy(balance, own_parameters)(list(Intervals(every)))
     own = _strain_energy(balance, parameters)(list(Intervals(ends))).high
     largest = np.zeros(own.shape)
-    np.maximum.at(largest, part, strain.magnitude)
-    more = strain.low > (own + 2 * SAME_ENERGY * largest)[part]
-    left = np.flatnonzero(~(more | (proved & (codes != EquilibriumType.STABLE))))
-    return np.maximum(ends, hulls_of(every[:, :, left], part[left], ends.shape[2]))
+    np.maximum.at(largest, point, strain.magnitude)
+    more = strain.low > (own + 2 * SAME_ENERGY * largest)[point]
+    rivals = np.flatnonzero(~(more | (proved & (codes != EquilibriumType.STABLE))))
+    return np.maximum(ends, hulls_of(every[:, :, rivals], point[rivals], ends.shape[2]))
 
 
 def _pushing(model: Model, p: ParameterSet, q: Sequence[FloatArray]) -> list[Any]:
-    """Of every contact whether it touches in states: the only one does in all of them."""
+    """For each contact, whether it touches in the states; 1 in all of them if the model has no
+    regimes.
+    """
     if not model.has_regimes:
         return [1]
     statics = [value[..., None] for value in model.arguments(p)]
@@ -278,12 +298,11 @@ def _pushing(model: Model, p: ParameterSet, q: Sequence[FloatArray]) -> list[Any
 
 
 def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray | float) -> IndexArray:
-    """The slot of the least measure, and of those that are alike the one of larger coordinates, the
-    first one first.
+    """Slot of the least measure; of equal measures, that of the state with the largest coordinates.
 
-    ``measure`` and ``error``, bounds over max(1, |coordinate|), have the shape (..., slots), the
-    coordinates ``states`` have (n, ..., slots); slots that are not asked for have an infinite
-    measure.
+    ``measure`` has the shape (..., slots) and is infinite in slots that do not take part.
+    ``states`` are coordinates, (n, ..., slots), compared one after the other. ``error`` bounds the
+    error of a coordinate over max(1, |coordinate|).
 
     Examples
     --------
@@ -293,10 +312,10 @@ def least_slot(measure: FloatArray, states: FloatArray, error: FloatArray | floa
     1
     """
     sizes = scale_of(states).max(axis=0)
-    # Some bounds of their errors: sizes and distances are rounded, too.
-    room = 8 * np.nan_to_num(error * sizes).max(axis=-1, keepdims=True, initial=0.0)
-    left = np.isfinite(measure)
-    for one in (measure, *-states):
-        least = one.min(axis=-1, keepdims=True, initial=np.inf, where=left)
-        left &= one <= least + room
-    return left.argmax(axis=-1)
+    # Several error bounds, since sizes and distances are rounded too.
+    tolerance = 8 * np.nan_to_num(error * sizes).max(axis=-1, keepdims=True, initial=0.0)
+    candidates = np.isfinite(measure)
+    for values in (measure, *-states):
+        least = values.min(axis=-1, keepdims=True, initial=np.inf, where=candidates)
+        candidates &= values <= least + tolerance
+    return candidates.argmax(axis=-1)

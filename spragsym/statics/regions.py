@@ -1,19 +1,18 @@
-"""A box of coordinates that holds all equilibria: springs to ground and inclined springs pull back
-harder than all else pushes.
+"""A box of coordinates that is proved to hold all equilibria of a model.
 
-A spring's force is its stiffness times the vector between its ends, linear in the coordinates, less
-its stiffness times its undeformed length along a unit vector, which is bounded. So with unit
-vectors left free in [−1, 1]² the balance bounds the coordinates.
+The force of a spring is its stiffness times the vector between its ends, which is linear in the
+coordinates, minus its stiffness times its undeformed length along a unit vector. Free unit vectors
+in [−1, 1]² replace the directions. Far away, the linear forces of the springs are larger than all
+others, so that the balance bounds the coordinates.
 
-A torsion spring pulls across its line with k_t φ/l, |φ| ≤ π. Either l is less than 1
-(:data:`LEVER_LENGTH`), and the mass is that near to the anchor, or the force is at most k_t π, and
-the coordinates are bounded as without it. The hull of both holds all equilibria.
+A torsion spring of a line of length l acts across the line with the force k_t φ/l, |φ| ≤ π. If l is
+at least :data:`LEVER_LENGTH`, this force is bounded too. Otherwise the mass is near the anchor. The
+region is the hull of both cases.
 
-Where the gap of a contact is an expression, it has both signs over a wide box, and a law that
-hardens makes a large negative force of depths that no state in contact has. There the depth is cut
-off at 0, and at what the gaps of other contacts leave, and the contact's force is a number of its
-own beside the forces of lift-off. So no slope is needed of what is cut off, which has none at the
-border.
+A gap that is an expression has both signs over a wide box. A hardening contact law would there give
+a large force of the wrong sign, for depths that no state in contact has. So the depth is cut off at
+0, and at what the gaps of other contacts allow, and the contact's force becomes an unknown of its
+own beside the forces without contact. No derivative of the cut-off depth is needed.
 """
 
 from __future__ import annotations
@@ -50,23 +49,23 @@ from .forces import Evaluation, Forces, as_intervals
 from .namespaces import FREE
 from .systems import linear
 
-#: The plane, as far as it is looked at.
+#: Coordinates are searched up to this size; a smaller bound counts as proved.
 FARTHEST = 1e60
-#: Length of the line of a torsion spring from which on its force is bounded, in units of the scale
-#: of length.
+#: Length of a torsion spring's line that separates the cases, in units of the scale of length.
 LEVER_LENGTH = 1.0
 
 
 def region(
-    balance: Balance, bounds: Intervals, asked: FloatArray | None = None
+    balance: Balance, bounds: Intervals, requested: FloatArray | None = None
 ) -> tuple[FloatArray, BoolArray]:
-    """A box for each point, as −low and high, shape (2, n, N), and whether each is proved to hold
-    all equilibria of its point.
+    """A box for each point, −low and high of shape (2, n, N), and where it is proved to hold all
+    equilibria.
 
-    ``bounds`` are parameters, shape (P, N), ``asked`` is the box from :func:`requested_region`.
+    ``bounds`` are parameters, shape (P, N), and ``requested`` is the box of
+    :func:`requested_region`.
     """
     ends, proved = _by_forces(balance, bounds)
-    # Ends of the cells of a coordinate, on either side of 0, and of more where these tell nothing.
+    # Edges of cells of a coordinate on either side of 0: first a few, then many.
     few = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30)
     many = tuple(10.0**k for k in (*range(-12, 19), 24, 32, 42))
     for step in (partial(_by_cells, few), partial(_by_cells, many), _in_pieces):
@@ -77,24 +76,26 @@ def region(
     wider = np.minimum(
         np.where(np.isfinite(ends), rounded_outward(ends + 1e-6), ends), balance.border[:, :, None]
     )
-    if asked is None:
+    if requested is None:
         return wider, proved
-    box = np.minimum(asked, balance.border)[:, :, None]
+    box = np.minimum(requested, balance.border)[:, :, None]
     if (width_of(box) < 0).any():
         raise ParameterError(
             "within lies beyond the border of the contact, where none of these states is; widen it"
         )
     whole: BoolArray = proved & (wider <= box).all(axis=(0, 1))
-    given = np.asarray(np.isfinite(asked).all(axis=0))[:, None]
+    given = np.asarray(np.isfinite(requested).all(axis=0))[:, None]
     both = np.minimum(wider, box)
-    # Where the forces bound nothing, and where they show that nothing is in the box, it is looked
-    # at as it is.
-    apart = ~proved | (width_of(both) < 0).any(axis=0)
-    return np.where(given & apart, box, both), whole
+    # The user's box is searched as it is where no bound is proved, and where none of it is within
+    # the bound.
+    unbounded = ~proved | (width_of(both) < 0).any(axis=0)
+    return np.where(given & unbounded, box, both), whole
 
 
 def requested_region(model: Model, within: Ranges | None) -> FloatArray | None:
-    """``within={"x": (-5, 5)}`` as −low and high, shape (2, n), infinite where nothing is asked."""
+    """The argument ``within={"x": (-5, 5)}`` as −low and high, shape (2, n); infinite where not
+    given, None if ``within`` is.
+    """
     if within is None:
         return None
     places = {name: model.any_of(name) for name in model.coordinates}
@@ -104,12 +105,12 @@ def requested_region(model: Model, within: Ranges | None) -> FloatArray | None:
 
 
 def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArray]:
-    """Bounds of all equilibria by their forces, and where there are any."""
+    """Bounds of all equilibria from the balance of forces over one large box, and where they are
+    finite.
+    """
     with quiet():
         parameters = balance.prepared(bounds)
         border = np.broadcast_to(balance.border[:, :, None], (2, balance.n, bounds.shape[1]))
-        # A force that nothing can balance, wherever the mass is: the sum of a row that is NaN holds
-        # everything.
         ends, nowhere = _squeezed(
             balance, parameters, np.minimum(FARTHEST, border), balance.options.rounds
         )
@@ -120,15 +121,14 @@ def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, BoolArr
 def _by_cells(
     cells: Sequence[float], balance: Balance, bounds: Intervals, outer: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
-    """Bounds as by forces, each the hull of those over the cells of one coordinate; and where there
-    are any.
+    """Bounds as by :func:`_by_forces`, but the hull over cells of each coordinate, and where they
+    are finite.
 
-    A slope that is known over no large box, as of a bell of the gap, is known over a cell:
-    constructive interval disjunction.
+    This is constructive interval disjunction: a slope that is unbounded over a large box, as that
+    of a bell-shaped law, is bounded over a cell. ``cells`` are the positive edges of cells.
     """
     ends, options = outer.copy(), balance.options
-    # Points that lie together are proved together where that succeeds: first all of them, then
-    # halves.
+    # One proof serves a group of points where it succeeds: first of all points, then of halves.
     groups, depth = [np.arange(bounds.shape[1])], 0
     while groups:
         hulls = np.array(
@@ -151,9 +151,7 @@ def _by_cells(
 
 
 def _in_halves(bounds: Intervals, group: IntArray) -> list[IntArray]:
-    """The points of a group on either side of the middle in the parameter that varies most in
-    it.
-    """
+    """A group of points in two halves, by the parameter that varies most within it."""
     middles = bounds.middle[:, group]
     widths = np.ptp(middles, axis=1) / np.maximum(np.abs(middles).max(axis=1), TINY)
     order = group[np.argsort(middles[widths.argmax()], kind="stable")]
@@ -163,7 +161,9 @@ def _in_halves(bounds: Intervals, group: IntArray) -> list[IntArray]:
 def _cut_in_cells(
     cells: Sequence[float], balance: Balance, bounds: Intervals, ends: FloatArray
 ) -> FloatArray:
-    """Smaller boxes with the same states: each coordinate in turn is cut into cells."""
+    """Contracted boxes with the same states; each coordinate in turn is cut into cells, and each
+    cell contracted.
+    """
     count = bounds.shape[1]
     edges = np.array([-FARTHEST, *(-edge for edge in cells[::-1]), *cells, FARTHEST])
     low, high = edges[:-1], edges[1:]
@@ -177,8 +177,8 @@ def _cut_in_cells(
                 parts = ends[:, :, point]
                 parts[0, index] = np.minimum(parts[0, index], -low[cell])
                 parts[1, index] = np.minimum(parts[1, index], high[cell])
-                some = np.flatnonzero((width_of(parts) >= 0).all(axis=0))
-                point, parts = point[some], parts[:, :, some]
+                nonempty = np.flatnonzero((width_of(parts) >= 0).all(axis=0))
+                point, parts = point[nonempty], parts[:, :, nonempty]
                 rounds = balance.options.cell_rounds
                 parts, empty = _squeezed(balance, parameters[:, point], parts, rounds)
                 hull = hulls_of(parts[:, :, ~empty], point[~empty], count)
@@ -193,9 +193,7 @@ def _cut_in_cells(
 def _squeezed(
     balance: Balance, parameters: Intervals, ends: FloatArray, rounds: int
 ) -> tuple[FloatArray, BoolArray]:
-    """Smaller boxes with the same states, with all directions free, and boxes that are seen to have
-    none.
-    """
+    """Contracted boxes with the same states, for any directions of springs; and which are empty."""
     at = replace(
         balance.state(Intervals(ends), parameters),
         fixed=_any_direction(balance, ends.shape[2]),
@@ -204,7 +202,6 @@ def _squeezed(
     empty |= at.beside_border()[1]
     steps = [balance.by_rows, balance.with_directions]
     if balance.model.about.get("waves"):
-        # Cosines and sines of the coordinates as free unknowns, as directions are.
         steps += [partial(_with_free_waves, step) for step in tuple(steps)]
     if pressed := _presses(balance):
         steps += [partial(_closed, contact=contact) for contact in pressed]
@@ -212,12 +209,12 @@ def _squeezed(
     for _ in range(rounds):
         before = ends
         for step in steps:
-            less = step(replace(at, q=list(Intervals(ends))))
-            gone = np.logical_or.reduce(width_of(less) < 0)
+            contracted = step(replace(at, q=list(Intervals(ends))))
+            gone = np.logical_or.reduce(width_of(contracted) < 0)
             empty |= gone
-            ends = np.where(gone, ends, less)
+            ends = np.where(gone, ends, contracted)
         widths, widths_before = width_of(ends), width_of(before)
-        # Where some are not bounded yet, less counts as well.
+        # Slower progress is enough as long as an end is not bounded.
         stalled = balance.options.stalled if (ends < FARTHEST * 1e-6).all() else 0.999
         if (widths >= stalled * widths_before).all():
             break
@@ -225,14 +222,16 @@ def _squeezed(
 
 
 def _with_free_waves(step: Callable[[Evaluation], FloatArray], at: Evaluation) -> FloatArray:
+    """A contraction step in which cosines and sines of coordinates are free unknowns in [−1, 1]."""
     return step(replace(at, xp=FREE))
 
 
 def _with_anchors(
     balance: Balance, parameters: Intervals, ends: FloatArray, nowhere: BoolArray
 ) -> FloatArray:
-    """Boxes that hold what lies near the anchors of torsion springs too, and small ones where there
-    is nothing.
+    """The boxes, widened to hold the neighbourhoods of torsion springs' anchors too.
+
+    Boxes proved to be empty (``nowhere``) are replaced by small ones.
     """
     border = balance.border[:, :, None]
     ends = np.where(nowhere, np.minimum(balance.options.near, border), ends)
@@ -241,41 +240,44 @@ def _with_anchors(
 
 
 def _bounded(ends: FloatArray) -> BoolArray:
+    """Where a region is bounded: all its ends are far below :data:`FARTHEST`."""
     return np.logical_and.reduce(ends < FARTHEST * 1e-6, axis=(0, 1))
 
 
 def _in_pieces(
     balance: Balance, bounds: Intervals, outer: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
-    """Regions of boxes of parameters, as hulls over parts of these; by scales where there is no
-    bound.
+    """Bounds for boxes of parameters that no single proof covers: the hull over halves of the
+    boxes.
+
+    Where that fails too, the region follows from the lengths of the model, without a proof.
     """
     count = bounds.shape[1]
     bounded = outer < FARTHEST * 1e-6
     near = np.maximum(
         balance.options.near * _scales(balance, bounds),
-        # what is known to lie far away is looked for beyond that
+        # a bound that excludes a neighbourhood of 0: states are farther away
         np.where(bounded, -10 * outer, 0.0)[::-1],
     )
     by_scales = np.where(bounded, outer, np.minimum(near, balance.border[:, :, None]))
     hulls = np.full((2, balance.n, count), -np.inf)
-    left, owner = bounds, np.arange(count)
+    open_, owner = bounds, np.arange(count)
     most = balance.options.halvings
     for depth in range(most + 1):
-        wide = np.flatnonzero((left.low < left.high).any(axis=1))
+        wide = np.flatnonzero((open_.low < open_.high).any(axis=1))
         if not wide.size or not owner.size or depth == most:
             break
-        left, owner = halved(left, int(wide[depth % wide.size])), np.repeat(owner, 2)
-        ends, proved = _by_forces(balance, left)
+        open_, owner = halved(open_, int(wide[depth % wide.size])), np.repeat(owner, 2)
+        ends, proved = _by_forces(balance, open_)
         hulls = np.maximum(hulls, hulls_of(ends[:, :, proved], owner[proved], count))
-        left, owner = left[:, ~proved], owner[~proved]
+        open_, owner = open_[:, ~proved], owner[~proved]
     done = np.isin(np.arange(count), owner, invert=True)
-    # Proved parts of a range widen the region, but not without a bound.
+    # Regions of proved pieces widen that of an unproved box, but at most tenfold.
     return np.where(done, hulls, np.maximum(by_scales, np.minimum(hulls, 10 * by_scales))), done
 
 
 def halved(bounds: Intervals, row: int) -> Intervals:
-    """Both halves of each box in one parameter, side by side."""
+    """Both halves of each box, cut in parameter number ``row``, side by side."""
     ends = np.repeat(bounds.ends, 2, axis=2)
     middle = bounds.middle[row]
     ends[1, row, ::2], ends[0, row, 1::2] = middle, -middle
@@ -283,18 +285,16 @@ def halved(bounds: Intervals, row: int) -> Intervals:
 
 
 def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
-    """The largest length of the model at each point: of springs, to anchors, to equilibria; and >=
-    1, unless all that is known is far smaller, as in another unit.
+    """The largest known length at each point: of springs, to their anchors, or to an equilibrium.
 
-    Forces balance where Newton's method has come to rest, from 0 and from steps of the lengths
-    along each coordinate; where it has not, it tells nothing.
+    At least 1, unless all lengths are far smaller, as in another unit. Equilibria are those at
+    which Newton's method converges, started from 0 and from ±1, ±10 and ±100 lengths along each
+    coordinate.
     """
-    scale, none = np.zeros(bounds.shape[1]), np.zeros((balance.n, 1))
-    # Ahead and back along each of the coordinates.
-    ways = np.concatenate([step * np.eye(balance.n) for step in (1, -1, 10, -10, 100, -100)])
+    scale, zero = np.zeros(bounds.shape[1]), np.zeros((balance.n, 1))
+    steps = np.concatenate([step * np.eye(balance.n) for step in (1, -1, 10, -10, 100, -100)])
     with quiet():
-        # Bound on lengths of the model: a machine's, told in nanometres.
-        farthest = 1e12
+        farthest = 1e12  # no larger length is believed: this is a machine's, in nanometres
         for given in (bounds.low, bounds.middle, bounds.high):
             parameters = balance.prepared_at(given)
             origin = np.zeros((balance.n, bounds.shape[1]))
@@ -307,22 +307,22 @@ def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
             lines = np.where(sizes < farthest, sizes, 0.0).max(axis=0, initial=0.0)
             scale = np.maximum(scale, lines)
             reach = np.maximum(lines, 1.0)
-            for number, way in enumerate((none, *ways)):
-                near = balance.guessed(way.reshape(-1, 1) * reach + origin, parameters)
+            for number, step in enumerate((zero, *steps)):
+                near = balance.guessed(step.reshape(-1, 1) * reach + origin, parameters)
                 guess = balance.guessed(near, parameters)
-                rests = np.abs(guess - near).max(axis=0) <= 1e-9 * np.abs(guess).max(axis=0)
                 size = np.abs(guess).max(axis=0)
-                scale = np.where(rests & (size < farthest), np.maximum(scale, size), scale)
+                converged = np.abs(guess - near).max(axis=0) <= 1e-9 * size
+                scale = np.where(converged & (size < farthest), np.maximum(scale, size), scale)
                 if number == 0:
-                    # In another unit steps are those of the state that is nearest to 0.
+                    # In another unit, the state found from 0 sets the length of the steps.
                     reach = np.where(is_in_another_unit(scale), scale, reach)
     # A page in SI units may have states of nanometres.
     return np.where(scale > 0, np.maximum(scale, np.minimum(1.0, 10 * scale)), 1.0)
 
 
 def _any_direction(balance: Balance, count: int) -> list[Intervals]:
-    """Cosines, sines and lengths of all lines, and angles by which torsion springs turn, as far as
-    they can be.
+    """Free directions: cosines, sines and lengths of all lines, and torsion angles, in their full
+    ranges.
     """
     directions = [Intervals(np.ones((2, count))) for _ in range(3 * balance.springs)]
     for index in range(balance.springs):
@@ -332,8 +332,8 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
 
 
 def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
-    """Hull of the places where a torsion spring's line is shorter than :data:`LEVER_LENGTH`;
-    without bounds where that is not known.
+    """Hull of the points where a torsion spring's line is shorter than :data:`LEVER_LENGTH`;
+    infinite where that is not known.
     """
     balance = at.balance
     hull = np.full(ends.shape, -np.inf)
@@ -352,8 +352,11 @@ def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class _Pressed:
-    """``pushing`` = 1 in generated functions, whose depth (1 − pushing)² TOUCH − pushing · gap is
-    then cut off at ``limits``.
+    """The contact indicator ``pushing`` = 1, passed to generated functions, that cuts off their
+    depth.
+
+    Their depth is (1 − pushing)² TOUCH − pushing · gap; with this object it is −gap, cut off at
+    ``limits``.
     """
 
     limits: Intervals
@@ -372,9 +375,7 @@ class _Pressed:
 
 @dataclass(frozen=True)
 class _Nothing:
-    """1 − pushing and multiples of its square: 0, which cuts off at ``limits`` what it is added
-    to.
-    """
+    """The term (1 − pushing)² TOUCH: 0, but what it is added to is cut off at ``limits``."""
 
     limits: Intervals
 
@@ -394,15 +395,13 @@ class _Nothing:
 
 
 def _cut_off(value: Intervals, limits: Intervals) -> Intervals:
-    """Region with what is beyond limits moved there: the limit alone of what lies beyond as a
-    whole.
-    """
+    """Intervals with their ends clipped to ``limits``, so that they lie inside of them."""
     low, high = (np.clip(end, limits.low, limits.high) for end in (value.low, value.high))
     return Intervals.between(low, high)
 
 
 def _presses(balance: Forces) -> list[int]:
-    """Contacts that open and touch, whose gaps are expressions."""
+    """Numbers of the touching contacts that can open and whose gap is no coordinate."""
     return [
         k
         for k, touches in zip(balance.opens, balance.closed, strict=True)
@@ -413,10 +412,12 @@ def _presses(balance: Forces) -> list[int]:
 
 
 def _by_contact_force(at: Evaluation, known: dict[int, Intervals]) -> FloatArray:
-    """Smaller boxes with the same states in contact: each coordinate from its row, with cosines and
-    sines left free; of no width where no force of a contact balances all rows.
+    """Contracted boxes with the same states in contact; of width < 0 where no contact force
+    balances all rows.
 
-    ``known`` keeps the directions of forces over boxes that hold these.
+    The contact forces are unknowns of their own, bounded first. Then each coordinate is bounded by
+    its row; cosines and sines are free. ``known`` caches the directions of contact forces, which
+    stay valid for smaller boxes.
     """
     at = replace(at, xp=FREE)
     shape, pressed = at.shape, _presses(at.balance)
@@ -436,14 +437,14 @@ def _by_contact_force(at: Evaluation, known: dict[int, Intervals]) -> FloatArray
     at_near, slopes, near, reach = linear(
         at, at.box.nearest_to_zero, lambda at: at.rows("forces", lifted)
     )
-    given = sum((along[k] * forces[k] for k in pressed), at_near), slopes, near, reach
-    found: FloatArray = np.fmin(contractors.by_rows(*given), contractors.newton(*given).ends)
+    rows = sum((along[k] * forces[k] for k in pressed), at_near), slopes, near, reach
+    found: FloatArray = np.fmin(contractors.by_rows(*rows), contractors.newton(*rows).ends)
     return np.where(none, -np.inf, np.fmin(found, at.box.ends))
 
 
 def _force_of(at: Evaluation, contact: int) -> Intervals:
-    """Bounds of a contact's force by those of its penetration, from that at which states beyond its
-    border count.
+    """Bounds of a contact's force, from bounds of its depth: −slack to the deepest that others
+    allow.
     """
     slack = _slack(at.balance, contact)
     least = np.full(at.shape, -slack)
@@ -455,14 +456,15 @@ def _force_of(at: Evaluation, contact: int) -> Intervals:
 
 
 def _slack(balance: Forces, contact: int) -> float:
-    """How far beyond the border of a contact states count."""
+    """How far beyond the border of a contact states are accepted."""
     return balance.slacks[balance.opens.index(contact)]
 
 
 def _deepest(at: Evaluation, contact: int) -> FloatArray:
-    """Largest penetration of a contact that the others leave: where the sum of its gap and that of
-    one which touches is a number, as of two faces of a slot, or the difference from one that is
-    open.
+    """Upper bound of a contact's depth, from the borders of the other contacts.
+
+    The gaps of two faces of a slot have a constant sum: if one touches, the other's depth is
+    bounded. With an open contact, the difference of gaps bounds it.
     """
     balance, most = at.balance, np.full(at.shape, np.inf)
     if len(balance.opens) < 2:
@@ -481,9 +483,7 @@ def _deepest(at: Evaluation, contact: int) -> FloatArray:
 
 
 def _stiffness(at: Evaluation, contact: int) -> Intervals:
-    """Force of a contact over its penetration where both are linear in the coordinates, else
-    anything.
-    """
+    """Force over depth of a contact if both are linear in the coordinates, else [−∞, ∞]."""
     moved = replace(at, q=jets.variables(at.q, 2))
     parts = moved.contact_force(contact, 1), moved.gap(contact)
     anything = Intervals(np.full((2, *at.shape), np.inf))
@@ -495,13 +495,12 @@ def _stiffness(at: Evaluation, contact: int) -> Intervals:
 
 
 def _along_force(at: Evaluation, contact: int, lifted: Sequence[int]) -> Intervals:
-    """How much of a contact's force goes along each coordinate, with cosines and sines left free;
-    NaN where that is not known.
+    """The direction of a contact's force: its share along each coordinate; NaN where unknown.
 
-    A force that does not vanish at the touch is not 0 where pushing begins: there the slopes of
-    rows and force by pushing have this ratio. One that is linear in the gap is: but along a
-    coordinate in which force and rows are linear, and the direction therefore constant, their
-    slopes have it too.
+    Cosines and sines are free. The direction is the ratio of derivatives of rows and force by the
+    contact indicator at ``pushing`` = 0. If the force vanishes at the touch, these derivatives may
+    be 0. Then the mixed derivatives by a coordinate are used, if rows and force are linear in it,
+    so that the direction is constant along it.
     """
     shape = at.shape
     pushing = jets.Jet.variable(Intervals(np.zeros((2, *shape))), 0, 3)
@@ -523,8 +522,8 @@ def _along_force(at: Evaluation, contact: int, lifted: Sequence[int]) -> Interva
 
 
 def _closed(at: Evaluation, contact: int) -> FloatArray:
-    """Smaller boxes with all points of a gap ≤ 0, or as far beyond as states count: each coordinate
-    from the gap's slopes by it and the others.
+    """Contracted boxes that hold all points with gap ≤ slack, coordinate by coordinate, from the
+    slopes of the gap.
     """
     near, ends = at.box.nearest_to_zero, at.box.ends
     at_near, slopes, *_ = linear(replace(at, xp=FREE), near, lambda at: [at.gap(contact)])
@@ -543,14 +542,19 @@ def _closed(at: Evaluation, contact: int) -> FloatArray:
     return np.where(width_of(found) >= 0, found, ends)
 
 
-def _balancing(force: Intervals, apart: Intervals, along: Intervals) -> tuple[Intervals, BoolArray]:
-    """Bounds of the contact's force by its balance with the others in each row that it has a known
-    direction in, and where no force balances all of them.
+def _balancing(
+    force: Intervals, others: Intervals, along: Intervals
+) -> tuple[Intervals, BoolArray]:
+    """Bounds of a contact's force by its balance with all other forces, and where no force balances
+    all rows.
+
+    ``apart`` are the other forces and ``along`` the direction of this one, by row; a row with
+    unknown direction gives no bound.
     """
     ends, none = force.ends, np.zeros(force.shape, dtype=bool)
-    for row in range(apart.shape[0]):
-        both = np.fmin(ends, (-apart[row] / along[row]).ends)
-        apart_from = width_of(both) < 0
-        none |= apart_from
-        ends = np.where(apart_from, ends, both)
+    for row in range(others.shape[0]):
+        both = np.fmin(ends, (-others[row] / along[row]).ends)
+        conflict = width_of(both) < 0
+        none |= conflict
+        ends = np.where(conflict, ends, both)
     return Intervals(ends), none

@@ -1,5 +1,7 @@
-"""All equilibria of any model by a search over boxes, proved, with bounds on their errors; what is
-undecided, in plain words.
+"""All equilibria of any model by branch and prune, each proved, with bounds on their errors.
+
+Each combination of touching contacts is searched on its own. Boxes that remain undecided are
+returned too, with the reason in plain words.
 """
 
 from collections import Counter
@@ -26,6 +28,7 @@ from ..numerics.interval_arrays import (
     Int8Array,
     IntArray,
     Intervals,
+    Shape,
     quiet,
     scale_of,
     spans_of,
@@ -43,21 +46,22 @@ from .precise_balance import on_contact_side, reduced_by_turns, refined, refined
 from .regions import region, requested_region
 from .states import Held
 
-#: What is asked of contacts: a combination of those that touch, all of them that touch somewhere
-#: where nothing is said, or a list of names.
-Asked: TypeAlias = Touching | Sequence[str] | None
+#: The argument ``contact``: one combination of touching contacts, as a key of ``Model.regimes`` or
+#: as names; None for all combinations in which something touches.
+ContactArgument: TypeAlias = Touching | Sequence[str] | None
 
 
 def equilibria_by_search(
-    p: ParameterSet, contact: Asked, within: Ranges | None, options: SearchOptions | None = None
+    p: ParameterSet,
+    contact: ContactArgument,
+    within: Ranges | None,
+    options: SearchOptions | None = None,
 ) -> Equilibria:
-    """The equilibria of :func:`spragsym.equilibria`, by a search for each combination of contacts
-    that touch.
-    """
+    """Answer of :func:`spragsym.equilibria` by one search for each combination of contacts."""
     balances = balances_of(p.model, within, options, contact=contact)
-    asked = requested_region(p.model, within)
+    requested = requested_region(p.model, within)
     given = columns(p, balances[0].parameters)
-    parts = [(balance, *roots_of(balance, given, asked)) for balance in balances]
+    parts = [(balance, *roots_of(balance, given, requested)) for balance in balances]
     return _arranged(p, parts)
 
 
@@ -66,38 +70,39 @@ def balances_of(
     within: Ranges | None = None,
     options: SearchOptions | None = None,
     *,
-    contact: Asked = None,
+    contact: ContactArgument = None,
     law: str = "friction_at_rest",
 ) -> list[Balance]:
-    """The balances of the combinations of contacts that touch that are asked for, without those
-    whose states all lie outside of the ranges ``within``.
+    """The balance of each combination of touching contacts that ``contact`` asks for.
+
+    Combinations whose states all lie outside the ranges ``within`` are left out, but at least one
+    remains.
     """
     if contact is None:
-        # Where all contacts are open nothing touches, unless some never open.
-        always = not all(entry["unilateral"] for entry in model.contacts)
-        combinations = [key for key in model.regimes if key or always]
+        # The combination False counts as contact if some contact never opens.
+        never_opens = not all(entry["unilateral"] for entry in model.contacts)
+        combinations = [key for key in model.regimes if key or never_opens]
     else:
         combinations = [_combination(model, contact)]
     balances = [Balance(model, key, law, options=options) for key in combinations]
     for balance in balances:
         balance.apart = len(balances) > 1
-    asked = requested_region(model, within)
-    if asked is None:
+    requested = requested_region(model, within)
+    if requested is None:
         return balances
-    inside = [one for one in balances if (width_of(np.minimum(asked, one.border)) >= 0).all()]
+    inside = [one for one in balances if (width_of(np.minimum(requested, one.border)) >= 0).all()]
     return inside or balances[:1]
 
 
 def number_of(balances: Sequence[Balance], touching: str) -> int:
-    """The number of the combination in which these contacts touch; without several, of the only
-    one.
-    """
+    """Index of the balance in which these contacts touch; 0 if ``touching`` is empty."""
     return next(k for k, one in enumerate(balances) if touching in ("", one.touching))
 
 
-def balance_of(model: Model, contact: Asked) -> Balance:
-    """The balance of one combination; of a model with one contact that where it touches, if nothing
-    is said.
+def balance_of(model: Model, contact: ContactArgument) -> Balance:
+    """The balance of the one combination that ``contact`` means.
+
+    Raises ParameterError if it is left out and the model has several.
     """
     balance, *others = balances_of(model, contact=contact)
     if others:
@@ -108,8 +113,8 @@ def balance_of(model: Model, contact: Asked) -> Balance:
     return balance
 
 
-def _combination(model: Model, contact: Asked) -> Touching:
-    """A combination of contacts that touch as :attr:`spragsym.models.Model.regimes` has it."""
+def _combination(model: Model, contact: ContactArgument) -> Touching:
+    """The combination of touching contacts as a key of :attr:`spragsym.models.Model.regimes`."""
     names = [entry["name"] for entry in model.contacts]
     if isinstance(contact, list | tuple) and len(names) > 1 and {*contact} <= {*names}:
         opening = [label_of(entry) for entry in model.contacts if entry["border"]]
@@ -135,11 +140,11 @@ def _combination(model: Model, contact: Asked) -> Touching:
 
 @question
 def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
-    """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where
-    there is none.
+    """Slot of the equilibrium, with friction μ(V), at which each motion has come to rest; −1 for
+    none.
 
-    ``places`` are the coordinates of each, in the shape of ``p`` behind the first axis; NaN for
-    motions that do not rest.
+    ``places`` are the coordinates of the motions, with the shape of ``p`` behind the first axis,
+    and NaN for a motion that does not rest.
     """
     places = np.broadcast_to(
         places, (len(places), *np.broadcast_shapes(p.shape, np.shape(places)[1:]))
@@ -158,64 +163,68 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     found = found.select(order)
     point = found.point
     off = apart(found.middle.T, states[:, point].T, balance.periodic)
-    away = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
+    distance = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
     index = np.full(states.shape[1], -1)
-    nearest_last = np.argsort(-away, kind="stable")
-    near = nearest_last[away[nearest_last] <= SETTLED_SHARE]
+    # Of several roots near a motion, the nearest is written last and remains.
+    nearest_last = np.argsort(-distance, kind="stable")
+    near = nearest_last[distance[nearest_last] <= SETTLED_SHARE]
     index[point[near]] = slot[near]
     out[rows] = index
     return out
 
 
 def columns(p: ParameterSet, names: list[str]) -> FloatArray:
-    """Parameters as an array of shape (parameters, points)."""
+    """The named parameters as an array of shape (parameters, points)."""
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(
         len(names), int(np.prod(p.shape))
     )
 
 
-def float_candidates(balance: Balance, given: FloatArray, asked: FloatArray | None) -> Roots:
-    """The roots of all points that one search in floats decides, on either side of the border;
-    those it leaves are missing.
+def float_candidates(balance: Balance, given: FloatArray, requested: FloatArray | None) -> Roots:
+    """Roots at all points that one search in floats decides; those in undecided boxes are missing.
+
+    They may lie on either side of the contact's border.
     """
-    searched, _ = region(balance, Intervals.point(given), asked)
-    return certified_roots.search(balance, searched, given, given, budget=8000)
+    box, _ = region(balance, Intervals.point(given), requested)
+    return certified_roots.search(balance, box, given, given, budget=8000)
 
 
 def roots_of(
-    balance: Balance, given: FloatArray, asked: FloatArray | None = None
+    balance: Balance, given: FloatArray, requested: FloatArray | None = None
 ) -> tuple[Roots, FloatArray, BoolArray]:
-    """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by
-    hand.
+    """All roots at all points, the searched boxes, and where these are proved to hold all
+    equilibria.
+
+    ``given`` are parameters, shape (parameters, points), and ``requested`` is a user's box.
     """
-    searched, whole = region(balance, Intervals.point(given), asked)
-    turned, turning = turned_points(balance, given, searched)
-    stiff, done = stiff_points(balance, given, searched)
-    rest = np.flatnonzero(~(turning | done))
-    others = _by_boxes(balance, given[:, rest], searched[:, :, rest]).numbered(rest)
-    found = refined(balance, given, turned.concatenated(stiff, others))
-    return (
-        reduced_by_turns(balance.periodic, on_contact_side(balance, given, found)),
-        searched,
-        whole,
-    )
+    box, complete = region(balance, Intervals.point(given), requested)
+    in_angles, found_in_angles = turned_points(balance, given, box)
+    in_tension, found_in_tension = stiff_points(balance, given, box)
+    rest = np.flatnonzero(~(found_in_angles | found_in_tension))
+    others = _by_boxes(balance, given[:, rest], box[:, :, rest]).numbered(rest)
+    found = refined(balance, given, in_angles.concatenated(in_tension, others))
+    found = on_contact_side(balance, given, found)
+    return reduced_by_turns(balance.periodic, found), box, complete
 
 
 def _in_slots(found: Roots) -> tuple[IndexArray, IntArray]:
-    """The order of roots, and then the slot of each at its point."""
+    """The order of roots by point and coordinates, and the slot of each sorted root at its
+    point.
+    """
     order = in_order(found.middle, found.error, found.point)
     point = found.point[order]
     return order, np.arange(point.size) - np.searchsorted(point, point)
 
 
 def _by_boxes(balance: Balance, given: FloatArray, box: FloatArray) -> Roots:
-    """The roots of all points by a search over boxes, and what that leaves open in polar
-    coordinates and with many digits.
+    """Roots at all points by a search over boxes of coordinates.
+
+    Boxes that the search leaves undecided are refined in ball arithmetic, then searched in polar
+    coordinates around anchors.
     """
     if not given.shape[1]:
         return Roots.none(balance.n)
-    # What is left is looked at with many digits.
-    narrow = balance.options.narrow or 2.0**-19
+    narrow = balance.options.narrow or 2.0**-19  # ball arithmetic decides narrower boxes
     found = certified_roots.search(balance, box, given, given, narrow=narrow)
     refined = refined_in_digits(balance, given, box, found)
     return around_anchors(balance, given, box, refined)
@@ -224,11 +233,11 @@ def _by_boxes(balance: Balance, given: FloatArray, box: FloatArray) -> Roots:
 def _arranged(
     p: ParameterSet, parts: Sequence[tuple[Balance, Roots, FloatArray, BoolArray]]
 ) -> Equilibria:
-    """Roots of all combinations of contacts that touch, in slots by point."""
+    """Results of all combinations of touching contacts as columns, one slot for each state."""
     shape = p.shape
     size = int(np.prod(shape))
     balance, box = parts[0][0], np.max([region for *_, region, _ in parts], axis=0)
-    whole: BoolArray = np.logical_and.reduce([whole for *_, whole in parts])
+    complete: BoolArray = np.logical_and.reduce([complete for *_, complete in parts])
     given, every = columns(p, balance.parameters), list[tuple[Any, ...]]()
     reasons, touching = list[str](), list[str]()
     for own, roots, _, _ in parts:
@@ -251,16 +260,6 @@ def _arranged(
 
     decided = np.ones(size, dtype=bool)
     decided[found.undecided_point] = False
-    undecided = tuple(
-        Undecided(tuple(map(int, np.unravel_index(number, shape))), tuple(low), tuple(high), reason)
-        for number, low, high, reason in zip(
-            found.undecided_point,
-            (-found.undecided[0].T).tolist(),
-            found.undecided[1].T.tolist(),
-            reasons,
-            strict=True,
-        )
-    )
     searched = np.moveaxis(spans_of(box), 0, 1)
     ours = {
         "undamped": placed(codes, 0),
@@ -268,7 +267,7 @@ def _arranged(
         "eigenvalues": placed(eigenvalues, np.nan),
         "error": placed(found.error, np.nan),
         "region": searched.reshape(*shape, balance.n, 2),
-        "whole": whole.reshape(shape),
+        "whole": complete.reshape(shape),
     }
     if p.model.has_regimes:
         ours["touching"] = placed(np.array(touching, dtype=str)[order], "")
@@ -276,13 +275,24 @@ def _arranged(
         **{own_name(p.model, name): column for name, column in ours.items()},
         **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
     }
-    remarks = (*summed(reasons), *of_region(balance, box, whole))
+    remarks = (*summed(reasons), *of_region(balance, box, complete))
     counts, settled = count.reshape(shape), decided.reshape(shape)
     which = balance.contact if len(parts) == 1 else None
+    undecided = _undecided_boxes(found, reasons, shape)
     return Equilibria(p, which, counts, settled, undecided, remarks, Held(made, found.ends))
 
 
-#: Where a box is that is left, and what may be there: the first that holds.
+def _undecided_boxes(found: Roots, reasons: Sequence[str], shape: Shape) -> tuple[Undecided, ...]:
+    """The undecided boxes of a search over points of an array of that shape, with the reasons."""
+    low, high = -found.undecided[0].T, found.undecided[1].T
+    each = zip(found.undecided_point, low.tolist(), high.tolist(), reasons, strict=True)
+    return tuple(
+        Undecided(tuple(map(int, np.unravel_index(point, shape))), tuple(low), tuple(high), reason)
+        for point, low, high, reason in each
+    )
+
+
+#: Reason why a box is undecided: where it lies and what it may hold. The first that applies.
 KINDS = {
     "free": (
         "along which no force acts on one of the coordinates at these parameters: a line of "
@@ -316,41 +326,44 @@ KINDS = {
 
 
 def summed(kinds: Sequence[str]) -> tuple[str, ...]:
-    """Number of boxes of each kind."""
+    """One sentence for each reason, with the number of undecided boxes."""
     sentences = []
     for kind, number in Counter(kinds).items():
-        some = f"{number} of {len(kinds)}" if number < len(kinds) else f"{number}"
-        sentences.append(f"{some} undecided {'box' if len(kinds) == 1 else 'boxes'} {kind}")
+        count = f"{number} of {len(kinds)}" if number < len(kinds) else f"{number}"
+        sentences.append(f"{count} undecided {'box' if len(kinds) == 1 else 'boxes'} {kind}")
     return tuple(sentences)
 
 
 def kinds_of(
-    balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None
+    balance: Balance,
+    given: FloatArray,
+    undecided: FloatArray,
+    varied: Mapping[str, Any] | None = None,
 ) -> list[str]:
-    """Kind of each box: where it is, and what is known of it.
+    """The reason of :data:`KINDS` for each undecided box.
 
-    ``given`` are parameters, shape (parameters, boxes), ``left`` −low and high of the unknowns,
-    shape (2, unknowns, boxes): coordinates, and behind them parameters that vary, which ``varied``
-    has by their names.
+    ``given`` are parameters, shape (parameters, boxes), and ``left`` the boxes as −low and high,
+    shape (2, unknowns, boxes). Unknowns are the coordinates and then parameters that vary, whose
+    intervals ``varied`` holds by name.
     """
-    count, n = left.shape[2], balance.n
+    count, n = undecided.shape[2], balance.n
     if not count:
         return []
     with quiet():
         values = balance.over(Intervals.point(np.nan_to_num(given))) | balance.with_angles(
             varied or {}, XP
         )
-        at = balance.at(list(Intervals(left[:, :n])), values, (count,))
+        at = balance.at(list(Intervals(undecided[:, :n])), values, (count,))
         pole, anchor = balance.at_poles(at, np.inf), np.zeros(count, dtype=bool)
         for dx, dy in at.anchors:
             anchor |= dx.holds_zero() & dy.holds_zero()
         border = np.zeros(count, dtype=bool)
         for gap in at.gaps():
             border |= as_intervals(gap, at.shape).holds_zero()
-        width = (width_of(left) / scale_of(left).max(axis=0)).max(axis=0)
+        width = (width_of(undecided) / scale_of(undecided).max(axis=0)).max(axis=0)
         free: BoolArray = np.zeros(count, dtype=bool)
         if varied is None:
-            forces = balance.residuals(Intervals(left), balance.prepared_at(given))
+            forces = balance.residuals(Intervals(undecided), balance.prepared_at(given))
             free = np.logical_or.reduce(forces.magnitude <= NEGLIGIBLE) & (width > 1e-9)
     small = width <= 1e-3
     *kinds, wide = KINDS.values()
@@ -360,8 +373,8 @@ def kinds_of(
 
 
 def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[str, ...]:
-    """Said where a region is not proved to hold all equilibria; ``region`` as −low and high, shape
-    (2, n, points).
+    """Remarks where a region is not proved to hold all equilibria; ``region`` is −low and high,
+    shape (2, n, points), and ``whole`` the proof.
     """
     if whole.all():
         return ()
@@ -375,7 +388,7 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
     ends = zip(balance.coordinates, -hull[0], hull[1], strict=True)
     places = [
         At(name, (float(low), float(high)), unit=units[name])
-        if high - low < 1e12  # as wide is no bound: it is what floats leave of none
+        if high - low < 1e12  # a wider one is no bound, but the limit of the search
         else Remark(f"any {name}")
         for name, low, high in ends
     ]
@@ -384,8 +397,8 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
 
 
 def of_ranges(cut: Sequence[str], names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
-    """Remarks on the parameters ``cut``, whose ranges have no end: up to where they were searched;
-    all ``ends``, (number, 2).
+    """Remarks on the parameters ``cut``, whose infinite ranges were searched only up to ``ends``,
+    shape (parameters, 2).
     """
     return tuple(
         Remark(

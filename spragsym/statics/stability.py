@@ -1,17 +1,19 @@
-"""Type of an equilibrium by the roots λ of its linearization, with and without damping, and what
-damps a model.
+"""Type of an equilibrium by the eigenvalues λ of its linearization, with and without damping.
 
-Types are told by signs that are proved: whether all roots κ = −λ² of det(K − κ M) are real, and
-whether one is negative. With a gyroscopic G the λ are those of det(λ² M + λ G + K), a polynomial in
-κ too where K is symmetric. Else every state grows: by flutter, or where all λ to the right are
-real, by divergence. Those to the right are counted by Routh's array, the positive ones among them
-by Sturm's chain.
+Without damping, the type follows from the roots κ = −λ² of det(K − κ M). It is proved by signs:
 
-All κ are real where the leading minors of the Hankel matrix of their sums of
-powers are positive, and not all where one is negative (Hermite); where K is symmetric they are in
-any case. Of a polynomial whose roots are all real, one is negative just if one of their elementary
-symmetric functions is. Signs come from intervals around the state, and where these hold 0 from many
-digits.
+- All κ are real if the leading minors of the Hankel matrix of their power sums are positive, and
+  some κ is not real if a minor is negative (Hermite). With a symmetric K all κ are real.
+- If all κ are real, one is negative exactly if one of their elementary symmetric functions is.
+
+With gyroscopic forces the λ are the roots of det(λ² M + λ G + K). With a symmetric K that is a
+polynomial in κ too. Otherwise every state grows: by flutter, or by divergence where all λ with a
+positive real part are real. Routh's array counts the λ with a positive real part, and Sturm's chain
+counts the positive ones.
+
+With damping, whether some λ has a positive real part follows from Hurwitz's determinants.
+
+Signs come from intervals around the state; where these contain 0, from ball arithmetic.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -56,38 +58,40 @@ from ..results import Equilibria, EquilibriumType
 from .balance import NEGLIGIBLE, Balance, PreciseBalance
 from .forces import Evaluation, Pushing, as_intervals, filled
 
-#: Imaginary part of a λ that is real to floats, over its size.
+#: A λ whose imaginary part over its size is smaller than this counts as real.
 REAL = 1e-9
-#: Growth rate over the frequency below which a state is practically neutral.
+#: A state whose growth rate over its frequency is smaller than this is called neutral.
 NEUTRAL_GROWTH = 1e-4
-#: A matrix with all entries of one number type, intervals or balls.
-Taken: TypeAlias = Callable[[Matrix], Matrix]
-#: Numbers whose signs are asked for at a state.
-Ask: TypeAlias = Callable[[Evaluation, Taken], Matrix]
+#: Converts the entries of a matrix to one number type, intervals or balls.
+Converted: TypeAlias = Callable[[Matrix], Matrix]
+#: Numbers at a state whose signs decide a question, as lists of numbers.
+SignTest: TypeAlias = Callable[[Evaluation, Converted], Matrix]
 
 
 @dataclass(frozen=True)
 class Linearized:
-    """N states by the full linearization, with dampers and the slope of the friction law."""
+    """Stability of N states by the full linearization, with dampers and slopes of the friction
+    laws.
+    """
 
     growth: FloatArray  #: largest real part of the λ
-    # 1 where it is proved that something grows, −1 that nothing does, 0 where neither is
-    sign: Int8Array
+    sign: Int8Array  #: 1 where growth is proved, −1 where it is disproved, 0 where undecided
     eigenvalues: ComplexArray  #: all λ, shape (N, 2 n), by falling real part
 
     @property
     def stability(self) -> NDArray[np.str_]:
-        """``"stable"``, ``"unstable"``, or ``"neutral"`` where the rate is below
-        :data:`NEUTRAL_GROWTH` of the frequency.
+        """``"stable"``, ``"unstable"`` or ``"neutral"`` for each state; empty where the rate is not
+        finite.
 
-        That is the one of the λ of the largest real part, or the lowest one where that λ does not
-        oscillate. Empty where no float holds the rate.
+        A state is neutral if its growth rate is below :data:`NEUTRAL_GROWTH` times its frequency.
+        That is the frequency of the λ of largest real part or, if this λ is real, the lowest
+        frequency.
         """
         return verdicts(self.growth, self.eigenvalues)
 
 
 def verdicts(growth: FloatArray, eigenvalues: ComplexArray) -> NDArray[np.str_]:
-    """:attr:`Linearized.stability` by the growth and all λ, by falling real part, of N states."""
+    """:attr:`Linearized.stability` from the growth rates and all λ, sorted by falling real part."""
     frequency = np.abs(eigenvalues.imag)
     frequency = np.where(frequency > REAL * np.abs(eigenvalues), frequency, np.inf)
     own = np.where(np.isfinite(frequency[:, 0]), frequency[:, 0], frequency.min(axis=1))
@@ -98,11 +102,13 @@ def verdicts(growth: FloatArray, eigenvalues: ComplexArray) -> NDArray[np.str_]:
 def linearized(
     eq: Equilibria, states: tuple[IntArray, ...], enclosures: FloatArray | None
 ) -> Linearized:
-    """The full linearization at some states, by their indices; ``enclosures`` are boxes around all
-    states, each alone in its own.
+    """Full linearization at some states, by their indices into the columns of ``eq``.
 
-    Source: det(λ² M + λ (C + G) + K) = 0; whether something grows by Hurwitz's determinants, see
-    :func:`decay`.
+    ``enclosures`` are boxes around all states, with one state in each; without them, boxes follow
+    from ``eq.error``.
+
+    Source: eigenvalues of det(λ² M + λ (C + G) + K) = 0; the sign of the growth by Hurwitz's
+    determinants, see :func:`decay`.
     """
     model = eq.parameters.model
     keys, which = _combinations(eq, states)
@@ -127,20 +133,19 @@ def linearized(
     sign = np.where(eq.undamped[states] == EquilibriumType.STABLE, 1, -1)
     undamped: NDArray[Any] = np.where(eq.marginal[states], 0, sign).astype(np.int8)
     groups = [np.flatnonzero(which == k) for k in range(len(keys))]
-    # States that are looked at together: arrays of intervals of millions would take
-    # gigabytes.
-    together = 1 << 14
+    # Interval arrays of millions of states at once would take gigabytes.
+    chunk = 1 << 14
     parts = [
-        _linearized(one, *(part[..., some] for part in (q, given, ends, undamped)))
+        _linearized(one, *(part[..., rows] for part in (q, given, ends, undamped)))
         for one, group in zip(balances, groups, strict=True)
-        for some in np.split(group, range(together, group.size, together))
+        for rows in np.split(group, range(chunk, group.size, chunk))
     ]
     back = np.argsort(np.concatenate(groups), kind="stable")
     return Linearized(*(np.concatenate(part)[back] for part in zip(*parts, strict=True)))
 
 
 def _combinations(eq: Equilibria, states: tuple[IntArray, ...]) -> tuple[list[Touching], IntArray]:
-    """Combinations of contacts that touch in some states, and the number of that of each state."""
+    """Combinations of touching contacts that occur, and the index of that of each state."""
     if eq.contact is not None:
         return [eq.contact], np.zeros(states[-1].size, dtype=int)
     names, which = np.unique(eq["touching"][states], return_inverse=True)
@@ -150,38 +155,33 @@ def _combinations(eq: Equilibria, states: tuple[IntArray, ...]) -> tuple[list[To
 def _linearized(
     balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, undamped: Int8Array
 ) -> tuple[FloatArray, Int8Array, ComplexArray]:
-    """The fields of :class:`Linearized` for some of the states."""
+    """Fields of :class:`Linearized` for states of one combination of contacts."""
     every = roots(*linearization(balance, q, given))
     every = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
     fastest = every[:, 0].real
     sign = -decay(balance, given, ends, undamped, fastest)
-    # What rounding leaves is on the side that is proved.
-    return (
-        np.where(
-            sign < 0,
-            np.minimum(fastest, 0.0),
-            np.where(sign > 0, np.maximum(fastest, 0.0), fastest),
-        ),
-        sign,
-        every,
-    )
+    # The float rate may have the wrong sign by rounding: then it is 0.
+    bounded = [np.minimum(fastest, 0.0), np.maximum(fastest, 0.0)]
+    return np.select([sign < 0, sign > 0], bounded, fastest), sign, every
 
 
 def classified(
     balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray
 ) -> tuple[Int8Array, BoolArray, ComplexArray]:
-    """Codes of :class:`spragsym.EquilibriumType`, whether each is proved; and the 2 n roots without
-    damping, floats.
+    """Types of states without damping, whether each is proved, and the 2 n roots λ as floats.
 
-    States have the shape (n, N), parameters (P, N), boxes ``ends`` with one equilibrium each (2, n,
-    N). A sign that is not known counts as that of 0.
+    ``states`` have the shape (n, N), ``given`` parameters (P, N), and ``ends`` are boxes with one
+    state in each, (2, n, N). Types are codes of :class:`spragsym.EquilibriumType`; an unknown sign
+    counts as 0 in a type that is not proved.
     """
     with quiet():
         signs, real, even = _over(balance, balance.prepared_at(given), ends)
     codes, proved = _types_by_signs(signs, real, even)
-    for row, signs in _with_digits(
-        balance, given, ends, ~proved, lambda row: partial(_types, even[:, row])
-    ):
+
+    def test_of(row: int) -> SignTest:
+        return partial(_types, even[:, row])
+
+    for row, signs in _with_digits(balance, given, ends, ~proved, test_of):
         codes[row], proved[row] = _types_by_signs(signs, real[:, row], even[:, row])
     M, G, K = linearization(balance, states, given, damping=False)
     if balance.gyroscopic:
@@ -195,8 +195,8 @@ def classified(
 
 
 def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
-    """The roots of det(λ² M + λ C + K), of matrices of shape (…, n, n); NaN where an entry is not
-    finite.
+    """The roots λ of det(λ² M + λ C + K), of matrices of shape (…, n, n), by the companion matrix;
+    NaN where an entry is not finite.
     """
     n = M.shape[-1]
     zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
@@ -207,16 +207,17 @@ def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
 
 
 def squares(M: FloatArray, K: FloatArray) -> ComplexArray:
-    """The roots κ = −λ² of det(K − κ M)."""
+    """The roots κ = −λ² of det(K − κ M), unsorted."""
     return np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
 
 
 def linearization(
     balance: Balance, states: FloatArray, given: FloatArray, damping: bool = True
 ) -> tuple[FloatArray, ...]:
-    """M, C + G, or G without ``damping``, and K at float states, each of shape (N, n, n).
+    """M, C + G and K at float states, each of shape (N, n, n); without ``damping``, G replaces C +
+    G.
 
-    They are NaN where a law has no value, like Hertz's beyond the touch.
+    Entries are NaN where a law has no value, as Hertz's beyond the border.
     """
     with quiet():
         at = balance.at(list(states), balance.floats(given), states.shape[1:], np)
@@ -231,7 +232,9 @@ def linearization(
 
 
 def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
-    """The code of one state, shape (n, 1), where one λ is 0, as at a fold: the others decide."""
+    """Type of one state, shape (n, 1), that has an eigenvalue 0, as at a fold: by the other
+    eigenvalues.
+    """
     (M,), (G,), (K,) = linearization(balance, states, given, damping=False)
     if balance.gyroscopic:
         return _by_floats(roots(M, G, K))
@@ -243,34 +246,35 @@ def with_a_zero(balance: Balance, states: FloatArray, given: FloatArray) -> int:
 
 
 def _by_floats(every: ComplexArray) -> int:
-    """The code of a state by its 2 n λ without damping, of which one is 0, or two are if they come
-    in pairs ± λ.
-    """
+    """Type of a state of a gyroscopic model from its 2 n roots λ, the smallest of which is 0."""
     others = every[np.argsort(np.abs(every))][1:]
-    # Real or imaginary part of a λ without damping beside a λ that is 0, over the largest
-    # size.
-    moved = 1e-7
-    grow = others[others.real > moved * np.abs(others).max(initial=0.0)]
-    if (np.abs(grow.imag) > moved * np.abs(grow)).any():
+    # Real and imaginary parts below this, relative to the largest λ, are rounding. A λ that should
+    # be 0 too, as one of a pair, is off by the square root of the unit of rounding.
+    rounding = 1e-7
+    grow = others[others.real > rounding * np.abs(others).max(initial=0.0)]
+    if (np.abs(grow.imag) > rounding * np.abs(grow)).any():
         return int(EquilibriumType.FLUTTER)
     return int(EquilibriumType.DIVERGENT if grow.size else EquilibriumType.STABLE)
 
 
 def real(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray:
-    """Boxes of coordinates and prepared parameters all over which all κ are proved to be real,
-    those that meet included.
+    """Boxes all over which all κ are proved to be real; equal ones may occur.
+
+    ``parameters`` are prepared, ``ends`` boxes of coordinates.
     """
     signs, real, even = _over(balance, parameters, ends)
     minors = [part[1] for part in _by_blocks(signs, len(real))]
     parts = zip(real, even, minors, strict=True)
-    return np.logical_and.reduce([one | (two & (part > 0).all(axis=0)) for one, two, part in parts])
+    return np.logical_and.reduce(
+        [symmetric | (two & (part > 0).all(axis=0)) for symmetric, two, part in parts]
+    )
 
 
 def types_over(
     balance: Balance, parameters: Intervals, ends: FloatArray
 ) -> tuple[Int8Array, BoolArray]:
-    """Codes of :class:`spragsym.EquilibriumType` of all states in boxes of coordinates and prepared
-    parameters, and whether each is proved.
+    """Type of all states in each box, a code of :class:`spragsym.EquilibriumType`, and whether it
+    is proved; boxes of prepared parameters and of coordinates.
     """
     return _types_by_signs(*_over(balance, parameters, ends))
 
@@ -278,7 +282,7 @@ def types_over(
 def _over(
     balance: Balance, parameters: Intervals, ends: FloatArray
 ) -> tuple[list[Int8Array], BoolArray, BoolArray]:
-    """Signs of :func:`_types` over boxes, and :func:`_in_pairs`."""
+    """Signs of :func:`_types` over boxes, and the masks of :func:`_in_pairs`."""
     at = balance.state(Intervals(ends), parameters)
     real, even = _in_pairs(
         at,
@@ -291,33 +295,37 @@ def _over(
 def _in_pairs(
     at: Evaluation, symmetric: BoolArray, vanishes: Callable[[Matrix], BoolArray | bool]
 ) -> tuple[BoolArray, BoolArray]:
-    """By blocks of :func:`_blocks`, shape (blocks, …): where all κ are real in any case, K being
-    symmetric and G 0; and where either holds, so that λ come in pairs ± λ.
+    """Masks by block of :func:`_blocks`, shape (blocks, …), of what follows from symmetry.
 
-    Of a model without G it is not asked whether K is symmetric at this state.
+    The first marks blocks whose κ are all real: K is symmetric and G vanishes. The second marks
+    blocks whose λ come in pairs ± λ: K is symmetric or G vanishes. ``symmetric`` says where K is
+    symmetric at every state. Whether it is at this state alone is asked only for a model with G.
     """
     real, even = list[BoolArray](), list[BoolArray]()
     for block in _blocks(at):
-        still, same = (vanishes(part_of(A, block)) for A in (at.gyroscopic(), at.circulatory()))
-        alike = symmetric | (len(block) == 1) | (same & at.balance.gyroscopic)
-        real.append(alike & still)
-        even.append(alike | still)
+        without_G = vanishes(part_of(at.gyroscopic(), block))
+        same = vanishes(part_of(at.circulatory(), block)) & at.balance.gyroscopic
+        alike = symmetric | (len(block) == 1) | same
+        real.append(alike & without_G)
+        even.append(alike | without_G)
     return np.array(real), np.array(even)
 
 
 def _blocks(at: Evaluation) -> list[tuple[int, ...]]:
-    """Blocks of coordinates that swing by themselves without damping, but for what others drive."""
+    """Diagonal blocks of coordinates: M, G and K are block triangular in them, so that the
+    characteristic polynomial without damping is the product of those of the blocks.
+    """
     return coupled(at.mass(), at.gyroscopic(), at.stiffness())
 
 
 def _by_blocks(signs: Sequence[Int8Array], blocks: int) -> list[Sequence[Int8Array]]:
-    """Signs of :func:`_types` block by block."""
+    """The signs of :func:`_types`, split into equal parts, one for each block."""
     size = len(signs) // blocks
     return [signs[k * size : (k + 1) * size] for k in range(blocks)]
 
 
 def _symmetric(balance: Balance, parameters: Intervals) -> BoolArray:
-    """Parameters, of shape (…, N), for which K is symmetric whatever the state is."""
+    """Points, of prepared parameters (…, N), at which K is symmetric at every state."""
     shape = parameters.shape[1:]
     mus = balance.at((), balance.arguments(parameters), shape).circulatory_frictions
     none = [as_intervals(mu, shape).magnitude <= NEGLIGIBLE for mu in mus]
@@ -325,61 +333,64 @@ def _symmetric(balance: Balance, parameters: Intervals) -> BoolArray:
 
 
 def _without_friction(balance: Balance, frictionless: BoolArray) -> BoolArray:
-    """:func:`_symmetric`: without friction K is, if the page's other forces have a potential."""
+    """:func:`_symmetric` from a mask of points without friction: K is symmetric there if the other
+    forces of the page have a potential.
+    """
     return (balance.model.about["symmetric"] & frictionless) | (balance.n == 1)
 
 
 def decay(
     balance: Balance, given: FloatArray, ends: FloatArray, undamped: Int8Array, growth: FloatArray
 ) -> Int8Array:
-    """Signs of the real parts of all λ of det(λ² M + λ (C + G) + K) = 0: 1 where it is proved that
-    none grows, −1 that one does, 0 where it is not known.
+    """Stability with damping: 1 where it is proved that no λ of det(λ² M + λ (C + G) + K) has a
+    positive real part, −1 where it is proved that one has, 0 where it is undecided.
 
-    All decay just where the coefficients of that polynomial and Hurwitz's determinants are
-    positive; where one of these is negative some λ has a positive real part, since without such all
-    would be limits of positive ones. Where these are not told from 0, as of damping that is next to
-    nothing, the same test right of half the ``growth`` of floats tells that one grows. Arguments as
-    for :func:`classified`; ``undamped`` says the same of λ² M + λ G + K, which counts where C is 0:
-    there every second coefficient may be 0.
+    All λ have negative real parts exactly if the coefficients of that polynomial and Hurwitz's
+    determinants are positive. If one of these numbers is negative, some λ has a positive real part.
+    If signs are undecided, as with very weak damping, the same test is made for the polynomial
+    shifted to the right by half of the float ``growth``; it may prove that a λ has a positive real
+    part.
+
+    Where C vanishes, every second coefficient may be 0; there the result is ``undamped``, the same
+    answer for λ² M + λ G + K. Other arguments are those of :func:`classified`.
     """
 
-    def asked(shift: Number) -> Ask:
-        def ask(at: Evaluation, taken: Taken) -> Matrix:
+    def test_right_of(shift: Number) -> SignTest:
+        def test(at: Evaluation, convert: Converted) -> Matrix:
             every = at.mass(), at.by_rates(), at.stiffness()
             parts = [
-                _routh_twice(shift, *(taken(part_of(A, block)) for A in every))
+                _routh_twice(shift, *(convert(part_of(A, block)) for A in every))
                 for block in coupled(*every)
             ]
             return [[*chain.from_iterable(part)] for part in zip(*parts, strict=True)]
 
-        return ask
+        return test
 
     with quiet():
         at = balance.state(Intervals(ends), balance.prepared_at(given))
         without = matrix(at.damping(), at.shape).magnitude.max(axis=(0, 1)) <= NEGLIGIBLE
         half = np.where(growth > 0, 0.5 * growth, 0.0)
-        by_signs = _decay_by_signs(_signs_over(at, asked(Intervals.point(half))))
+        by_signs = _decay_by_signs(_signs_over(at, test_right_of(Intervals.point(half))))
         found = np.where(without & (undamped != 0), undamped, by_signs).astype(np.int8)
-    for row, signs in _with_digits(
-        balance,
-        given,
-        ends,
-        found == 0,
-        lambda row: asked(ball(float(half[row]), balance.options.root_bits)),
-    ):
+
+    def test_of(row: int) -> SignTest:
+        return test_right_of(ball(float(half[row]), balance.options.root_bits))
+
+    for row, signs in _with_digits(balance, given, ends, found == 0, test_of):
         found[row] = _decay_by_signs(signs)
     return found
 
 
-def _types(even: BoolArray, at: Evaluation, taken: Taken) -> Matrix:
-    """Types of states, block by block; with G, unless λ come in pairs, by Routh's array and Sturm's
-    chain too.
+def _types(even: BoolArray, at: Evaluation, convert: Converted) -> Matrix:
+    """Numbers whose signs give the type without damping, block by block.
 
-    A block that swings by itself has λ on the axis, where the array of all together would end.
+    For each block: :func:`invariants`, and for a gyroscopic model :func:`_growing` too, or three
+    constants where λ come in pairs. Blocks are necessary: with a pair of λ on the imaginary axis in
+    one block, Routh's array of the whole polynomial would end in zeros.
     """
     numbers = list[Any]()
     for block, in_pairs in zip(_blocks(at), even, strict=True):
-        M, G, K = (taken(part_of(A, block)) for A in (at.mass(), at.gyroscopic(), at.stiffness()))
+        M, G, K = (convert(part_of(A, block)) for A in (at.mass(), at.gyroscopic(), at.stiffness()))
         if not at.balance.gyroscopic:
             numbers += invariants(characteristic(K, M))
             continue
@@ -389,11 +400,13 @@ def _types(even: BoolArray, at: Evaluation, taken: Taken) -> Matrix:
 
 
 def _growing(a: list[Any]) -> Matrix:
-    """Numbers by whose changes of sign roots of a polynomial are counted: those to the right, and
-    at 0 and far out, the real ones.
+    """Three sequences of numbers whose sign changes count roots of the polynomial with coefficients
+    ``a``, the lowest first.
 
-    The first is the column of Routh's array of the polynomial times λ + 1: with a root on the left
-    the sum of all is not 0, at which the array would end. The others are ends of Sturm's chain.
+    The changes in the first, the leading column of Routh's array, are the roots with a positive
+    real part. The other two are Sturm's chain at 0 and at +∞; the difference of their changes is
+    the number of positive real roots. Routh's array is that of the polynomial times λ + 1, whose
+    root −1 makes the sum of all roots nonzero; with the sum 0 the array would end.
     """
     b = [low + high for low, high in zip([*a, 0], [0, *a], strict=True)][::-1]
     rows = [b[::2], b[1::2]]
@@ -410,8 +423,8 @@ def _growing(a: list[Any]) -> Matrix:
 
 
 def _reduced(one: list[Any], two: list[Any]) -> list[Any]:
-    """A row, the highest coefficient first, less the multiple of another that takes its first
-    entry away.
+    """One step of polynomial division: row ``one`` minus the multiple of ``two`` that cancels its
+    leading entry; the highest coefficient stands first.
     """
     factor = one[0] / two[0]
     more = [*two, *[0] * (len(one) - len(two))]
@@ -419,42 +432,46 @@ def _reduced(one: list[Any], two: list[Any]) -> list[Any]:
 
 
 def _routh_twice(shift: Number, M: Matrix, C: Matrix, K: Matrix) -> Matrix:
-    """:func:`_routh` for the imaginary axis, and for the line right of it by ``shift``."""
-    moved = [
+    """:func:`_routh` for the imaginary axis, and for the parallel line at real part ``shift``."""
+    # λ = shift + ν: ν² M + ν (C + 2 shift M) + K + shift (C + shift M)
+    shifted_K = [
         [k + shift * (c + shift * m) for m, c, k in zip(*rows, strict=True)]
         for rows in zip(M, C, K, strict=True)
     ]
-    damped = [
+    shifted_C = [
         [c + 2 * shift * m for m, c in zip(*rows, strict=True)] for rows in zip(M, C, strict=True)
     ]
-    return [_routh(M, C, K), _routh(M, damped, moved)]
+    return [_routh(M, C, K), _routh(M, shifted_C, shifted_K)]
 
 
 def _routh(M: Matrix, C: Matrix, K: Matrix) -> list[Any]:
-    """The coefficients, and all determinants of Hurwitz but the first and the last, which add
-    nothing.
+    """Coefficients of det(λ² M + λ C + K), and Hurwitz's determinants of sizes 2 to 2 n − 1.
+
+    The first determinant is a coefficient, and the last is a coefficient times the one before it.
     """
     a = characteristic(K, C, M)
     return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]
 
 
 def _decay_by_signs(signs: Sequence[Int8Array]) -> Int8Array:
-    """1 where nothing grows, −1 where something does, by the signs of :func:`_routh_twice`; of the
-    second that it grows only.
+    """The answer of :func:`decay` from the signs of :func:`_routh_twice`; the second line can prove
+    only growth.
     """
-    here, beyond = (
-        np.where((part > 0).all(axis=0), 1, np.where((part < 0).any(axis=0), -1, 0))
-        for part in signs
+    on_axis, shifted = (
+        np.select([(part > 0).all(axis=0), (part < 0).any(axis=0)], [1, -1], 0) for part in signs
     )
-    return np.where(here != 0, here, np.minimum(beyond, 0)).astype(np.int8)
+    return np.where(on_axis != 0, on_axis, np.minimum(shifted, 0)).astype(np.int8)
 
 
 def invariants(coefficients: list[Any]) -> Matrix:
     """Elementary symmetric functions e₁ … eₙ of the κ, and the minors of sizes 2 to n of Hermite's
-    matrix, of any number type, by the coefficients of det M Π (κ_i + λ²), the lowest first.
+    matrix.
+
+    ``coefficients`` are those of det M Π (κ_i + λ²) in λ², the lowest first, of any number type.
+    The entries of Hermite's matrix are the power sums of the κ, by Newton's identities.
     """
     n = len(coefficients) - 1
-    # That of λ²ᵏ is e_{n−k} det M.
+    # The coefficient of λ²ᵏ is e_{n−k} det M.
     e = [1, *(coefficients[n - k] / coefficients[n] for k in range(1, n + 1))]
     sums: list[Any] = [n]
     for k in range(1, 2 * n - 1):
@@ -466,17 +483,18 @@ def invariants(coefficients: list[Any]) -> Matrix:
     return e[1:], [determinant([row[:size] for row in hermite[:size]]) for size in range(2, n + 1)]
 
 
-def _signs_over(at: Evaluation, ask: Ask) -> list[Int8Array]:
-    """Signs of what is asked over boxes."""
-    parts = ask(at, lambda part: [list(row) for row in matrix(part, at.shape)])
+def _signs_over(at: Evaluation, test: SignTest) -> list[Int8Array]:
+    """Signs of the numbers of a test over boxes; 0 where a sign is unknown."""
+    parts = test(at, lambda part: [list(row) for row in matrix(part, at.shape)])
     return [stacked(part, at.shape).signs for part in parts]
 
 
 def _types_by_signs(
     signs: Sequence[Int8Array], real: BoolArray, even: BoolArray
 ) -> tuple[Int8Array, BoolArray]:
-    """Codes, and whether the signs that are known decide them, 0 for one that is not; ``real`` and
-    ``even`` as :func:`_in_pairs` has them. A state has the worst type of its blocks.
+    """Types from signs of :func:`_types`, 0 for unknown ones, and whether the signs prove them.
+
+    A state has the worst type of its blocks. ``real`` and ``even`` are those of :func:`_in_pairs`.
     """
     parts = zip(_by_blocks(signs, len(real)), real, even, strict=True)
     codes, proved = map(np.array, zip(*(_type_of_block(*part) for part in parts), strict=True))
@@ -487,26 +505,25 @@ def _types_by_signs(
 def _type_of_block(
     signs: Sequence[Int8Array], real: BoolArray, even: BoolArray
 ) -> tuple[Int8Array, BoolArray]:
-    """:func:`_types_by_signs` of one block."""
+    """:func:`_types_by_signs` for one block."""
     elementary, minors, *counted = signs
     flutter = (minors < 0).any(axis=0) & ~real
     real = real | (minors > 0).all(axis=0)
     divergent = (elementary < 0).any(axis=0)
-    code = np.where(
-        flutter,
-        EquilibriumType.FLUTTER,
-        np.where(divergent, EquilibriumType.DIVERGENT, EquilibriumType.STABLE),
+    code = np.select(
+        [flutter, divergent],
+        [EquilibriumType.FLUTTER, EquilibriumType.DIVERGENT],
+        EquilibriumType.STABLE,
     ).astype(np.int8)
     proved = flutter | (real & (divergent | (elementary > 0).all(axis=0)))
     if not counted:
         return code, proved
     certain = np.logical_and.reduce([(part != 0).all(axis=0) for part in counted])
+    # Sign changes in the sequences of _growing.
     right, at_zero, far = (np.abs(np.diff(part, axis=0)).sum(axis=0) // 2 for part in counted)
     other = np.where(right > at_zero - far, EquilibriumType.FLUTTER, EquilibriumType.DIVERGENT)
-    return (
-        np.where(even | ~certain, code, other).astype(np.int8),
-        np.where(even, proved, certain),
-    )
+    codes = np.where(even | ~certain, code, other).astype(np.int8)
+    return codes, np.where(even, proved, certain)
 
 
 def _with_digits(
@@ -514,22 +531,24 @@ def _with_digits(
     given: FloatArray,
     ends: FloatArray,
     among: BoolArray,
-    ask: Callable[[int], Ask],
+    test_of: Callable[[int], SignTest],
 ) -> Iterator[tuple[slice, list[Int8Array]]]:
-    """Signs by many digits for states ``among`` all, by row; none where the box of a state can't be
-    made smaller.
+    """Signs in ball arithmetic for the states marked in ``among``, with the slice of their row.
+
+    ``test_of`` gives the test of a row. A state is left out if its box can't be narrowed or a sign
+    remains undecided.
     """
     for row in np.flatnonzero(among).tolist():
         precise = PreciseBalance(balance, given[:, row], balance.options.root_bits)
         q = narrowed(precise, ends[:, :, row], ends[:, :, row])
         with suppress(UndecidedSign, ZeroDivisionError):
             if q is not None:
-                yield slice(row, row + 1), _signs_at(precise, q, ask(row))
+                yield slice(row, row + 1), _signs_at(precise, q, test_of(row))
 
 
 def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
-    """The type of a state of balls; :class:`UndecidedSign` where a sign that it takes is not
-    decided.
+    """Type of a state given as balls; raises :class:`UndecidedSign` if a sign that it needs is
+    undecided.
     """
     balance, at = precise.balance, precise.state(q)
 
@@ -545,23 +564,23 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
     return EquilibriumType(int(code[0]))
 
 
-def _signs_at(precise: PreciseBalance, q: Sequence[Any], ask: Ask) -> list[Int8Array]:
-    """Signs of what is asked of a state of balls."""
-    parts = ask(precise.state(q), lambda part: as_balls(part, precise.bits))
+def _signs_at(precise: PreciseBalance, q: Sequence[Any], test: SignTest) -> list[Int8Array]:
+    """Signs of the numbers of a test at a state given as balls."""
+    parts = test(precise.state(q), lambda part: as_balls(part, precise.bits))
     return [np.array([*map(balls.sign, part)], dtype=np.int8)[:, None] for part in parts]
 
 
 def damped_entries(balance: Balance, over: Intervals) -> list[tuple[int, int]]:
-    """Rows and columns of the entries of C that are not 0 by structure.
+    """Rows and columns of the entries of C that can differ from 0.
 
-    Dampers and slopes that are exactly 0 by the given parameters have no entry.
+    Dampers and slopes that are exactly 0 at the given parameters have no entry.
     """
     C = _damping(balance, over)
     return [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not is_zero(entry)]
 
 
 def _damping(balance: Balance, over: Intervals, pushing: Pushing | None = None) -> Matrix:
-    """C at states of all kinds."""
+    """Enclosure of C over states in [−1, 1]ⁿ, with spring directions of any kind."""
     at = balance.at([Intervals(np.ones((2, 1)))] * balance.n, balance.over(over), (1,))
     with quiet():
         return replace(at, fixed=[Intervals(np.ones((2, 1)))] * 3 * balance.springs).damping(
@@ -570,12 +589,11 @@ def _damping(balance: Balance, over: Intervals, pushing: Pushing | None = None) 
 
 
 def is_damped(balance: Balance, over: Intervals) -> bool:
-    """Whether C is not 0 at generic states on the contact's side, where its laws have values."""
-    # Number of states at which it is looked at whether anything damps: some are in contact.
-    places = 64
-    point = np.repeat(0.5 * over.low + 0.5 * over.high, places, axis=1)
-    states = np.random.default_rng(0).uniform(-1.0, 1.0, (balance.n, places)) * np.geomspace(
-        0.01, 3.0, places
+    """Whether C differs from 0 at some of 64 random states, on the contact's side of its border."""
+    samples = 64  # enough that some are in contact
+    point = np.repeat(0.5 * over.low + 0.5 * over.high, samples, axis=1)
+    states = np.random.default_rng(0).uniform(-1.0, 1.0, (balance.n, samples)) * np.geomspace(
+        0.01, 3.0, samples
     )
     at = balance.at(list(states), balance.floats(point), states.shape[1:], np)
     with quiet():
@@ -584,30 +602,30 @@ def is_damped(balance: Balance, over: Intervals) -> bool:
 
 
 def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
-    """The coordinate that friction opposes, if nothing else damps for any parameter of the range;
-    None if that is not known.
+    """Number of the coordinate along which friction acts, if nothing else damps over the range of
+    parameters; None if that is not proved.
     """
     frictions = balance.model.frictions
     if len(frictions) != 1 or frictions[0]["along"] not in balance.coordinates:
         return None
     if balance.model.about["dampers"]:
         C = matrix(_damping(balance, over, [0] * len(balance.pushing)), (1,))
-        # They are known on their own in lift-off.
+        # Without contact, C is that of the dampers alone.
         if not balance.opens or not C.magnitude.max() <= NEGLIGIBLE:
             return None
     return balance.coordinates.index(frictions[0]["along"])
 
 
 def slope_over(balance: Balance, over: Intervals) -> Intervals:
-    """The slope of the friction law over the ranges."""
+    """Enclosure of the slope dμ/dv of the one friction law over ranges of parameters."""
     with quiet():
         (slope,) = balance.at((), balance.over(over)).slopes_of_friction()
         return as_intervals(slope, over.shape[1:])
 
 
 def is_conservative(balance: Balance, over: Intervals) -> bool:
-    """Whether all κ are real all over the ranges, whatever the state is: K is symmetric, or one
-    number, and nothing gyroscopic acts.
+    """Whether all κ are proved to be real at every state over the ranges: K is symmetric, and there
+    are no gyroscopic forces.
     """
     with quiet():
         symmetric = _symmetric(balance, balance.prepared(over)).all()
@@ -615,8 +633,9 @@ def is_conservative(balance: Balance, over: Intervals) -> bool:
 
 
 def comes_in_pairs(balance: Balance, over: Intervals) -> bool:
-    """Whether λ without damping come in pairs ± λ all over the ranges; with G and a K that is not
-    symmetric they do not, and something grows in every state.
+    """Whether the λ without damping are proved to come in pairs ± λ over the ranges.
+
+    With gyroscopic forces and an unsymmetric K they do not, and every state has a growing solution.
     """
     with quiet():
         return not balance.gyroscopic or bool(_symmetric(balance, balance.prepared(over)).all())

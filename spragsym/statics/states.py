@@ -1,6 +1,4 @@
-"""Sources of equilibria from columns already computed, and equilibria with single points
-decided.
-"""
+"""Sources of the columns of equilibria, and changes to equilibria at single points."""
 
 from __future__ import annotations
 
@@ -23,9 +21,9 @@ if TYPE_CHECKING:
 
 
 class Linearizing:
-    """A source of equilibria whose full linearization is made when it is asked for."""
+    """A source of equilibria that computes the full linearization on request."""
 
-    #: Boxes around each state alone, shape (2, n, states), where ``error`` does not say as much.
+    #: Boxes with one state each, shape (2, n, states), where they are sharper than ``error``.
     around: FloatArray | None = None
 
     @property
@@ -34,19 +32,19 @@ class Linearizing:
         return ()
 
     def linearized(self, eq: Equilibria, states: tuple[IntArray, ...]) -> Linearized:
-        """The linearization of some states, by their indices into the columns."""
+        """The linearization at some states, by their indices into the columns."""
         from .stability import linearized  # closed forms answer without it
 
         return linearized(eq, states, self.around)
 
     def held(self, columns: Mapping[str, NDArray[Any]]) -> Held:
-        """The source with these columns made, for a file."""
+        """A source of the same states that holds these columns, to be written to a file."""
         return Held(columns, self.around)
 
 
 @dataclass(frozen=True)
 class Held(Linearizing):
-    """Columns that are there already."""
+    """A source whose columns have been computed already."""
 
     columns: Mapping[str, NDArray[Any]]
     around: FloatArray | None = None
@@ -57,7 +55,7 @@ class Held(Linearizing):
         return tuple(name for name in ("escalated", "fold") if name in self.columns)
 
     def column(self, name: str) -> NDArray[Any] | None:
-        """A column; None if it is not known here."""
+        """The column of that name, or None."""
         return self.columns.get(name)
 
 
@@ -67,9 +65,7 @@ def one_each(
     undamped: Int8Array,
     error: NDArray[Any] | float,
 ) -> Equilibria:
-    """One state in contact of every point, known from elsewhere: columns of the shape of the
-    points.
-    """
+    """Equilibria with one known state in contact at each point; columns have the shape of ``p``."""
     ones, decided = np.ones(p.shape, dtype=int), np.ones(p.shape, dtype=bool)
     columns = {
         **places,
@@ -84,34 +80,35 @@ def one_each(
 def combination_of(
     eq: Equilibria, touching: str, contact: Touching
 ) -> tuple[Equilibria, list[list[int]]]:
-    """The equilibria along a line of parameters in which just these contacts touch, and their slots
-    among all.
+    """The equilibria along a line of parameters in one combination of touching contacts.
+
+    Also returns, for each point, the slots of these states in ``eq``.
     """
     if eq.contact is not None:
         return eq, [list(range(count)) for count in eq.count.tolist()]
     model = eq.parameters.model
-    mine = eq.touching == touching
-    count = mine.sum(axis=-1)
-    there = np.arange(max(1, int(count.max(initial=0)))) < count[:, None]
+    selected = eq.touching == touching
+    count = selected.sum(axis=-1)
+    filled = np.arange(max(1, int(count.max(initial=0)))) < count[:, None]
 
     def taken(name: str, empty: float) -> NDArray[Any]:
         column = eq[name if name in model.coordinates else own_name(model, name)]
-        out = np.full(there.shape, empty, dtype=column.dtype)
-        out[there] = column[mine]
+        out = np.full(filled.shape, empty, dtype=column.dtype)
+        out[filled] = column[selected]
         return out
 
     ours = {"undamped": 0, "error": np.nan, "marginal": False}
     columns = {name: taken(name, np.nan) for name in model.coordinates}
     columns |= {own_name(model, name): taken(name, empty) for name, empty in ours.items()}
     columns[own_name(model, "whole")] = eq.whole
-    slots = [np.flatnonzero(row).tolist() for row in mine]
+    slots = [np.flatnonzero(row).tolist() for row in selected]
     return Equilibria(
         eq.parameters, contact, count, eq.decided, (), eq.remarks, Held(columns)
     ), slots
 
 
 def as_decided(eq: Equilibria, point: int) -> Equilibria:
-    """The equilibria with one point decided: it has the states that are known, and no others."""
+    """The equilibria with one point declared decided: its known states are all there are."""
     left = tuple(box for box in eq.undecided if box.index != (point,))
     return replace(eq, decided=eq.decided | (np.arange(eq.count.size) == point), undecided=left)
 
@@ -119,8 +116,9 @@ def as_decided(eq: Equilibria, point: int) -> Equilibria:
 def with_state(
     eq: Equilibria, point: int, state: Mapping[str, float], undamped: int, error: float
 ) -> Equilibria:
-    """The equilibria with one more state of one point, given by its coordinates."""
-    slot = int((next(iter(eq.coordinates.values()))[point] < next(iter(state.values()))).sum())
+    """The equilibria with one more state at one point, given by its coordinates."""
+    first, *_ = eq.coordinates.values()
+    slot = int((first[point] < next(iter(state.values()))).sum())  # states are sorted by it
     ours = {"undamped": undamped, "error": error, "marginal": True}
     model = eq.parameters.model
     new = {**state, **{own_name(model, name): one for name, one in ours.items()}}
@@ -133,5 +131,6 @@ def with_state(
         out[point] = np.insert(old[point], slot, new[name])
         return out
 
-    more = (np.arange(eq.count.size) == point).astype(eq.count.dtype)
-    return replace(eq, count=eq.count + more, _source=Held({name: placed(name) for name in new}))
+    increase = (np.arange(eq.count.size) == point).astype(eq.count.dtype)
+    columns = {name: placed(name) for name in new}
+    return replace(eq, count=eq.count + increase, _source=Held(columns))

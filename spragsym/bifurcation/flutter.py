@@ -26,6 +26,7 @@ from ..numerics.interval_arrays import (
     ends_around,
     quiet,
     scale_of,
+    spans_of,
 )
 from ..numerics.vectors import magnitude
 from ..results import Points
@@ -57,7 +58,7 @@ from .defining_systems import (
     undamped_mode,
     within_block,
 )
-from .points import Found, all_of, arranged, matrices, nothing, of_ends, search
+from .points import Found, all_of, arranged, matrices, merged, nothing, of_ends, search
 
 if TYPE_CHECKING:
     from .normal_forms import Coefficient, NormalForm
@@ -379,7 +380,8 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     """
     from scipy.optimize import linear_sum_assignment  # heavy, and a refusal does not need it
 
-    fixed, sightings = system.family.begin, np.array(_sightings(system)).reshape(-1, system.n + 1).T
+    seen = np.array(_sightings(system, found.roots.undecided))
+    fixed, sightings = system.family.begin, seen.reshape(-1, system.n + 1).T
     candidates = sightings[:-1]
     room = 1e-6 * scale_of(candidates)
     tried = refined(system, fixed, Roots.at(ends_around(candidates, room)))
@@ -397,13 +399,16 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     )
 
 
-def _sightings(system: Augmented) -> list[FloatArray]:
-    """Onsets that floats see between values of the parameter: coordinates, parameter and ω, NaN
-    where none was followed.
+def _sightings(system: Augmented, left: FloatArray) -> list[FloatArray]:
+    """Onsets that floats see between values of the parameter, ends of its range and of undecided
+    boxes among them: coordinates, parameter and ω, NaN where none was followed.
     """
     low, high = system.family.spans[0]
     samples = system.options.samples
-    values = low + (high - low) * (np.arange(samples) + 0.5) / samples
+    even = low + (high - low) * (np.arange(samples) + 0.5) / samples
+    beside = spans_of(merged(left))[-1].ravel()
+    some = np.linspace(0, beside.size - 1, min(beside.size, samples)).astype(int)
+    values = np.unique([low, *even, *np.sort(beside)[some], high])
     q, point = _states(
         float_candidates(system.balance, system.family.at(values[None]), system.family.asked)
     )

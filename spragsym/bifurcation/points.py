@@ -217,11 +217,11 @@ def listed(
     given = np.repeat(family.given, left.shape[2], axis=1)
     kinds = summed([why] * left.shape[2] if why else kinds_of(balance, given, left, varied))
     # Boxes left that are listed one by one.
-    left = _merged(left) if len(vary) == 1 and (why or left.shape[2] > 200) else left
+    left = merged(left) if len(vary) == 1 and (why or left.shape[2] > 200) else left
     return np.moveaxis(spans_of(left), 1, 0), kinds
 
 
-def _merged(left: FloatArray) -> FloatArray:
+def merged(left: FloatArray) -> FloatArray:
     """Boxes that are left as hulls of those with touching ranges of the parameter: thousands cover
     a line of equilibria.
     """

@@ -54,14 +54,16 @@ def pad() -> Any:
 
 
 @pytest.mark.thorough
-def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
-    """Where the growth of the only state changes its sign; that there is no other one is not
-    said.
+@pytest.mark.parametrize("off", [None, -2e-3, 2e-3])
+def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any, off: float | None) -> None:
+    """Where the growth of the only state changes its sign, next to an end of the range as well;
+    that there is no other one is not said.
     """
-    found = ss.flutter_onsets(pad.Parameters(), "mu_s", between={"mu_s": (1.5, 2.0)})
     want = brentq(
         lambda mu: float(ss.equilibria(pad.Parameters(mu_s=mu)).growth[0]), 1.5, 2.0, xtol=1e-12
     )
+    low, high = sorted((want + off, want - np.copysign(0.4, off))) if off else (1.5, 2.0)
+    found = ss.flutter_onsets(pad.Parameters(), "mu_s", between={"mu_s": (low, high)})
     assert found.kind.tolist() == ["hopf"]
     assert found.mu_s[0] == pytest.approx(want, abs=1e-9)
     assert found.error[0] < 1e-12

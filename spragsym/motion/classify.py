@@ -299,7 +299,7 @@ def _decays(statistics: MotionStatistics, rest: Equilibrium, fewest: int) -> boo
     # conditions.
     # Smallest decay of the squares over half a window that can be measured.
     return bool(
-        linear < before * (1 - 1e-3)
+        0 < linear < before * (1 - 1e-3)
         and after > 0
         and 0.5 < np.log(after / before) / np.log(linear / before) < 2
     )

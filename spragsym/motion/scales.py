@@ -170,7 +170,8 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Motion
     the damping, or of what changes the speed at the start. Coordinates of one unit share theirs.
     Lengths have the largest undeformed length of a spring along a line, or else, as other
     coordinates, the largest of the coordinates at the start, of how far they go at its rates and
-    accelerations in the unit of time, and of the way on which friction that holds is used up,
+    accelerations, there or where an angle is turned by its unit, in the unit of time, and of the
+    way on which friction that holds is used up,
     unless an angle uses it up within a turn.
     Angles have the unit 1. Of a motion about which this says nothing all units are 1, and
     of a field that does not tell the units of its coordinates.
@@ -217,13 +218,15 @@ def _time_and_ways(field: Field, constants: Values, state: list[float]) -> tuple
     n = len(field.coordinates)
     positions, rates = np.abs(state[:n]), np.abs(state[n:])
     alike = np.array([[one == other for one in field.units] for other in field.units])
+    turning = np.array([unit == "rad" for unit in field.units])
     stiff, damped, pull = 0.0, 0.0, np.zeros(n)
     for mode in _modes(field, constants, state):
         slopes = field.matrix(state, constants, mode)[n:]
         acceleration = field.rates(state, constants, mode)[n:]
         stiff = max(stiff, float(np.abs(slopes[:, :n][alike]).max()))
         damped = max(damped, float(np.abs(slopes[:, n:][alike]).max()))
-        pull = np.maximum(pull, np.abs(acceleration))
+        turned = np.abs(slopes[:, :n][:, turning]).max(axis=1, initial=0.0)
+        pull = np.max([pull, np.abs(acceleration), turned], axis=0)
     fastest = float(rates.max())
     rate = math.sqrt(stiff) or damped or (float(pull.max()) / fastest if fastest else 0.0)
     if not 0.0 < rate < math.inf:

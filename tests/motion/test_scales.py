@@ -324,3 +324,33 @@ def test_an_angle_that_uses_friction_up_leaves_other_units_alone() -> None:
     states = np.column_stack([rng.uniform(0.5, 1.5, 50), upright, np.zeros(50), np.full(50, 0.4)])
     for state in states.tolist():
         assert scales_of(model.field, constants, state).trivial
+
+
+#: A slider with a mass on a turning arm, at rest where both springs are slack.
+ARM = """'''A slider with an arm.'''
+from spragsym.derive.model import Page
+
+page = Page("A slider that carries a mass on an arm.")
+m, k = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness of the slider")
+r = page.unit("r", "m", "arm")
+c = page.parameter("c", "N s/m", "damping", "> 0", 0.5)
+y = page.coordinate("y", "m", "place of the slider")
+a = page.coordinate("a", "rad", "angle of the arm")
+page.kinetic(m * (page.rate(y) ** 2 + r**2 * page.rate(a) ** 2) / 2)
+page.spring(k, along=y - r * a / 2)
+page.spring(k, along=r * a)
+page.damper(c, along=y)
+page.damper(c, along=r * a)
+"""
+
+
+@pytest.mark.thorough
+def test_what_is_left_of_a_length_is_none_beside_an_angle() -> None:
+    """An angle keeps its unit, and what rounds in it moves the slider: by much, in units of as
+    little as is left of a slider's swing. All dies out as exp(-c t/2).
+    """
+    pytest.importorskip("heyoka")
+    p = model_of(ARM, "arm").Parameters()
+    found = ss.fate(p, start=(0.1, 0.0, 0.0, 0.0), t_end=1000.0)
+    assert found.kind == "rest"
+    assert found.time_scale == pytest.approx(4.0, rel=1e-9)

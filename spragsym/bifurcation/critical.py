@@ -16,6 +16,7 @@ from ..core.questions import Method, question
 from ..core.remarks import At, Remark
 from ..models.parameters import FloatArray, ParameterSet, Ranges, as_ranges, varied_range
 from ..numerics.columns import selected_rows
+from ..numerics.interval_arrays import scale_of
 from ..results import CriticalLoad, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
@@ -415,7 +416,10 @@ class _CandidateSearch:
         between = dict(zip(both, map(tuple, self.spans.tolist()), strict=True))
         for kind, points in extrema(self.p, both, between):
             whole &= points.whole and bool(np.isfinite(points.region).all())
-            yield kind, points
+            if kind == "cusp":  # the first kind
+                found = points
+            # Where a cusp points along ``over`` its curves turn back too, and no others begin.
+            yield kind, self._elsewhere(points, found) if kind == "turn" else points
 
         for family in self.families:
             if not whole:
@@ -426,6 +430,14 @@ class _CandidateSearch:
                 if family.balance.pushing[contact]:
                     for points in border_extrema(family, contact):
                         yield BORDER, points
+
+    def _elsewhere(self, points: Points, others: Points) -> Points:
+        """Points that are none of the others, by their bounds."""
+        names = (*self.p.model.coordinates, *points.vary)
+        here, there = (np.array([each[name] for name in names]) for each in (points, others))
+        off = np.abs(here[:, :, None] - there[:, None]) / scale_of(here[:, :, None])
+        apart = off.max(axis=0) > 4.0 * (points.error[:, None] + others.error)
+        return points.select(apart.all(axis=1))
 
     def beside(self, one: _Candidate) -> list[list[float]]:
         """Places at which it is asked whether the state ends at a candidate: of a cusp two on its

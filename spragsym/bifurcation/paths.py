@@ -20,7 +20,7 @@ from ..core.errors import ConvergenceError, ParameterError
 from ..core.questions import Method, question
 from ..display import own_name
 from ..models.model import label_of
-from ..models.parameters import ParameterSet, Span, as_numbers
+from ..models.parameters import ParameterSet, Range, Span, as_numbers
 from ..numerics.interval_arrays import EPS, FloatArray, IntArray, scale_of
 from ..results import Equilibria, EquilibriumType, Jump, Path, Points, Result
 from ..statics.balance import Balance
@@ -218,17 +218,34 @@ def border_ends(
         balance = family.balance
         for contact in balance.opens:
             if balance.pushing[contact] and balance.across(contact).pushing not in combinations:
-                found.append(isolated(family.beyond(contact), touch(contact), BORDER))
-                if not found[-1].decided:
+                at_border = isolated(family.beyond(contact), touch(contact), BORDER)
+                if not at_border.decided:
+                    # A search does not tell a root on an end of its range, as a load from 0 has it
+                    # where a domain ends.
+                    wide = replace(family.beyond(contact), spans=_widened(p.ranges[vary], span))
+                    at_border = isolated(wide, touch(contact), BORDER)
+                if not at_border.decided:
                     raise ConvergenceError(
                         f"whether equilibria leave the contact along {vary} is not decided; "
                         "shorten the range"
                     )
+                found.append(at_border)
     if not (
         turns.whole and np.isfinite(turns.region).all()
     ):  # states run to infinity only where nothing bounds them
         found += map(escapes, families)
     return found
+
+
+def _widened(allowed: Range, span: Span) -> FloatArray:
+    """A range that ends a little beyond the ends of the domain that it holds."""
+    low, high = span
+    room = 1e-3 * (high - low)
+    ends = [
+        low - room if low == allowed.low else low,
+        high + room if high == allowed.high else high,
+    ]
+    return np.array([ends])
 
 
 class QuasiStaticContinuation:
@@ -385,10 +402,10 @@ class QuasiStaticContinuation:
         begins = np.diff(at[order], prepend=-np.inf) > wide[order] + np.roll(wide[order], 1)
         at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
         off = np.abs(at[:, None] - along)
-        # One whose error is no more than rounding has other floats than its own on one side of it.
-        at = np.where(
-            off.min(axis=1) <= np.where(error <= EPS, 0.0, wide), along[off.argmin(axis=1)], at
-        )
+        # One whose error is no more than rounding has other floats than its own on one side of it,
+        # unless it can't be told from 0.
+        own = (error <= EPS) & (np.abs(at) > wide)
+        at = np.where(off.min(axis=1) <= np.where(own, 0.0, wide), along[off.argmin(axis=1)], at)
         first, *others = ends
         names = self.balance.coordinates if others else first.state_columns
         names = [*names, *which(self.balance, 0)]
@@ -532,7 +549,7 @@ class QuasiStaticContinuation:
         links = self._links(node - 1)
         begun = [slot for slot in range(int(self.eq.count[node])) if slot not in links.values()]
         if len(self._met(node - 1)) > 1:
-            begun = [slot for slot in begun if self._limit_point(node, slot, node - 1) == ~location]
+            begun = [slot for slot in begun if self.vanishing(node, slot, node - 1) == ~location]
         return next(
             (slot for slot in begun if self.eq.undamped[node, slot] == EquilibriumType.STABLE),
             location,

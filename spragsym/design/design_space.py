@@ -31,6 +31,7 @@ from ..models.parameters import POSITIVE, ParameterSet, Range, as_number, set_of
 from ..models.quantities import QuantityValues
 from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..numerics.vectors import norm
+from ..statics.equilibria import equilibria
 from ..statics.search import balances_of, number_of
 from .jumps import Ends, Followed, first_limit_points, limit_point_passed, require_known, slopes_of
 
@@ -220,9 +221,25 @@ class EndOfState:
         """1 where the state has ended, 0 where not, NaN where that is not known; below where the
         parameter begins it has not.
         """
+        return limit_point_passed(self.designs.sets(z), self.vary, self._begins(z))
+
+    def _begins(self, z: FloatArray) -> Any:
+        """The value from which the parameter rises in each design."""
         begins = self.designs.design.begins
-        begin = self.begin if begins is None else begins(self.designs.quantities(z))
-        return limit_point_passed(self.designs.sets(z), self.vary, begin)
+        return self.begin if begins is None else begins(self.designs.quantities(z))
+
+    def require_beginning(self) -> None:
+        """An error where it is not known what the state of the design itself begins as, and so not
+        whether it has ended, there or at any other design.
+        """
+        z = np.zeros(len(self.designs.names))
+        first = self.designs.sets(z).replace(**{self.vary: self._begins(z)})
+        if np.isnan(self.ended(z)) and not equilibria(first).decided:
+            raise ConvergenceError(
+                f"equilibria at {self.vary} = {float(first[self.vary]):g}, where the state begins, "
+                "are not all decided, as where a contact only just touches; begin a little "
+                "beyond it"
+            )
 
     def ahead(self, z: FloatArray) -> tuple[float, FloatArray]:
         """Distance beyond the design's own value at which the state ends, and its slopes by z."""

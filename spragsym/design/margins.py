@@ -115,6 +115,7 @@ def jump_margin(
     if none:
         raise ConvergenceError(none)
     border = EndOfState(designs, name, first)
+    border.require_beginning()
 
     def jumped(z: FloatArray) -> BoolArray:
         return border.ended(z) == 1
@@ -279,6 +280,7 @@ def redesign(
             else float(designs.parameters(np.zeros(len(designs.names)))[name])
         )
         borders.append(EndOfState(at, name, own if begin is None else begin))
+        borders[-1].require_beginning()
 
     def keeps(z: FloatArray) -> BoolArray:
         return np.all([border.ended(z) == 0 for border in borders], axis=0)

@@ -33,7 +33,7 @@ from .units import Numbers
 
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
 SHARE_BEYOND_FOLD = 1e-2
-#: Largest time over which a motion from rest is followed.
+#: Largest time over which a motion from rest is followed, in the motion's own unit.
 LONGEST_TIME = 3000.0
 #: What a motion comes to.
 _COMES_TO = {
@@ -369,10 +369,12 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
     balance = balances[number_of(balances, turn.touching)]
     on_fold = p.replace(**{load.name: value})
     start = _balanced(balance, on_fold, begin + SHARE_BEYOND_FOLD * (end - begin), held)
-    # Times, in the model's unit, over which it is followed until it is half way.
-    for t_end in (1500.0, 24_000.0):
+    at_rest = np.concatenate([start, np.zeros(start.size)])
+    # Times, in the motion's own unit, over which it is followed until it is half way.
+    for times in (1500.0, 24_000.0):
+        t_end = times * System.of(at, None).scales(at_rest).time
         try:
-            motion = simulate(at, start=(*start, *np.zeros(start.size)), t_end=t_end)
+            motion = simulate(at, start=at_rest, t_end=t_end)
             comes_to = motion.outcome(0.5 * t_end).regime
         except ConvergenceError:
             return None
@@ -442,9 +444,9 @@ def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillat
     n = len(p.model.coordinates)
     beside = {"stable": True, "unstable": False}.get(stability or "")
     rest, far = np.zeros((2, 2 * n))
-    # Where a motion that is far out begins: its first two coordinates.
-    far_out = (1.5, 0.5)
-    far[:n][: len(far_out)] = far_out[:n]
+    # Where a motion that is far out begins, in its own units: its first two coordinates.
+    far_out = (1.5, 0.5)[:n]
+    far[: len(far_out)] = far_out * System.of(p, None).scales(rest).states[: len(far_out)]
     followed = {}
     for word, start in (("rest", rest), ("far out", far)):
         with suppress(ConvergenceError):
@@ -468,10 +470,10 @@ def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillat
     if stability == "unstable" and not motion.state.any():  # where it rests it is unstable
         word = "far out"
         motion, outcome = followed.get(word) or _followed(p, far)
-    late, regime = motion.after(0.75 * LONGEST_TIME), outcome.regime
+    t_end = float(motion.t[-1])
+    late, regime = motion.after(0.75 * t_end), outcome.regime
     quarters = (
-        (motion.t >= share * LONGEST_TIME) & (motion.t <= (share + 0.25) * LONGEST_TIME)
-        for share in (0.5, 0.75)
+        (motion.t >= share * t_end) & (motion.t <= (share + 0.25) * t_end) for share in (0.5, 0.75)
     )
     before, now = (float(np.ptp(motion.state[0, quarter])) for quarter in quarters)
     # A motion whose swings are less than this share of those a quarter of the time before is on its
@@ -498,9 +500,10 @@ def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillat
 
 def _followed(p: ParameterSet, start: FloatArray) -> tuple[Trajectory, Outcome]:
     """The motion from a state, and what it comes to."""
-    motion, outcome = simulate(p, start=start, t_end=LONGEST_TIME), Outcome()
+    t_end = LONGEST_TIME * System.of(p, None).scales(start).time
+    motion, outcome = simulate(p, start=start, t_end=t_end), Outcome()
     with suppress(ConvergenceError):
-        outcome = motion.outcome(0.75 * LONGEST_TIME)
+        outcome = motion.outcome(0.75 * t_end)
     return motion, outcome
 
 

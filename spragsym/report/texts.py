@@ -72,7 +72,7 @@ def _on_the_motion(report: Facts) -> str:
             )
         return ""
     if found.kind == "lift-off":
-        return "From rest it lifts off the belt for good."
+        return f"From {found.start} it lifts off the belt for good."
     beside = f", beside stable {'sliding' if sliding else 'rest'}" if found.coexists else ""
     at = hertz(found.frequency_hz)
     if found.kind == "motion":

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.core.errors import ParameterError
+from spragsym.core.errors import ConvergenceError, ParameterError
 from spragsym.motion import integrators
+from spragsym.report import states
 from spragsym.report.example import example
 from tests.oracles.mistakes import BRAKE
 from tests.support import written_brake
@@ -81,6 +82,27 @@ def test_motions_of_a_report_that_decay_are_followed_once(
     assert (lives.kind, lives.start) == ("rest", "rest")
     assert begun == [(0.0, 0.0, 0.0, 0.0), (1.5, 0.5, 0.0, 0.0)]
     assert not sought
+
+
+@pytest.mark.parametrize("stiffer", [1.0, 1e4, 1e11])
+def test_a_report_follows_as_many_oscillations_of_any_stiffness(
+    stiffer: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """3000 units of time are minutes where one of them is 10⁵ oscillations."""
+    followed = list[float]()
+
+    def begun(p: ss.Parameters, *, start: Any, t_end: float) -> None:
+        followed.append(t_end * brake.scales.time)
+        raise ConvergenceError("far enough")
+
+    monkeypatch.setattr(states, "simulate", begun)
+    k_x = stiffer * 1.95e6
+    si = {"m": 0.35, "k_c": 1.5e6, "F_L": 400.0, "k": 7.5e5, "k_y": 0.0, "k_x": k_x}
+    brake = ss.Study(si | {"mu0": 0.3, "V": 0.3, "d": 18.0}, model="mode_coupling")
+    with pytest.raises(ConvergenceError, match="far enough"):
+        states.oscillation_of(brake, "stable", True)
+    turns = np.array(followed) * math.sqrt(k_x / 0.35) / (2 * math.pi)
+    assert ((turns > 300) & (turns < 3000)).all()
 
 
 @pytest.mark.parametrize("name", REFUSED)

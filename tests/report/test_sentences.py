@@ -372,6 +372,10 @@ VERDICTS: list[tuple[Facts, str]] = [
         moving(kind="lift-off"),
         "From rest it lifts off the belt for good.",
     ),
+    (
+        moving(kind="lift-off", start="far out"),
+        "From far out it lifts off the belt for good.",
+    ),
     (said_of(**LIVES), "From rest it comes to an oscillation of 41.23 Hz, beside stable sliding."),
     (
         moving(coexists=False),

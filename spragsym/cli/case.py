@@ -15,7 +15,6 @@ import numpy as np
 
 from ..command_line import option_name, options_of
 from ..core.errors import ParameterError, hint
-from ..core.remarks import Remark
 from ..display import columns_of_class, own_name
 from ..models.model import Model
 from ..models.parameters import FloatArray, ParameterSet, Range, Ranges, as_number
@@ -302,17 +301,7 @@ class Case:
 
     def said(self, remarks: Iterable[str]) -> list[str]:
         """Remarks with what they say of parameters and coordinates in the units of the file."""
-        return [
-            text.in_units(self._named)
-            if self.study is not None and isinstance(text, Remark)
-            else str(text)
-            for text in remarks
-        ]
-
-    def _named(self, name: str) -> Titled:
-        """A parameter, by its quantity, or a coordinate."""
-        quantity = self.quantity_of.get(name)
-        return self.varied(quantity)[1:] if quantity else self.of(name)
+        return [str(text) if self.study is None else self.study.said(text) for text in remarks]
 
     def _titled(self, title: str, si: str, quantity: str = "") -> Titled:
         """A title with its unit, and what one of the model's own units is there."""

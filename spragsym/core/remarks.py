@@ -8,8 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-#: What a parameter or a coordinate is called, and what one of it is there.
-Units: TypeAlias = Callable[[str], tuple[str, float]]
+#: What a parameter or a coordinate is called, its unit, and what one of it is there.
+Units: TypeAlias = Callable[[str], tuple[str, str, float]]
 
 
 @dataclass(frozen=True)
@@ -25,12 +25,13 @@ class At:
 
     def in_units(self, units: Units) -> str:
         """Text of the quantity in other units."""
-        title, one = units(self.name)
+        title, unit, one = units(self.name)
         low, *high = (f"{one * (end + 0.0):{self.digits}}" for end in self.ends)
-        return f"{title} in [{low}, {high[0]}]" if high else f"{title} = {low}"
+        where = f"in [{low}, {high[0]}]" if high else f"= {low}"
+        return f"{title} {where} {unit}".rstrip()
 
     def __str__(self) -> str:
-        return self.in_units(lambda name: (name, 1.0)) + self.unit
+        return self.in_units(lambda name: (name, self.unit, 1.0))
 
 
 class Remark(str):

@@ -268,7 +268,7 @@ class Field:
         """The coordinates of a state less whole turns, in words."""
         values = in_one_turn(state, self.periodic)
         parts = [
-            At(name, (float(value),), digits, " rad" * self.column(name).is_angle)
+            At(name, (float(value),), digits, "rad" * self.column(name).is_angle)
             for name, value in zip(self.coordinates, values, strict=False)
         ]
         return Remark(", ".join(["{}"] * len(parts)), *parts)

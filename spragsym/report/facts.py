@@ -11,7 +11,6 @@ from ..bifurcation.critical import critical_friction, cusp_friction
 from ..bifurcation.folds import folds
 from ..core.errors import ParameterError, SpragsymError
 from ..core.progress import doing
-from ..core.remarks import Remark
 from ..core.type_variables import T
 from ..design.certificates import Certificate
 from ..design.jumps import first_limit_points, require_known
@@ -237,26 +236,13 @@ class _Answers:
             try:
                 return question()
             except SpragsymError as reason:
-                self.remarks.append(f"{what} not known: {self.brief(reason)}")
+                self.remarks.append(f"{what} not known: {self.brief(str(reason))}")
                 return None
 
-    def brief(self, *reasons: object) -> str:
+    def brief(self, *reasons: str) -> str:
         """The first clause of each reason, in the units of the file."""
-        study = self.study
-        of = {name: quantity for quantity, name in study.kind.parameters.items()}
-
-        def units(name: str) -> tuple[str, float]:
-            quantity = of.get(name, "")
-            if quantity not in study.quantities:
-                return name, 1.0
-            unit, size = study.unit_of(study.kind.units[quantity], quantity)
-            return f"{quantity}/{unit}" if unit else quantity, size
-
-        reasons_in_units = (
-            reason.in_units(units) if isinstance(reason, Remark) else str(reason)
-            for reason in reasons
-        )
-        return ", and ".join(dict.fromkeys(text.partition(";")[0] for text in reasons_in_units))
+        clauses = (self.study.said(reason).partition(";")[0] for reason in reasons)
+        return ", and ".join(dict.fromkeys(clauses))
 
 
 def facts(study: Study, options: ReportOptions) -> Facts:

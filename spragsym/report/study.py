@@ -19,10 +19,12 @@ from numpy.typing import ArrayLike
 
 from ..core.errors import ParameterError, hint
 from ..core.progress import doing, show_progress
+from ..core.remarks import Remark
 from ..design.sampling import Correlation, Dependence, dependence
 from ..models.load import USUAL, WITH_DAMPERS
 from ..models.parameters import POSITIVE, ParameterSet, Range, Ranges, Span, as_number, as_range
 from ..models.quantities import Quantities, QuantityValues, Scales, factor, quantities, share
+from ..results.result import in_unit
 from .damping import RATIO, modal_dampers
 from .friction_fit import FrictionFit
 from .units import Measured, Numbers, plain_unit, read, shown_in
@@ -533,6 +535,18 @@ class Study:
         here = name if name in self.quantities else next(alike, "")
         unit = self.quantities[here].unit if here else plain_unit(si)
         return unit, self.scale(si) / factor(unit, si)
+
+    def said(self, remark: str) -> str:
+        """A remark with what it says of parameters, by their quantities, and of coordinates in the
+        units of the file.
+        """
+
+        def units(name: str) -> tuple[str, str, float]:
+            quantity = quantity_of.get(name, name)
+            return quantity, *in_unit(self.kind.model.columns[name].dimension, self, quantity)
+
+        quantity_of = {name: quantity for quantity, name in self.kind.parameters.items()}
+        return remark.in_units(units) if isinstance(remark, Remark) else str(remark)
 
     def pairs(self, names: Sequence[str]) -> dict[tuple[str, str], float]:
         """Pairs that vary together, of some of the quantities."""

@@ -381,13 +381,9 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
     open_ = np.flatnonzero(~whole)
     hull = region[:, :, open_].max(axis=2)
     where = f" at {open_.size} of {whole.size} points" if whole.size > 1 else ""
-    units = {
-        entry["name"]: " rad" if entry["unit"] == "rad" else ""
-        for entry in balance.model.about["coordinates"]
-    }
     ends = zip(balance.coordinates, -hull[0], hull[1], strict=True)
     places = [
-        At(name, (float(low), float(high)), unit=units[name])
+        At(name, (float(low), float(high)), unit="rad" * balance.model.is_angle(name))
         if high - low < 1e12  # a wider one is no bound, but the limit of the search
         else Remark(f"any {name}")
         for name, low, high in ends

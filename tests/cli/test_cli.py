@@ -383,15 +383,17 @@ def test_any_arguments_end_as_documented(
 
 def test_remarks_are_told_in_other_units() -> None:
     remark = Remark(
-        "on lines: {}", Remark("searched {}, a part of its range", At("x", (0.0, 1.0), unit=" rad"))
+        "on lines: {}", Remark("searched {}, a part of its range", At("x", (0.0, 1.0), unit="rad"))
     )
     assert remark == "on lines: searched x in [0, 1] rad, a part of its range"
     assert (
-        remark.in_units(lambda name: (f"{name}_mm", 38.0))
-        == "on lines: searched x_mm in [0, 38], a part of its range"
+        remark.in_units(lambda name: (name, "mm", 38.0))
+        == "on lines: searched x in [0, 38] mm, a part of its range"
     )
     copied = pickle.loads(pickle.dumps(remark))  # noqa: S301  # bytes of our own
-    assert copied.in_units(lambda name: (name, 2.0)).endswith("x in [0, 2], a part of its range")
+    assert copied.in_units(lambda name: (name, "", 2.0)).endswith(
+        "x in [0, 2], a part of its range"
+    )
 
 
 def test_a_command_is_not_slowed_by_threads_of_blas() -> None:

@@ -7,6 +7,7 @@ import dataclasses
 import math
 import re
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -15,8 +16,10 @@ import pytest
 
 import spragsym as ss
 from spragsym.core.errors import ConvergenceError
+from spragsym.core.remarks import At, Remark
 from spragsym.report import facts
 from spragsym.report.study import Study
+from tests.oracles.mistakes import BRAKE
 from tests.report.test_sentences import (
     DAMPED,
     EXACT,
@@ -30,6 +33,7 @@ from tests.report.test_sentences import (
     said_of,
     state,
 )
+from tests.support import written_brake
 
 FAR = named(LOAD, ends=SimpleNamespace(until=1e-3), jump=lambda: math.nan)
 
@@ -140,6 +144,15 @@ def test_what_no_search_answers_is_remarked_in_the_order_of_asking(
         f"the nearest jump is {why}",
         f"the jump as a motion is {why}",
     )
+
+
+def test_a_remark_is_told_in_the_units_of_the_file(tmp_path: Path) -> None:
+    """By hand: a length of 1 is 38 mm, and a force of 1 is 1500 N/mm times that, 57 kN."""
+    study = ss.Study.from_file(written_brake(tmp_path, {**BRAKE, "F_L": "0.42 kN"}))
+    force, angle = At("kappa", (0.01,)), At("theta0", (math.pi / 4, math.pi / 2), unit="rad")
+    remark = Remark("for {}: {}; look", force, Remark("{}, {}", At("x", (-2.0, 2.0)), angle))
+    told = "for F_L = 0.57 kN: x in [-76, 76] mm, theta0 in [45, 90] deg"
+    assert (study.said(remark), facts._Answers(study).brief(remark)) == (f"{told}; look", told)
 
 
 @pytest.mark.thorough

@@ -94,6 +94,12 @@ def begun(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
             bound[renamed[text]] = Statement(meaning, meaning, "", is_latex=False)
         if renamed[text].isidentifier():
             letters[renamed[text]] = text
+    it = forms["units"]
+    for row in zip(it.model.coordinates, it.model.rates, it.accelerations, strict=True):
+        name, rate, second = map(str, row)
+        if letter := letters.get(name):
+            dotted = {rate: rf"\dot{{{letter}}}", second: rf"\ddot{{{letter}}}"}
+            letters = dotted | letters
     return Book(forms, renamed, bound, letters=letters)
 
 
@@ -123,7 +129,8 @@ def bind(statement: Statement, book: Book) -> None:
             print_name(name, letter, statement, it, book)
         for i, j in itertools.product(*map(range, held.shape or (0, 0))):
             entry = entry_name(name, held.shape or (0, 0), i, j)
-            book.letters[entry] = f"{letter}_{{{entry.rpartition('_')[2]}}}"
+            whole = f"({letter})" if "_" in letter else letter
+            book.letters[entry] = f"{whole}_{{{entry.rpartition('_')[2]}}}"
 
 
 def by_name(equation: Equation) -> Equation:

@@ -193,16 +193,24 @@ class Comparison:
 
     def holds(self, tree: Node, target: Values) -> bool:
         """Whether a tree has the values that it ought to have, but for a constant in an energy."""
-        own = evaluated(tree, self.values)
+        return self._are_same(evaluated(tree, self.values), target)
+
+    def _are_same(self, own: Values, target: Values) -> bool:
         is_constant = self.item.held.factor == "constant"
         return (same_but_for_constant if is_constant else same)(own, target)
 
     def proved(self, tree: Node, entry: Expr) -> bool:
         """Whether a tree is the derived expression, by exact algebra."""
-        if self._is_short(tree, entry):
-            return True
-        it, held = self.item.it, self.item.held
-        gap = self.exactly(tree) - entry
+        return self._is_short(tree, entry) or self._are_equal(self.exactly(tree), entry)
+
+    def equals(self, one: Expr, other: Expr) -> bool:
+        """Whether two expressions are equal, at all samples and by exact algebra."""
+        values = self.item.values
+        is_near = self._are_same(numeric(one, values), numeric(other, values))
+        return is_near and self._are_equal(one, other)
+
+    def _are_equal(self, one: Expr, other: Expr) -> bool:
+        it, held, gap = self.item.it, self.item.held, one - other
         if held.factor == "constant":
             states = (*it.model.coordinates, *it.model.rates)
             return all(is_zero(sp.diff(it.expanded(gap), symbol)) for symbol in states)
@@ -219,15 +227,19 @@ class Comparison:
         entry = held.short[0] if entry == held.entries[0] else -held.short[0]
         return is_zero(to_sympy(tree, known) - entry)
 
+    def laws(self, side: str) -> dict[Symbol, Expr]:
+        """What normal forces and friction coefficients are on a side of the contacts."""
+        it = self.item.it
+        forces = zip(it.normals.items(), it.model.contacts, strict=True)
+        pressed = {symbol: it.pushing(one, side) * law for (symbol, law), one in forces}
+        return (it.at_rest if self.item.held.steady else it.friction) | pressed
+
     def _vanishes(self, gap: Expr, side: str) -> bool:
         """Whether a difference is 0 on a side of the contacts: as it stands, or by the laws."""
         it = self.item.it
-        touching = [it.pushing(contact, side) for contact in it.model.contacts]
-        forces = zip(it.normals.items(), touching, strict=True)
-        laws = it.at_rest if self.item.held.steady else it.friction
-        laws = laws | {symbol: touches * law for (symbol, law), touches in forces}
+        touching = (it.pushing(contact, side) for contact in it.model.contacts)
         gap = gap.xreplace(dict(zip(it.switches, touching, strict=True)))
-        named = dict.fromkeys((gap, gap.xreplace(laws)))
+        named = dict.fromkeys((gap, gap.xreplace(self.laws(side))))
         return any(map(is_zero, named)) or any(
             is_zero(self._on_side(it.expanded(one), side)) for one in named
         )

@@ -31,8 +31,9 @@ def _edited(text: str, edit: Edit, letters: Mapping[str, str]) -> str | None:
     before, old, after = text[:start], text[start:stop], text[stop:]
     new = edit.new
     if edit.kind == "sign":
-        if new.kind == "neg" and before.rstrip().endswith("+"):
-            return f"{before.rstrip()[:-1]}- {old}{after}"
+        if new.kind == "neg":
+            signed = before.rstrip()
+            return f"{signed[:-1] if signed.endswith('+') else before}- {old}{after}"
         if edit.old.kind == "neg" and old.startswith("-"):
             opened = not before.strip() or before.rstrip()[-1] in "=({[&"
             return f"{before}{'' if opened else '+'}{old[1:]}{after}"

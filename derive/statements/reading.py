@@ -220,7 +220,12 @@ def _item(
             raise Unread(f"{name} is no name of the page; say what it is under [symbols]")
     targets = tuple(numeric(entry, values) for entry in held.entries)
     readings = tuple(numeric(one.entry, values) for one in held.readings)
-    letters = it.letters | ({} if held.law == "scale" else book.letters)
+    listed = {} if held.law == "scale" else book.letters
+    letters = it.letters | {
+        name: letter
+        for name, letter in listed.items()
+        if letter in statement.text or it.letters.get(name, letter) not in statement.text
+    }
     return Item(
         statement,
         it,

@@ -430,7 +430,7 @@ def _missing(places: Sequence[Place], products: _Products) -> Iterator[Proposal]
             for way, need in enumerate(needs):
                 if near := _rational(need):
                     yield way, path, Edit(kind, part.at, part, _number(near), COST[kind])
-        if outer not in ("mul", "neg", "div"):
+        elif outer not in ("mul", "neg", "div"):
             factors.append(place)
         if part.kind == "add" or outer not in ("add", "neg"):
             terms.append(place)
@@ -447,6 +447,7 @@ def _missing(places: Sequence[Place], products: _Products) -> Iterator[Proposal]
         further = 0.0
         if number < len(factors):
             kind, new = "missing factor" if symbols(fit) else "number", _times(part, fit)
+            further = 0.02  # dearer than another number in the place of one that stands there
         else:
             kind = "missing term"
             args = part.args if part.kind == "add" else (part,)

@@ -13,15 +13,16 @@ from sympy import Expr, Symbol
 from .. import units
 from ..pages import PageModel
 from . import samples
+from .approximations import in_limit, is_approximation, limit_of
 from .book import equations_of
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side
 from .conventions import settled
-from .identities import is_zero, normal_form
+from .identities import normal_form
 from .markup import repaired_print
 from .objects import LAMBDA, TIME
 from .papers import Paper, Statement
 from .reading import Item, Verdict, opened
-from .repair import COST, Edit, Pool, Repair, Search, Values, evaluated, same, stem
+from .repair import CLOSE, COST, Edit, Pool, Repair, Search, Values, evaluated, same, stem
 from .samples import numeric
 from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols
 from .tree import to_latex, to_sympy
@@ -165,16 +166,17 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
     if len(parts) < len(item.equations):
         said = f"left of = no name of this object stands alone: {', '.join(sorted(held.names))}"
         return replace(row, status="unread", evidence=said)
-    limit = _limit_of(item) if statement.limit else None
+    limit = limit_of(item) if statement.limit else None
     if statement.limit and limit is None:
         said = "'d*V -> oo', 'c_x, c_y -> 0' or 'linear in x, y', of names of the page"
         return replace(
             row, status="unread", evidence=f"limit = {statement.limit!r} is none; write as {said}"
         )
     wrong = "" if item.it.scaled else _units_problem(item, parts)
+    limits: list[Comparison] = []
     found: list[Right] = []
-    counted = ""
-    for part in parts:
+    counted, is_exact = "", True
+    for number, part in enumerate(parts):
         equal = [exact for target, exact in part.targets if it.holds(part.tree, target)]
         if equal:
             exact = next((one for one in equal if it.proved(part.tree, one)), None)
@@ -182,12 +184,19 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
                 return replace(row, evidence="equal at all samples, but not by exact algebra")
             row, counted = _as_meant(row, item, exact)
             continue
-        own = it.exactly(part.tree)
-        gap = own - part.targets[0][1]
-        if limit is not None and _in_limit(it, part, limit):
-            row = _with_difference(row, item, gap)
-            return replace(row, status="approximation", evidence=statement.limit)
-        best = _repaired(it, part) if repair else None
+        own, value = it.exactly(part.tree), evaluated(part.tree, it.values)
+        nearest = min(part.targets, key=lambda one: _distance(value, one[0]))
+        gap = own - nearest[1]
+        if limit is not None and not limits:
+            limits = [Comparison(one, it.conventions) for one in in_limit(item, limit)]
+        alike = [(one, one.components()[number]) for one in limits] or [(it, part)]
+        if limit is not None and (
+            is_approximation(it, part, limit) or any(_is_right(*one) for one in alike)
+        ):
+            row, is_exact = _with_difference(row, item, gap), False
+            continue
+        rights = (_repaired(*one) for one in alike) if repair else ()
+        best = next((one for one in rights if one is not None), None)
         if best is None:
             said = "no edit, and no two, give what is derived" if repair else ""
             row = _with_difference(row, item, gap)
@@ -195,11 +204,14 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
         row, counted = _as_meant(row, item, best.exact)
         row = _with_difference(row, item, own - it.exactly(best.repair.tree))
         found.append(best)
+    if not found and not is_exact:
+        return replace(row, status="approximation", evidence=statement.limit)
     if not found:
         status = "definition" if statement.word == "definition" else "confirmed"
         return replace(row, status=status, evidence=f"{held.by}, equal by exact algebra{counted}")
     edits = [edit for one in found for edit in one.repair.edits]
-    evidence = f"what is repaired equals {held.by} by exact algebra{counted}"
+    where = f" in the limit {statement.limit}" if limit else ""
+    evidence = f"what is repaired equals {held.by}{where} by exact algebra{counted}"
     return replace(
         row,
         status="misprint",
@@ -210,6 +222,14 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
         alternatives=max(one.count for one in found),
         evidence=f"{wrong}; {evidence}" if wrong else evidence,
         cost="; ".join(dict.fromkeys(_cost(it, one) for one in found)),
+    )
+
+
+def _is_right(it: Comparison, part: Component) -> bool:
+    """Whether a side is what it ought to be, by exact algebra."""
+    return any(
+        it.holds(part.tree, target) and it.proved(part.tree, exact)
+        for target, exact in part.targets
     )
 
 
@@ -277,15 +297,20 @@ def _cost(it: Comparison, found: Right) -> str:
     for name, value in item.bound.items():
         base[name] = numeric(value, base)
     at_base = Comparison(replace(item, values=base), it.conventions)
-    own = evaluated(found.part.tree, at_base.values)
-    right = numeric(found.exact, base)
-    size = np.abs(own) + np.abs(right)
-    known = size[np.isfinite(size)]
-    if not known.size:
+    share = _distance(evaluated(found.part.tree, at_base.values), numeric(found.exact, base))
+    if not np.isfinite(share):
         return ""
-    share = np.divide(np.abs(own - right), size, out=np.zeros_like(size), where=size > 0)
-    middle = float(np.median(share[np.isfinite(size)]))
-    return f"{middle:.2g} of both sides' size at the base values, the median of random states"
+    shown = share if share > CLOSE else 0.0  # what is 1 at the base values makes no difference
+    return f"{shown:.2g} of both sides' size at the base values, the median of random states"
+
+
+def _distance(own: Values, right: Values) -> float:
+    """The median of the relative difference; not finite where no value is."""
+    size = np.abs(own) + np.abs(right)
+    known = np.isfinite(size)
+    gap, size = np.abs(own[known] - right[known]), size[known]
+    share = np.divide(gap, size, out=np.zeros_like(size), where=size > 0)
+    return float(np.median(share)) if share.size else np.inf
 
 
 def _repaired(it: Comparison, part: Component) -> Right | None:
@@ -325,6 +350,10 @@ def _pool(it: Comparison, part: Component) -> Pool:
     page = item.it
     hidden = {*map(str, (LAMBDA, TIME, *page.normals, *page.coefficients, *page.switches))} - free
     hidden |= {*item.held.names, part.left} if item.held.law != "scale" else set()
+    own = [name for name, one in item.book.bound.items() if one == item.statement]
+    hidden |= {name for name in item.bound if name.startswith(tuple(f"{it}_" for it in own))}
+    targets = [target for target, _ in part.targets]
+    hidden |= {name for name in item.bound if any(same(it.values[name], one) for one in targets)}
     printed_names = [symbols(side) for one in item.equations for side in (one.left, one.right)]
     stems = set(map(stem, set().union(*printed_names)))
     hidden |= {name for name in item.bound if stem(name) not in stems}
@@ -369,83 +398,6 @@ def _with_lost_term(it: Comparison, part: Component, exact: Expr) -> Repair | No
     args = part.tree.args if part.tree.kind == "add" else (part.tree,)
     new = Node("add", (*args, tree), at=part.tree.at)
     return Repair(new, (Edit("missing term", part.tree.at, part.tree, new, COST["missing term"]),))
-
-
-@dataclass(frozen=True)
-class LimitCase:
-    """A limit that a statement names: quantities, and where they go, each by itself or together;
-    ``linear`` to first order in what is small together.
-    """
-
-    symbols: tuple[Symbol, ...]
-    end: str = "0"
-    together: bool = True
-    linear: bool = False
-
-
-def _limit_of(item: Item) -> LimitCase | None:
-    """The limit of a statement, as ``d*V -> oo``, ``c_x, c_y -> 0`` or ``linear in x, y``; None
-    where what stands there is none.
-    """
-    what, arrow, end = item.statement.limit.removeprefix("linear in ").partition("->")
-    is_linear = what != item.statement.limit and not arrow
-    end, together = end.strip() or "0", "*" not in what
-    names = item.it.names
-    symbols = [names.get(it.strip(), sp.nan) for it in what.split("," if together else "*")]
-    if not all(it.is_Symbol for it in symbols) or is_linear is bool(arrow):
-        return None
-    if end not in ("oo", "0") or (together and end == "oo" and len(symbols) > 1):
-        return None
-    return LimitCase(tuple(symbols), end, together, is_linear)
-
-
-def _in_limit(it: Comparison, part: Component, limit: LimitCase) -> bool:
-    """Whether the difference goes to 0 in a limit."""
-    page = it.item.it
-    laws, size = page.normals | page.friction, sp.Dummy("small", positive=True)
-    value = it.exactly(part.tree).subs(laws)
-    small = {one: size * one for one in limit.symbols} if limit.together else {}
-    going = (size,) if limit.end == "0" and limit.together else limit.symbols
-    for _, exact in part.targets:
-        gap = value - exact.subs(laws)
-        whole = page.expanded(gap)
-        if limit.linear:
-            scaled = whole.subs(small, simultaneous=True)
-            if all(is_zero(one.subs(size, 0)) for one in (scaled, sp.diff(scaled, size))):
-                return True
-            continue
-        ends = [limit.symbols] if limit.together else [(one,) for one in limit.symbols]
-        if any(_is_far(whole, page.expanded(value), names, limit.end, it) for names in ends):
-            continue
-        for form in map(normal_form, (gap, whole)):
-            if going == (size,):
-                form = form.subs(small, simultaneous=True)
-            if all(_has_limit_zero(form, one.name, limit.end) for one in going):
-                return True
-    return False
-
-
-def _is_far(gap: Expr, value: Expr, symbols: Sequence[Symbol], end: str, it: Comparison) -> bool:
-    """Whether a difference is no small part of a value at any sample near an end, which spares its
-    algebra.
-    """
-    factor = 1e-6 if end == "0" else 1e6
-    near = {str(one): factor * np.abs(it.item.values[str(one)]) for one in symbols}
-    values = {**it.item.values, **near}
-    size = np.abs(numeric(value, values))
-    return bool((np.abs(numeric(gap, values)) > 1e-3 * size).all())
-
-
-def _has_limit_zero(gap: Expr, name: str, end: str) -> bool:
-    """Whether a difference goes to 0 with a quantity, the others of which are positive."""
-    positive = {it: Symbol(it.name, positive=True) for it in gap.free_symbols}
-    at, point = Symbol(name, positive=True), sp.sympify(end)
-    collected: dict[Expr, Expr] = {}
-    for term in sp.Add.make_args(sp.expand(gap.xreplace(positive))):
-        coefficient, rest = term.as_independent(at, as_Add=False)
-        collected[rest] = collected.get(rest, sp.S.Zero) + coefficient
-    kept = {rest for rest, coefficient in collected.items() if sp.expand(coefficient) != 0}
-    return all(sp.limit(rest, at, point) == 0 for rest in kept)
 
 
 # ------------------------------------------------------------------------------------------ units

@@ -412,6 +412,23 @@ def test_two_edits_and_a_lost_term_with_brackets_are_found(
     assert _judged(about, row.repaired, "units", COUPLING).status == "confirmed"
 
 
+def test_a_number_is_replaced_where_it_stands() -> None:
+    """Another exponent, and another number, in its place and not beside it."""
+    for about, text, old, new in (
+        ("energy T", "T = m*(vx**2 + vy**3)/2", "3", "2"),
+        ("energy V", f"V = {SPRINGS.replace('/4', '/3')}", "3", "4"),
+    ):
+        row = _judged(about, text, "units", COUPLING)
+        assert [(it["old"], it["new"]) for it in row.edits] == [(old, new)], text
+
+
+def test_a_rate_has_the_letter_that_its_coordinate_is_listed_with() -> None:
+    """Dots stand on the paper's letter in what is right."""
+    text = r"T = \frac{m}{2} (\dot X^2 + \dot{X}^2)"
+    (row,) = rows(COUPLING, ("energy T", text), renamed={"X": "x", "Y": "y"})
+    assert r"\dot{Y}" in row.repaired_latex
+
+
 def test_a_paper_is_repaired_and_held_against_another_page() -> None:
     """A repaired misprint is confirmed by its page, and fails without a repair by another one."""
     text = "m*ax - k_x*x + k/2*(x - y) = mu*N"

@@ -1,0 +1,49 @@
+"""Prints that hold in a limit: every entry is judged, and what is wrong is repaired in the limit."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("sympy")
+
+from spragsym.derive import pages
+from spragsym.derive.statements import verdicts
+from tests.oracles.printed import rows
+
+PENDULUM = pages.read(
+    Path(__file__).parents[2] / "validation" / "papers" / "double_pendulum" / "page.py"
+)
+RENAMED = {r"\varphi_1": "theta_1", r"\varphi_2": "theta_2"}
+SMALL = r"\begin{bmatrix} (m_1 + m_2) L_1^2 & m_2 L_1 L_2 \\ m_2 L_1 L_2 & m_2 L_2^2 \end{bmatrix}"
+AT_REST = {"limit": "theta_1, theta_2 -> 0"}
+
+
+def _row(about: str, text: str, **more: str) -> verdicts.Row:
+    (row,) = rows(PENDULUM, (about, text, more), renamed=RENAMED)
+    return row
+
+
+def test_entries_behind_an_approximation_are_judged() -> None:
+    """The mass matrix of small angles, whose last entry is wrong, is none."""
+    assert _row("mass", rf"\mathbf{{M}}_0 = {SMALL}", **AT_REST).status == "approximation"
+    wrong = SMALL.replace(r"m_2 L_2^2 \end", r"m_1 L_2^2 \end")
+    row = _row("mass", rf"\mathbf{{M}}_0 = {wrong}", **AT_REST)
+    assert (row.status, [it["kind"] for it in row.edits]) == ("misprint", ["index"])
+    assert row.repaired_latex == rf"\mathbf{{M}}_0 = {SMALL}".replace(
+        r"m_2 L_2^2 \end", r"m_{2} L_2^2 \end"
+    )
+
+
+@pytest.mark.thorough
+def test_rates_are_small_with_their_angles() -> None:
+    """θ₂′² sin(θ₁ − θ₂) is of third order where angles swing, and what is wrong is repaired."""
+    right = r"(m_1 + m_2) (L_1\ddot\varphi_1 + g\varphi_1) + m_2 L_2\ddot\varphi_2 = 0"
+    row = _row("motion theta_1", right, limit="linear in theta_1, theta_2")
+    assert row.status == "approximation"
+    for old, new in (("+ g", "- g"), ("L_2", "L_1")):
+        row = _row("motion theta_1", right.replace(old, new), limit="linear in theta_1, theta_2")
+        assert row.status == "misprint"
+        assert "in the limit linear in theta_1, theta_2" in row.evidence
+        assert row.repaired_latex.replace("_{2}", "_2").replace("+  g", "+ g") == right

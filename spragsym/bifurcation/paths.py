@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.errors import ConvergenceError, ParameterError
 from ..core.questions import Method, question
+from ..core.remarks import At, Remark
 from ..display import own_name
 from ..models.model import label_of
 from ..models.parameters import ParameterSet, Range, Span, as_numbers
@@ -379,11 +380,9 @@ class QuasiStaticContinuation:
         high = min(float((along + room).max()), allowed.high)
         found = folds(self.p, self.vary, between={self.vary: (low, high)}, options=self.search)
         if not found.decided:
-            raise ConvergenceError(
-                f"folds along {self.vary} between {low:.17g} and {high:.17g} are not all "
-                "decided; ss.folds lists the boxes, "
-                "and a path needs a range without them"
-            )
+            text = "folds with {} are not all decided; ss.folds lists the boxes, and a path needs "
+            at = At(self.vary, (low, high))
+            raise ConvergenceError(Remark(f"{text}a range without them", at))
         return [found, *border_ends(self.p, self.vary, (low, high), found, options=self.search)]
 
     def _turns_within(self, along: FloatArray, ends: list[Points]) -> Points:
@@ -439,10 +438,9 @@ class QuasiStaticContinuation:
     def _require_decided(self, node: int) -> None:
         """Of nodes behind the end of a state nothing is asked."""
         if not self.eq.decided[node]:
-            raise ConvergenceError(
-                f"equilibria at {self.vary} = {self.mesh[node]:.17g} are not all decided; leave "
-                "that value out, or end before it"
-            )
+            text = "equilibria at {} are not all decided; leave that value out, or end before it"
+            at = At(self.vary, (float(self.mesh[node]),))
+            raise ConvergenceError(Remark(text, at))
 
     def begin(self, start: int | str) -> int:
         """The slot at the first value."""

@@ -27,6 +27,7 @@ from ..bifurcation.turning_points import secants, size_of
 from ..core.errors import ConvergenceError, ParameterError, require_kind
 from ..core.options import Options, limit, option
 from ..core.progress import doing
+from ..core.remarks import At, Remark
 from ..models.parameters import POSITIVE, ParameterSet, Range, as_number, set_of
 from ..models.quantities import QuantityValues
 from ..numerics.interval_arrays import BoolArray, FloatArray
@@ -235,11 +236,11 @@ class EndOfState:
         z = np.zeros(len(self.designs.names))
         first = self.designs.sets(z).replace(**{self.vary: self._begins(z)})
         if np.isnan(self.ended(z)) and not equilibria(first).decided:
-            raise ConvergenceError(
-                f"equilibria at {self.vary} = {float(first[self.vary]):g}, where the state begins, "
-                "are not all decided, as where a contact only just touches; begin a little "
-                "beyond it"
+            text = (
+                "equilibria at {}, where the state begins, are not all decided, as where a contact "
+                "only just touches; begin a little beyond it"
             )
+            raise ConvergenceError(Remark(text, At(self.vary, (float(first[self.vary]),), "g")))
 
     def ahead(self, z: FloatArray) -> tuple[float, FloatArray]:
         """Distance beyond the design's own value at which the state ends, and its slopes by z."""

@@ -194,7 +194,8 @@ class _FileReader:
         key = line.partition("=")[0].strip()
         example = example_of(key, quantities(USUAL).units.get(key, "kg"))
         cure = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
-        cure = f"{key} is there twice; keep one of the two" if "overwrite" in message else cure
+        if "overwrite" in message or "twice" in message:
+            cure = f"{key} is there twice; keep one of the two"
         return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
 
     def _friction(self, given: object, found: dict[str, Measured], kind: Quantities) -> FrictionFit:

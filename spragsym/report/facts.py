@@ -11,6 +11,7 @@ from ..bifurcation.critical import critical_friction, cusp_friction
 from ..bifurcation.folds import folds
 from ..core.errors import ParameterError, SpragsymError
 from ..core.progress import doing
+from ..core.remarks import Remark
 from ..core.type_variables import T
 from ..design.certificates import Certificate
 from ..design.jumps import first_limit_points, require_known
@@ -236,7 +237,9 @@ class _Answers:
             try:
                 return question()
             except SpragsymError as reason:
-                self.remarks.append(f"{what} not known: {self.brief(str(reason))}")
+                told = next(iter(reason.args), "")
+                why = told if isinstance(told, Remark) else str(reason)
+                self.remarks.append(f"{what} not known: {self.brief(why)}")
                 return None
 
     def brief(self, *reasons: str) -> str:

@@ -54,10 +54,13 @@ class LoadParameter:
         """Name of the load parameter in a sentence."""
         return "friction" if self.is_friction else self.quantity
 
-    def check(self, values: Numbers) -> LoadParameter:
+    def check(self, values: Numbers, si: str) -> LoadParameter:
         """Itself; an error for a brake in which it is below where it begins."""
         if self.begin > values[self.quantity]:
-            above = f"begin = {self.begin:g} is above {self.quantity} = {values[self.quantity]:g}"
+            begin, value = (
+                shown_in(one, plain_unit(si), si) for one in (self.begin, values[self.quantity])
+            )
+            above = f"begin = {begin} is above {self.quantity} = {value}"
             raise ParameterError(f"{above}; begin where it is lower")
         return self
 
@@ -100,7 +103,8 @@ def load_parameter_of(
         raise ParameterError(
             f"begin = {start:g}: friction rises from {allowed.low:g}; leave begin out"
         )
-    return LoadParameter(vary, kind.parameters[vary], start, of_friction).check(values)
+    load = LoadParameter(vary, kind.parameters[vary], start, of_friction)
+    return load.check(values, kind.units[vary])
 
 
 def spanned(kind: Quantities, name: str, ends: Span) -> Span:
@@ -246,7 +250,7 @@ class Study:
         """The study of the same file with other quantities."""
         study = self.with_data(quantities=changed)
         if study.load is not None:
-            study.load.check(study.values)
+            study.load.check(study.values, study.kind.units[study.load.quantity])
         return study
 
     def changed(self, after: Numbers) -> Self:

@@ -288,10 +288,13 @@ def _jump(report: Facts) -> Rows:
         )
     never = "never" if math.isinf(study.upper_limit) else f"at no {study.search_range}"
     own = "" if report.mu0_jump == report.mu_jump else f", {load.quantity} = {report.mu0_jump:.6g}"
-    at = "at this angle" if load.is_friction else f"as {load.word} rises"
+    angle = study.kind.inclination
+    at = f" as {load.word} rises"
+    if load.is_friction:
+        at = " at this angle" if angle in study.quantities else ""
     end = _without_jump(report.kind_jump)
     yield (
-        f"jump {at}",
+        f"jump{at}",
         _or_unknown(
             report.jump_at,
             lambda value: f"{end}at {load.word} {study.load_text(value, 6)}{own}",
@@ -310,7 +313,6 @@ def _jump(report: Facts) -> Rows:
             else f"{study.shown(str(study.belt), speed)}, with the largest friction"
         )
         yield "speed at which it begins to jump", begins
-    angle = study.kind.inclination
     if angle in study.quantities and load.quantity != angle:
         yield (
             "jump at this friction",
@@ -518,14 +520,10 @@ def _tolerances(report: Facts) -> Rows:
         if odds.proved != (0.0, 1.0):
             low = math.floor(1e4 * odds.proved[0]) / 1e2
             high = math.ceil(1e4 * odds.proved[1]) / 1e2
-            what = (
-                "what is proved to jump, and all but what is proved not to; no sampling can leave "
-                "that"
-            )
-            if high - low > 50.0:  # most brakes are undecided
-                what = (
-                    "this says next to nothing, as few brakes within so many tolerances are decided"
-                )
+            rest = "no sampling can leave that"
+            if high - low > 50.0:
+                rest = "most of the brakes within the tolerances are not decided"
+            what = f"what is proved to jump, and all but what is proved not to; {rest}"
             yield "the same by proof", f"{low:g} % to {high:g} %: {what}"
     known_indices = {
         name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])

@@ -122,6 +122,14 @@ WHOLE = {
     "a misspelt key": (GOOD, ('kx = "9 N/mm"',), "[brake]", "line 13", ["kx", "did you mean k_x?"]),
     "an unknown key": (GOOD, ('colour = "red"',), "[brake]", "line 13", ["colour", "the keys are"]),
     "a key twice": (GOOD, ('m = "0.4 kg"',), "[brake]", "line 13", ["m is there twice"]),
+    "the table twice": (GOOD, ("[brake]",), "[brake]", "line 13", ["[brake] is there twice"]),
+    "begins too high": (
+        GOOD,
+        ('vary = "F_L"', 'begin = "0.5 kN"'),
+        "[brake]",
+        "line 14",
+        ["begin = 500 N is above F_L = 4"],
+    ),
     "no table": (GOOD, (), "# nothing", "line 2", ["[brake] is missing"]),
     "another table": (GOOD, (), "[brakes]", "line 1", ["'brakes'", "[brake] is missing"]),
     "two tables": (

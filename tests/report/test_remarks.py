@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -152,7 +153,10 @@ def test_a_remark_is_told_in_the_units_of_the_file(tmp_path: Path) -> None:
     force, angle = At("kappa", (0.01,)), At("theta0", (math.pi / 4, math.pi / 2), unit="rad")
     remark = Remark("for {}: {}; look", force, Remark("{}, {}", At("x", (-2.0, 2.0)), angle))
     told = "for F_L = 0.57 kN: x in [-76, 76] mm, theta0 in [45, 90] deg"
-    assert (study.said(remark), facts._Answers(study).brief(remark)) == (f"{told}; look", told)
+    answers, error = facts._Answers(study), ConvergenceError(Remark("nothing at {}; look", force))
+    assert (study.said(remark), answers.brief(remark)) == (f"{told}; look", told)
+    assert answers.known("the jump is", Mock(side_effect=error)) is None
+    assert answers.remarks == ["the jump is not known: nothing at F_L = 0.57 kN"]
 
 
 @pytest.mark.thorough

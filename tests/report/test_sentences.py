@@ -602,7 +602,7 @@ ROWS: dict[str, list[tuple[Facts, str, str]]] = {
             "2.35, as the root of the sum of squares",
         ),
         (said_of(distance=0.0), "tolerances to the nearest jump", "0, it has jumped already"),
-        (said_of(FRAME, **NEVER), "jump at this angle", "at no friction up to 10"),
+        (said_of(FRAME, **NEVER), "jump", "at no friction up to 10"),
     ],
     "The jump as a motion": [
         (
@@ -709,8 +709,8 @@ ROWS: dict[str, list[tuple[Facts, str, str]]] = {
         (
             said_of(LOOSE, probability=odds(0.12, 0.1, 0.14, proved=(0.05, 0.997))),
             "the same by proof",
-            "5 % to 99.7 %: this says next to nothing, as few brakes within so many tolerances are "
-            "decided",
+            "5 % to 99.7 %: what is proved to jump, and all but what is proved not to; most of the "
+            "brakes within the tolerances are not decided",
         ),
         (
             said_of(LOOSE, probability=odds(0.12, 0.1, 0.14)),

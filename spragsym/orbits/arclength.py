@@ -320,9 +320,14 @@ def zero_of(
     other: BranchPoint,
     length: float,
     xtol: float | None = None,
+    *,
+    singular: bool = False,
 ) -> BranchPoint:
     """Zero of a test function between two points, by bracketing along the arc; ConvergenceError,
     ValueError without.
+
+    Where the equations are ``singular`` at the zero, Newton's method comes only so near to it: then
+    the point next to the first one that it does not find.
     """
     from scipy.optimize import brentq
 
@@ -330,7 +335,13 @@ def zero_of(
 
     def value(arc: float) -> float:
         if arc not in points:
-            points[arc] = corrected(one, arc)
+            try:
+                points[arc] = corrected(one, arc)
+            except ConvergenceError:
+                if not singular:
+                    raise
+                points[arc] = points[min(points, key=lambda known: abs(known - arc))]
+                return 0.0
         return test(points[arc])
 
     return points[float(brentq(value, 0.0, length, xtol=xtol, rtol=8.9e-16))]

@@ -298,7 +298,7 @@ def _located(
     """Zero of a test function, by bracketing along the arc."""
     width = abs(one.value - other.value)
     try:
-        point = zero_of(test, one, other, length)
+        point = zero_of(test, one, other, length, singular=kind == "crossing")
     except (ConvergenceError, ValueError) as error:
         if (
             length > one.setting.options.event_step
@@ -352,10 +352,10 @@ def _error(
         return own  # the orbit itself tells
     change = abs(criterion(kind, one) - criterion(kind, other))
     spread = unsure(point.orbit, kind) * length / change
-    # By how much it scatters where orbits at one parameter are found from either side, times the
-    # step in that: near a grazing multipliers change so fast with the orbit that its rounding, and
-    # not theirs, limits what is known.
-    scatter = [0.0]
+    # What it is at the point, and by how much it scatters where orbits at one parameter are found
+    # from either side, times the step in that: near a grazing multipliers change so fast with the
+    # orbit that its rounding, and not theirs, limits what is known.
+    scatter = [abs(criterion(kind, point))]
     for base in (one, other):
         with suppress(ConvergenceError, ZeroDivisionError):
             scatter.append(abs(criterion(kind, placed(base, point.value)) - criterion(kind, point)))

@@ -15,6 +15,8 @@ import mpmath
 import numpy as np
 import pytest
 import scipy.stats
+from scipy.integrate import solve_ivp
+from scipy.optimize import fsolve
 
 import spragsym as ss
 from benchmarks import bench_auto
@@ -27,7 +29,9 @@ from spragsym.numerics.jets import gradient, variables
 from spragsym.orbits import diagram, exponents, finding, orbit
 from spragsym.orbits.system import System, growth_of_cycle
 from tests.oracles import random_motions
+from tests.oracles.clocks import STOPPED
 from tests.oracles.second_driver import differences
+from tests.oracles.user_pages import model_of
 from tests.support import few
 
 #: The article's model, as cycles take it.
@@ -336,6 +340,37 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
     other = branch.switch(crossing, step=0.1)
     assert other.state[1] ** 2 == pytest.approx(other.values[0], abs=1e-10)
     assert abs(other.state[1]) > 0.05
+
+
+@pytest.mark.thorough
+def test_where_a_mass_between_two_stops_ceases_to_swing_alike_and_does_so_again() -> None:
+    """u(π/ω) = −u(0), and the derivative of that map by u has the eigenvalue 1. Newton's method for
+    a closed orbit has no hold there, and where it fails is a matter of rounding.
+    """
+    stops = STOPPED + 'page.contact(d + x, lambda depth: k_c * depth, name="behind")\n'
+    p = model_of(stops, "stops").Parameters(d=1.5, k_c=4.0, omega=1.2)
+    cycle = ss.cycle(p, turns=1, near=(1.5, 1.0))
+
+    def half(unknown: np.ndarray) -> np.ndarray:
+        x, v, omega = unknown
+
+        def field(t: float, u: np.ndarray) -> list[float]:
+            beyond = u[0] - np.clip(u[0], -1.5, 1.5)
+            force = np.cos(omega * t) - 0.1 * u[1] - u[0] - 4 * beyond
+            slope = -1 - 4 * (beyond != 0)
+            return [u[1], force, u[3], slope * u[2] - 0.1 * u[3], u[5], slope * u[4] - 0.1 * u[5]]
+
+        end = solve_ivp(
+            field, (0, np.pi / omega), [x, v, 1, 0, 0, 1], "DOP853", rtol=1e-12, atol=1e-13
+        ).y[:, -1]
+        return np.array([end[0] + x, end[1] + v, (end[2] - 1) * (end[5] - 1) - end[3] * end[4]])
+
+    want = [fsolve(half, near)[2] for near in ((1.505, 0.08, 0.582), (1.62, 0.17, 0.681))]
+    branch = ss.cycle_branch(cycle, "omega", between={"omega": (0.5, 1.25)})
+    for found, exact in zip(branch.of("fold"), want, strict=True):
+        assert found.value == pytest.approx(exact, abs=found.error + 1e-9)
+        assert found.error < 1e-6
+        assert "another branch" in found.how
 
 
 @pytest.mark.thorough

@@ -361,22 +361,24 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
 
     def carried(
         state: FloatArray, frame: FloatArray, span: float
-    ) -> tuple[FloatArray, FloatArray, FloatArray, float]:
-        """State and frame after a while, with the logarithms of growth along the frame and of
-        volumes.
+    ) -> tuple[FloatArray, FloatArray, IntArray, FloatArray, float]:
+        """State and frame after a while, in another order, with the logarithms of growth along the
+        frame and of volumes.
         """
         flow = rate(field, state, constants)
         flow_result = system.flow.flow_map(state, constants, span)
         ahead = flow_result.by_state @ frame
-        if norm(flow) > options.still:  # the flow is carried into itself
+        first = int(norm(flow) > options.still)
+        if first:  # the flow is carried into itself
             ahead[:, 0] = rate(field, flow_result.state, constants) / norm(flow)
-        norms = np.linalg.norm(ahead, axis=0)
-        # What has ended spans nothing, and comes last.
-        order = np.argsort(norms <= options.lost * norms.max(), kind="stable")
-        back = np.argsort(order)
-        turned, triangle = np.linalg.qr(ahead[:, order])
-        sizes = np.abs(np.diag(triangle))
-        lost = sizes <= options.lost * sizes.max()
+        order = np.arange(m)
+        while True:  # what has ended spans nothing, and comes last from then on
+            turned, triangle = np.linalg.qr(ahead[:, order])
+            sizes = np.abs(np.diag(triangle))
+            lost = sizes <= options.lost * sizes.max()
+            if (lost[first:-1] <= lost[first + 1 :]).all():
+                break
+            order[first:] = order[first:][np.argsort(lost[first:], kind="stable")]
         met = (state, flow_result.state, *(crossing.state for crossing in flow_result.crossings))
         stuck = {border.place for each in met for border in field.stays(system.mode(each))}
         if lost.sum() <= len(stuck):
@@ -386,7 +388,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
                 if lost.any()
                 else float(np.linalg.slogdet(flow_result.by_state[:m, :m])[1])
             )
-            return flow_result.state, turned[:, back], np.log(sizes[back]), volume
+            return flow_result.state, turned, order, np.log(sizes), volume
         nonlocal parts
         parts += 1
         if parts > most_parts:
@@ -396,9 +398,9 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
                 f"small deviations shrink by more than {1 / options.lost:g} in {natural:g} time "
                 f"units at {field.place(state * units, '.3g')}: too stiff"
             )
-        middle, frame, first, shrunk = carried(state, frame, span / 2)
-        end, frame, second, more = carried(middle, frame, span / 2)
-        return end, frame, first + second, shrunk + more
+        middle, frame, order, before, shrunk = carried(state, frame, span / 2)
+        end, frame, later, behind, more = carried(middle, frame, span / 2)
+        return end, frame, order[later], before[later] + behind, shrunk + more
 
     with np.errstate(divide="ignore"):
         frame = np.eye(field.size)[:, np.argsort(-np.abs(flow[:m]))]
@@ -406,7 +408,8 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
             frame[:, 0] = flow
         frame, _ = np.linalg.qr(frame)
         for i in range(count):
-            state, frame, logs[i], volumes[i] = carried(state, frame, interval)
+            state, frame, order, logs[i], volumes[i] = carried(state, frame, interval)
+            logs[:i] = logs[:i, order]
             states.append(state)
         speeds = np.log([norm(rate(field, each, constants)) for each in states])
         velocity, acceleration = np.split(rate(field, state, constants), 2)

@@ -78,6 +78,32 @@ def test_a_block_under_a_constant_force_comes_to_rest_or_drifts() -> None:
         ss.cycle(p, near=(0.0, 1.0), patient=False)
 
 
+#: A block that a weak spring does not tear off a table that shakes.
+SHAKEN = (
+    HEAD
+    + """w = page.parameter("w", "1/s", "frequency", "> 0", 0.8)
+x = page.coordinate("x", "m", "place of the block")
+phase = page.clock(w)
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.spring(m * g / l, along=x)
+page.normal_force(m * g)
+page.friction(x, V + page.rate(l * sin(phase) / 5), slip=lambda v: mu_k * sgn(v), holds=mu_s)
+"""
+).replace("import Page, sgn", "import Page, sgn, sin")
+
+
+def test_what_rides_on_a_table_that_shakes_keeps_its_place_on_it() -> None:
+    """x = x0 + sin(w t)/5: deviations of the place and of the phase stay, that of the slip ends,
+    whichever of them a motion that begins in it is asked for first.
+    """
+    p = model_of(SHAKEN, "shaken").Parameters()
+    for t_end in (100.0, 200.0, 500.0, 1000.0):
+        found = ss.fate(p, start=(0.1, 0.0, 0.16), t_end=t_end)
+        assert found.exponents[:2] == pytest.approx([0.0, 0.0], abs=2e-3)
+        assert found.exponents[2] == -math.inf
+        assert "drift" not in found.why
+
+
 def test_a_set_of_rest_states_is_one_attractor() -> None:
     """Friction holds where |x³ − x| ≤ μ_s, in three intervals."""
     p = ss.load("coulomb_stick_slip").Parameters(V=0.0)

@@ -1,10 +1,11 @@
-"""Branch matching: the equilibria of a model at two values of a parameter that lie on one branch,
-proved by tubes.
+"""Branch matching: which equilibria at two values of a parameter lie on one branch, proved by
+tubes.
 
 A tube holds one equilibrium for every value between the two, see :mod:`spragsym.bifurcation.tubes`.
-The two that meet at a fold nearby differ in the sign of det K, which no branch changes between
-folds; of the three at a pitchfork the outer two lie on different sides of the mirror, which none
-crosses. A step of which not all pairs are known so is halved.
+Where tubes do not reach, two rules match the rest. Between folds no branch changes the sign of det
+K, in which the two states that meet at a fold differ. No branch crosses the mirror, on whose sides
+the outer two of the three states at a pitchfork lie. A step with pairs that are not known is
+halved.
 """
 
 import itertools
@@ -46,8 +47,10 @@ from .tubes import Place, Tubes
 
 @dataclass(frozen=True)
 class Along:
-    """A model along one of its parameters, and values, kinds and coordinates (n, number) of the
-    points at which states vanish.
+    """A model along one parameter, with the points at which states vanish.
+
+    ``at`` are their values of the parameter, ``kinds`` their kinds, and ``q`` their coordinates,
+    shape (n, number).
     """
 
     balance: Balance
@@ -56,13 +59,16 @@ class Along:
     at: FloatArray
     kinds: NDArray[Any]
     q: FloatArray
-    whole: bool = False  #: whether these are all of them, and states listed are all there are
+    whole: bool = False  #: whether these points, and the states listed, are all there are
 
 
 @dataclass(frozen=True)
 class _States(ByColumn):
-    """Equilibria at one value, shape (n, number), the signs of det K, sides of the mirror: 0 on it,
-    or if there is none; and whether the sign is proved, as it is not on a fold.
+    """Equilibria at one value of the parameter, with properties that match them.
+
+    ``q`` are the coordinates, (n, number), ``signs`` the signs of det K, and ``sides`` those of the
+    mirror: 0 on it, or without one. ``sure`` says where the sign of det K is proved, which it is
+    not at a fold.
     """
 
     q: FloatArray
@@ -72,15 +78,15 @@ class _States(ByColumn):
 
 
 def undecided_points(eq: Equilibria, vary: str, cuts: Span) -> FloatArray:
-    """Ranges around undecided points, each up to the points beside it, shape (number, 2)."""
+    """Ranges around undecided points, each up to its neighbours, shape (number, 2)."""
     stops = np.array([cuts[0], *eq.parameters[vary], cuts[1]])
     open_ = np.flatnonzero(~eq.decided)
     return np.stack([stops[open_], stops[open_ + 2]], axis=1)
 
 
 def undecided_parts(found: Points | None, ends: Span) -> FloatArray:
-    """Ranges of the parameter between two ends in which points may be missing, shape (number,
-    2).
+    """Ranges of the parameter, between two ends, in which points may be missing, shape
+    (number, 2).
     """
     if found is None or not len(found.undecided):
         return np.empty((0, 2))
@@ -89,7 +95,7 @@ def undecided_parts(found: Points | None, ends: Span) -> FloatArray:
 
 
 def joined(spans: FloatArray) -> FloatArray:
-    """Ranges that touch as one, in ascending order."""
+    """Unions of ranges that meet, in ascending order."""
     out = list[list[float]]()
     for low, high in sorted(spans.tolist()):
         if out and low <= out[-1][1]:
@@ -109,12 +115,13 @@ def linked(
     only: int | None = None,
     options: ContinuationOptions | None = None,
 ) -> list[dict[int, int]]:
-    """For each step between values of a parameter and each slot at its beginning, the slot at its
-    end on the same branch, if any.
+    """For each step between two values of the parameter, the slots at its end by the slots at its
+    beginning, for states on one branch.
 
-    ``turns`` are all points along it at which states vanish, None in lift-off, where there are
-    none. A step is halved as often as the options say; if it is not known then it has the pairs
-    that tubes join and no others. ``only`` one step may be asked for: that is an error then.
+    ``turns`` are all points along the parameter at which states vanish, or None in lift-off, where
+    there are none. A step whose pairs are not all known is halved, as often as the options say;
+    what remains unknown is left out. With ``only``, the number of one step, an incomplete answer
+    raises ConvergenceError.
     """
     at, kinds, q = np.empty(0), np.empty(0, dtype=str), np.empty((0, 0))
     if turns is not None:
@@ -146,11 +153,10 @@ def linked(
             )
         if not failed or abandoned:
             break
-        # Not in the middle, where the fold is.
+        # Halving would put a fold in the middle of a range on a value.
         middles = [one + 0.47 * (two - one) for one, two in failed]
-        states |= _states(
-            along, equilibria(p.replace(**{vary: np.array(middles)}), eq.contact), mirror
-        )
+        at_middles = equilibria(p.replace(**{vary: np.array(middles)}), eq.contact)
+        states |= _states(along, at_middles, mirror)
         halved += zip(failed, middles, strict=True)
         open_ = [
             ends
@@ -168,7 +174,7 @@ def linked(
 
 
 def _states(along: Along, eq: Equilibria, mirror: Mirror | None = None) -> dict[float, _States]:
-    """Equilibria by the value of the parameter."""
+    """The equilibria by value of the parameter."""
     balance, (point, slot) = along.balance, eq.states
     q = np.array([eq.coordinates[name][point, slot] for name in balance.coordinates])
     given = columns(eq.parameters, balance.parameters)[:, point]
@@ -192,8 +198,9 @@ def _states(along: Along, eq: Equilibria, mirror: Mirror | None = None) -> dict[
 def _by_tubes(
     along: Along, steps: list[Span], states: Mapping[float, _States], options: ContinuationOptions
 ) -> tuple[dict[Span, dict[int, int]], set[Span]]:
-    """Pairs of slots whose states a tube joins, over a fold those of states that go through; and
-    steps of which all are known, whose other tubes are not followed on: they end at the fold.
+    """Pairs of slots on one branch, by step, and the steps whose pairs are all known.
+
+    Tubes of a complete step are not followed to its end, since those left over end at the fold.
     """
     n = along.balance.n
     begun = [(one, two, slot) for one, two in steps for slot in range(states[one].signs.size)]
@@ -210,7 +217,7 @@ def _by_tubes(
             one, two, slot = begun[column]
             # An angle that goes around is listed once, within one turn.
             away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.periodic))
-            slots = np.flatnonzero((away <= there.room[:n, column]).all(axis=1))
+            slots = np.flatnonzero((away <= there.radius[:n, column]).all(axis=1))
             if slots.size == 1:
                 links[one, two][slot] = int(slots[0])
         return links
@@ -222,11 +229,11 @@ def _by_tubes(
             if _complete(along, pairs, (one, two), states[one], states[two])
         }
 
-    def needless(there: Place) -> BoolArray:
+    def needless(reached: Place) -> BoolArray:
         """Tubes of steps of which all pairs are known without them: by tubes alone where states
         may be missing, or signs are not proved.
         """
-        links = joined(there)
+        links = joined(reached)
         by_tubes = {step: len(pairs) for step, pairs in links.items()}
         complete = {
             (one, two)
@@ -242,20 +249,20 @@ def _by_tubes(
 
 
 def _within(along: Along, step: Span) -> BoolArray:
-    """Mask of the points between two values, or on them."""
+    """Mask of the points between the two values of a step, ends included."""
     return (along.at >= min(step)) & (along.at <= max(step))
 
 
 def _kinds_within(along: Along, step: Span) -> NDArray[np.str_]:
-    """Kinds of these points."""
+    """Kinds of the points within a step."""
     return along.kinds[_within(along, step)].astype(str)
 
 
 def _complete(
     along: Along, pairs: dict[int, int], step: Span, begin: _States, end: _States
 ) -> bool:
-    """Whether all pairs of a step are known, after those are entered that signs or the mirror
-    tell.
+    """Whether all pairs of a step are known; those that det K or the mirror tell are added
+    first.
     """
     within = _within(along, step)
     kinds, counts = _kinds_within(along, step), (begin.signs.size, end.signs.size)
@@ -267,19 +274,19 @@ def _complete(
         above = np.char.endswith(kinds, "up")
         gone = int((above == (step[0] > step[1])).sum())
         return len(pairs) == counts[0] - gone == counts[1] - (above.size - gone)
-    # A fold that is a value of the path itself lies on the one side of that float or on the other,
-    # as the counts tell.
+    # A fold at a value of the path itself may lie on either side of that float: the counts tell.
     if ((along.at > min(step)) & (along.at < max(step))).any() or (
         kinds.size and counts[0] != counts[1]
     ):
         return len(pairs) == min(counts)
-    # Of those that tubes do not reach: between folds no branch changes the sign of its det K, or
-    # crosses the mirror.
-    left = _left(pairs, begin), _left(pairs.values(), end)
+    # States that no tube joins: between folds no branch changes the sign of det K or crosses the
+    # mirror.
+    remaining = _left(pairs, begin), _left(pairs.values(), end)
     one, other = (
-        _told_apart(states, part) for states, part in zip((begin, end), left, strict=True)
+        _told_apart(states, part) for states, part in zip((begin, end), remaining, strict=True)
     )
-    if len(left[0]) == len(one) == len(left[1]) == len(other) and one.keys() == other.keys():
+    unique = len(remaining[0]) == len(one) and len(remaining[1]) == len(other)
+    if unique and one.keys() == other.keys():
         pairs |= {one[key]: other[key] for key in one}
     return len(pairs) == counts[0] == counts[1]
 
@@ -287,40 +294,38 @@ def _complete(
 def _across_pitchforks(
     places: FloatArray, pairs: dict[int, int], begin: _States, end: _States, on: list[bool]
 ) -> bool:
-    """Pairs of the states that meet at pitchforks in these places, shape (n, number), all but those
-    that end there.
+    """Whether all pairs across pitchforks are known; they are added to ``pairs``.
 
-    ``on`` says which of both values are on them. The outer two and the one that is left on the
-    other side agree in the sign of det K. Where that is positive none ends, and of three that begin
-    the upper goes on. Where it is negative it is the middle one that is stable: it ends, and
-    begins.
+    ``places`` are the pitchforks, shape (n, number), and ``on`` says which of both values lies on
+    them. The outer two states and the one on the other side of the pitchfork agree in the sign of
+    det K. If it is positive, no state ends there: the upper of three goes on. If it is negative,
+    the middle state is stable, and begins or ends there.
     """
-    left = _left(pairs, begin), _left(pairs.values(), end)
+    remaining = _left(pairs, begin), _left(pairs.values(), end)
     near = [
         clearly_nearest(states.q[:, slots], places)
-        for states, slots in zip((begin, end), left, strict=True)
+        for states, slots in zip((begin, end), remaining, strict=True)
     ]
     for number in range(places.shape[1]):
         one, two = (
             np.array(slots)[there == number].tolist()
-            for slots, there in zip(left, near, strict=True)
+            for slots, there in zip(remaining, near, strict=True)
         )
         if not one and not two:
             continue
         if not {len(one), len(two)} <= {1, 3}:
             return False
-        # In order by the coordinate in which they lie apart most: one that the mirror turns.
+        # Sorted by the coordinate in which they differ most, whose sign the mirror changes.
         three = begin.q[:, one] if len(one) > len(two) else end.q[:, two]
-        # Two that it exchanges lie equally far apart, but for rounding.
         spread = np.ptp(three, axis=1)
-        turned = int((spread >= (1 - 1e-9) * spread.max()).argmax())
-        one.sort(key=lambda k: float(begin.q[turned, k]))
-        two.sort(key=lambda k: float(end.q[turned, k]))
+        odd = int((spread >= (1 - 1e-9) * spread.max()).argmax())  # ties, but for rounding: first
+        one.sort(key=lambda k: float(begin.q[odd, k]))
+        two.sort(key=lambda k: float(end.q[odd, k]))
         sides = zip((begin, end), (one, two), on, strict=True)
         soft = any(states.signs[slots].sum() > 0 for states, slots, there in sides if not there)
-        goals = (
-            two if len(one) == len(two) else [two[-1] if soft else two[len(two) // 2]] * len(one)
-        )
+        goals = two
+        if len(one) != len(two):
+            goals = [two[-1] if soft else two[len(two) // 2]] * len(one)
         if len(two) == 1 and not (on[1] or soft):
             one = [slot for slot in one if begin.signs[slot] < 0 and not on[0]]
         pairs |= dict(zip(one, goals, strict=False))
@@ -328,12 +333,13 @@ def _across_pitchforks(
 
 
 def clearly_nearest(q: FloatArray, places: FloatArray) -> IntArray:
-    """For each of some states, shape (n, number), the place that is by far the nearest to it; -1 if
-    none is.
+    """For each state, shape (n, number), the index of a place ten times nearer than all others, or
+    −1.
     """
-    away = np.linalg.norm(q[:, :, None] - places[:, None], axis=0)
-    first, second = np.sort(np.pad(away, [(0, 0), (0, 1)], constant_values=np.inf), axis=1).T[:2]
-    return np.where(first <= 0.1 * second, away.argmin(axis=1), -1)
+    distance = np.linalg.norm(q[:, :, None] - places[:, None], axis=0)
+    padded = np.pad(distance, [(0, 0), (0, 1)], constant_values=np.inf)
+    first, second = np.sort(padded, axis=1).T[:2]
+    return np.where(first <= 0.1 * second, distance.argmin(axis=1), -1)
 
 
 def _left(taken: Container[int], states: _States) -> list[int]:
@@ -342,8 +348,10 @@ def _left(taken: Container[int], states: _States) -> list[int]:
 
 
 def _told_apart(states: _States, part: Sequence[int]) -> dict[tuple[float, float | None], int]:
-    """Slots by the sign of det K, and those that share theirs by their side of the mirror; fewer
-    where two are alike.
+    """Slots by the sign of det K and, for equal signs, by the side of the mirror.
+
+    Two states with the same key share an entry, and states on the mirror have none, so that there
+    are fewer entries than states.
     """
     signs = states.signs[part].tolist()
     keys = [

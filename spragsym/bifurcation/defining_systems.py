@@ -1,15 +1,14 @@
-"""Defining systems of folds, cusps and onsets over a family of equilibria: coordinates and
-parameters are unknowns together.
+"""Defining systems of folds, cusps and onsets over a family of equilibria.
 
-The forces vanish, and as many conditions hold as there are parameters: det K = 0 with one parameter
-is a fold; with two, and with no change of det K along the direction that K maps to 0, a cusp.
-Derivatives come from jets over intervals. Where two points lie so near to each other that float64
-does not tell them apart, the same is evaluated in balls.
+The unknowns are the coordinates together with the parameters that vary. The equations are the
+balance of forces F = 0 and as many conditions as parameters vary: a fold has one condition, det K =
+0; a cusp has two, det K = 0 and no change of det K along the null vector of K. Derivatives come
+from jets over intervals. Two roots too near for float64 are separated in ball arithmetic.
 
-K has no bound in a box around the anchor of a spring, and may be regular there. A spring of length
-l whose line has the direction n adds R/l to K, and R, −k r t t′ in its end with the undeformed
-length r and t across n, has rank one. So l det K = l det K∞ + Σ cofactors of K∞ × R, which is
-smooth at l = 0 for each direction.
+Around the anchor of a spring K is unbounded, but may be proved to be regular. A spring of length l
+and direction n adds R/l to the stiffness K∞ of all else. R = −k r t t′ has rank one in the
+coordinates of its end, with the undeformed length r and t normal to n. So l det K = l det K∞ + Σ
+cofactors of K∞ × R, which is smooth at l = 0 for each direction.
 """
 
 from __future__ import annotations
@@ -63,10 +62,9 @@ from ..statics.regions import requested_region
 from ..statics.search import balances_of
 from ..statics.systems import ENDLESS, Boxes, Entries, StateSystem, at_anchors
 
-#: Arcs of directions, π/16 wide, looked at one by one: 32 are a full turn, one more covers what
-#: rounding leaves.
+#: Numbers of arcs of directions, each π/16 wide: 32 make a full turn, and one more covers rounding.
 ARCS = np.arange(33)
-#: Ends of cosine and sine on each of them.
+#: −low and high of cosine and sine on each arc.
 DIRECTIONS = stacked(
     [of(Intervals.between(np.pi / 16 * ARCS, np.pi / 16 * (ARCS + 1))) for of in (XP.cos, XP.sin)],
     ARCS.shape,
@@ -75,12 +73,12 @@ DIRECTIONS = stacked(
 
 @dataclass(frozen=True)
 class Family:
-    """Family of systems that is searched: parameters that vary over ranges, at one point of the
-    others or at many.
+    """A family of balances: some parameters vary over ranges, the others are fixed at one or many
+    points.
 
-    ``given`` are all parameters, shape (parameters, points), NaN for those that vary; ``spans`` the
-    ranges of these, shape (number, 2), and ``endless`` those of them whose range was cut; ``asked``
-    is a region of the coordinates by hand.
+    ``given`` are all parameters, shape (parameters, points), NaN for those in ``vary``. ``spans``
+    are the ranges of these, shape (number, 2); ``endless`` names those whose infinite range was
+    cut. ``asked`` is the region of coordinates that the user asks for.
     """
 
     p: Any
@@ -100,13 +98,13 @@ class Family:
         within: Ranges | None = None,
         balance: Balance | None = None,
     ) -> Self:
-        """Of a set of parameters, by the balance in contact unless another one is given."""
-        # Curves may begin and end on a border: states on it count.
+        """The family of a set of parameters, of the balance in contact unless another is given."""
+        # Curves may begin and end on a border, so states on it are accepted.
         balance = Balance(p.model) if balance is None else balance.extended(slack=balance.slack)
         between = between or {}
         spans, asked = ranges(p, vary, between), requested_region(p.model, within)
         given = given_column(p, balance.parameters, vary)
-        # Of these nobody has said how far they are searched.
+        # Infinite ranges without a limit in ``between`` are cut.
         endless = tuple(
             name
             for name in vary
@@ -123,16 +121,18 @@ class Family:
         within: Ranges | None = None,
         options: SearchOptions | None = None,
     ) -> list[Self]:
-        """Of every combination of contacts that touch."""
+        """The families of all combinations of touching contacts."""
         balances = balances_of(p.model, within, options)
         return [cls.of(p, vary, between, within, balance) for balance in balances]
 
     def beyond(self, contact: int | None = None) -> Self:
-        """The same where states a little beyond the border of a contact, or of all, count too."""
+        """The same family with states a little beyond the border of a contact accepted; without
+        one, of the border that the balance is extended beyond already, or of all.
+        """
         return replace(self, balance=self.balance.extended(contact))
 
     def fixed(self, name: str, values: float | FloatArray) -> Self:
-        """The same at one value, or at many, of a parameter that varies here."""
+        """The family with one of its varying parameters fixed, at one value or at many."""
         row, number = self.balance.parameters.index(name), self.vary.index(name)
         given = np.repeat(self.given, np.size(values), axis=1)
         given[row] = values
@@ -146,14 +146,16 @@ class Family:
         )
 
     def at(self, values: FloatArray) -> FloatArray:
-        """All parameters where those that vary have these values, shape (number, points)."""
+        """All parameters, shape (parameters, points), where those that vary have the given
+        values.
+        """
         points = np.broadcast_shapes(self.given.shape[1:], values.shape[1:])
         out = np.array(np.broadcast_to(self.given, (len(self.given), *points)))
         out[[self.balance.parameters.index(name) for name in self.vary]] = values
         return out
 
     def named(self, z: FloatArray) -> dict[str, FloatArray]:
-        """Values of what varies and of coordinates by name, from coordinates and parameters, shape
+        """Values of the varying parameters and of the coordinates by name, from unknowns of shape
         (n + number, …).
         """
         n = self.balance.n
@@ -166,38 +168,36 @@ class Family:
 
     @property
     def over(self) -> Intervals:
-        """All parameters over the ranges."""
+        """Enclosures of all parameters over the ranges."""
         return Intervals.between(self.begin, self.at(self.spans[:, 1:]))
 
     def is_affine(self) -> bool:
-        """Whether the forces are affine in the coordinates, by structure: there is one state, none,
-        or a line, and no two meet.
+        """Whether the forces are affine in the coordinates: then the states are a point, a line, or
+        none, and no two of them meet.
         """
         balance = self.balance
         if balance.springs:
             return False
         with quiet():
             values = balance.over(self.over[:, :1])
+            q = variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2)
             try:
-                rows = balance.at(
-                    variables([Intervals.point(np.full(1, 0.5))] * balance.n, 2), values, (1,)
-                ).rows("forces")
+                rows = balance.at(q, values, (1,)).rows("forces")
             except ZeroDivisionError:  # a law that has no value there
                 return False
         return all(is_linear(row) for row in rows if isinstance(row, Jet))
 
 
 def ranges(p: ParameterSet, vary: Sequence[str], between: Ranges) -> FloatArray:
-    """Lower and upper ends of the parameters that vary, shape (number, 2)."""
+    """Lower and upper ends of the varying parameters, shape (number, 2); infinite ends are cut."""
     model = p.model
     for name in vary:
         model.require_parameter(name)
     given, rows = as_ranges("between", between, {name: model.any_of(name) for name in vary}), []
     for name in vary:
         own, far = _ends(model, name), _far(p, name)
-        ends = given.get(
-            name, [end if math.isfinite(end) else math.copysign(far, end) for end in own]
-        )
+        finite = [end if math.isfinite(end) else math.copysign(far, end) for end in own]
+        ends = given.get(name, finite)
         if ends[0] < own[0] or ends[1] > own[1]:
             (domain,) = (
                 entry["domain"] for entry in model.about["parameters"] if entry["name"] == name
@@ -211,19 +211,22 @@ def ranges(p: ParameterSet, vary: Sequence[str], between: Ranges) -> FloatArray:
 
 
 def _far(p: ParameterSet, name: str) -> float:
-    """End of the range of a parameter that has none: ten times the largest of 1, its base value
-    and its own.
+    """End that replaces an infinite one: ten times the largest of 1, the base value and the own
+    value.
     """
     return 10.0 * max(1.0, abs(p.model.base.get(name, 0.0)), largest(p, name))
 
 
 def _ends(model: Model, name: str) -> tuple[float, float]:
+    """Lower and upper end of the range that the page allows."""
     allowed = model.Parameters.ranges[name]
     return allowed.low, allowed.high
 
 
 def given_column(p: ParameterSet, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
-    """Scalar parameters as one column, NaN for those that vary."""
+    """Scalar parameters as one column, NaN for those in ``vary``; ParameterError if another has no
+    value.
+    """
     fixed = [name for name in names if name not in vary]
     for name in fixed:
         if p[name] is None:
@@ -235,19 +238,19 @@ def given_column(p: ParameterSet, names: Sequence[str], vary: Sequence[str]) -> 
     return np.array([[values.get(name, np.nan)] for name in names])
 
 
-#: Coordinates of a block of K; None of all.
+#: Numbers of the coordinates of a diagonal block of K; None for all.
 Block: TypeAlias = tuple[int, ...] | None
 
 
 @dataclass(frozen=True)
 class Condition:
-    """Condition on a state beside the balance.
+    """Conditions on a state in addition to the balance, one for each unknown parameter.
 
-    ``equations`` are the values that must vanish, one for each unknown parameter; jets carry
-    ``order`` more derivatives. ``singular`` and ``touching``: one of them is det K = 0, or that the
-    gap of the contact of that number is 0. ``pairs``: a pair of eigenvalues crosses, of a ``block``
-    of coordinates. ``excluded`` are boxes in which an inequality that is asked for can't hold,
-    ``abandoned`` those that halving would never decide.
+    ``equations`` gives the values that must vanish; they contain derivatives up to ``order``.
+    ``singular`` says that one of them is det K, ``touching`` is the number of a contact whose gap
+    is one of them. ``pairs`` says that a pair of eigenvalues crosses, and ``block`` restricts K to
+    a block of coordinates. ``excluded`` are boxes in which an additional inequality can't hold,
+    ``abandoned`` boxes that halving would never decide.
     """
 
     equations: Callable[[Evaluation], Sequence[Any]]
@@ -260,19 +263,19 @@ class Condition:
     abandoned: Callable[[Evaluation], BoolArray] | None = None
 
 
-#: det K = 0.
+#: Fold: det K = 0.
 FOLD = Condition(lambda at: (determinant(at.slopes),), singular=True)
 
 
 @cache
 def touch(contact: int) -> Condition:
-    """The gap of a contact is 0."""
+    """The condition that the gap of a contact is 0."""
     return Condition(lambda at: (at.gap(contact),), touching=contact)
 
 
 @cache
 def both(one: Condition, other: Condition) -> Condition:
-    """Two conditions on one state."""
+    """The conditions of both, on one state."""
     return Condition(
         lambda at: (*one.equations(at), *other.equations(at)),
         order=max(one.order, other.order),
@@ -283,12 +286,12 @@ def both(one: Condition, other: Condition) -> Condition:
 
 @cache
 def cusp(column: int, block: Block = None) -> Condition:
-    """det K = 0, and K v = 0 for a direction v along which det K does not change.
+    """Cusp: det K = 0, and the derivative of det K along the null vector v of K is 0.
 
-    Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. One of
-    them is taken: points where that one is 0 are roots as well, which
-    :func:`spragsym.bifurcation.singularities.told_apart` tells from cusps. With a ``block`` it is
-    the determinant of that which is 0.
+    If K has rank n − 1, the nonzero columns of its adjugate are multiples of v; the given column
+    stands for v. States at which this column vanishes are roots too;
+    :func:`spragsym.bifurcation.singularities.told_apart` separates them from cusps. With a
+    ``block``, the determinant is that of the block.
     """
 
     def equations(at: Evaluation) -> Sequence[Any]:
@@ -300,10 +303,11 @@ def cusp(column: int, block: Block = None) -> Condition:
 
 @cache
 def turn(line: int, block: Block = None) -> Condition:
-    """The curve of folds turns back in the second parameter: det K = 0, and so is the force along w
-    that the first parameter v brings, w · ∂F/∂v with w K = 0.
+    """Limit point of a curve of folds in the second parameter: det K = 0 and w · ∂F/∂v = 0.
 
-    A line of the adjugate stands for w: points where it is 0 are roots as well.
+    v is the first parameter, and w the left null vector of K, for which row ``line`` of the
+    adjugate stands. States at which it vanishes are roots too. With a ``block``, the determinant is
+    that of the block.
     """
 
     def equations(at: Evaluation) -> Sequence[Any]:
@@ -317,12 +321,10 @@ def turn(line: int, block: Block = None) -> Condition:
 def blocks_of(
     family: Family, by_rates: Callable[[Evaluation], Matrix] | None = None
 ) -> list[tuple[int, ...]]:
-    """Blocks of coordinates each of which acts in the balances of all others of its block, directly
-    or through others: det K is the product of their determinants; with ``by_rates``, C + G or G,
-    det(λ² M + λ (C + G) + K) is.
+    """Diagonal blocks of coordinates, such that det K is the product of the blocks' determinants.
 
-    Where one of these is 0, the directions v and w of K v = 0 and w K = 0 need not have a part
-    along a coordinate of another block.
+    With ``by_rates``, C + G or G, that holds for det(λ² M + λ (C + G) + K). If the determinant of
+    one block is 0, the null vectors of K may have no component in other blocks.
     """
     at = _of_structure(family)
     with quiet():
@@ -330,9 +332,7 @@ def blocks_of(
 
 
 def _of_structure(family: Family) -> Evaluation:
-    """A state of no meaning: of it the entries of matrices that are 0 by structure are looked
-    up.
-    """
+    """An evaluation at an arbitrary state, for finding entries that are 0 by structure."""
     system = Augmented(family, FOLD)
     with quiet():
         return system.state(list(Intervals(np.zeros((2, system.n, 1)))), system.fixed(1))
@@ -340,9 +340,7 @@ def _of_structure(family: Family) -> Evaluation:
 
 @cache
 def within_block(condition: Condition, block: Block) -> Condition:
-    """A condition on M, C + G and K, on the parts of these that belong to a block of
-    :func:`blocks_of`.
-    """
+    """The condition with M, C + G and K restricted to a block of :func:`blocks_of`."""
     if block is None:
         return condition
     return replace(
@@ -352,18 +350,21 @@ def within_block(condition: Condition, block: Block) -> Condition:
 
 @cache
 def fold_of(block: Block) -> Condition:
-    """The determinant of a block of K is 0."""
+    """Fold in a block: the determinant of the block of K is 0."""
     return Condition(lambda at: (_determinant_of(at.slopes, block),))
 
 
 def _determinant_of(K: Matrix, block: Block) -> Number:
+    """The determinant of K, or of a block of it."""
     return determinant(K if block is None else part_of(K, block))
 
 
 @cache
 def touch_turn(contact: int) -> Condition:
-    """The gap of a contact is 0, and the curve on which it is turns back in the second parameter:
-    the determinant of the slopes of forces and gap by the coordinates and the first one is 0.
+    """Limit point in the second parameter of a curve on which the gap of a contact is 0.
+
+    The condition is that the Jacobian of forces and gap by the coordinates and the first parameter
+    is singular.
     """
 
     def equations(at: Evaluation) -> Sequence[Any]:
@@ -375,8 +376,8 @@ def touch_turn(contact: int) -> Condition:
 
 
 def _discriminant(at: Evaluation) -> Sequence[Any]:
-    """The discriminant of det(K + κ M) in κ, with G of det(κ M + λ G + K) in κ = λ², but for a
-    factor.
+    """The discriminant of det(K + κ M) in κ, up to a factor; with gyroscopic forces, of det(κ M + λ
+    G + K) as a polynomial in κ = λ².
     """
     coefficients = characteristic(at.stiffness(), at.mass())
     if at.balance.gyroscopic:
@@ -387,20 +388,20 @@ def _discriminant(at: Evaluation) -> Sequence[Any]:
     return (resultant(coefficients, derivative(coefficients)),)
 
 
-#: Two roots κ = −λ² of det(K − κ M) meet, or with G and a symmetric K of det(λ² M + λ G + K): the
-#: discriminant of that polynomial is 0.
+#: Undamped flutter: two roots κ = −λ² of det(K − κ M) meet, or, with G and a symmetric K, of
+#: det(λ² M + λ G + K). The discriminant of that polynomial is 0.
 FLUTTER = Condition(_discriminant)
-#: Two roots λ of det(λ² M + λ (C + G) + K) have the sum 0: the last but one of Hurwitz's
-#: determinants is 0.
+#: Hopf point: two roots λ of det(λ² M + λ (C + G) + K) have the sum 0, so that the last but one of
+#: Hurwitz's determinants is 0.
 HOPF = Condition(lambda at: (hurwitz(_characteristic(None, at)),), pairs=True)
 
 
 def _characteristic(along: int | None, at: Evaluation) -> list[Any]:
     """Coefficients of det(λ² M + λ C + K), the lowest first.
 
-    Where C has one entry c, of the coordinate ``along``, the odd ones are c times what they are for
-    c = 1, and the even ones do not depend on it. Then 1 stands for c: else conditions on them hold
-    where c is 0.
+    If C has one entry c only, that of the coordinate ``along``, the odd coefficients are
+    proportional to c and the even ones do not depend on it. Then c is replaced by 1, since
+    conditions on the coefficients would also hold where c is 0.
     """
     K = at.stiffness()
     places = range(len(K))
@@ -410,11 +411,10 @@ def _characteristic(along: int | None, at: Evaluation) -> list[Any]:
 
 @cache
 def undamped_mode(along: int) -> Condition:
-    """:data:`HOPF` where only the coordinate ``along`` is damped, by any amount: a mode in which it
-    does not move.
+    """:data:`HOPF` if only the coordinate ``along`` is damped: a mode in which it does not move.
 
-    Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²) with the only entry c of C, and B a minor of K + λ²
-    M. A pair ± i ω is where A and B have a common root, however small c is; it is divided out.
+    Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²), where c is the only entry of C and B a minor of K
+    + λ² M. There is a pair ± i ω exactly if A and B have a common root, for any c ≠ 0.
     """
 
     def equations(at: Evaluation) -> Sequence[Any]:
@@ -431,18 +431,18 @@ def undamped_mode(along: int) -> Condition:
 
 @cache
 def no_damping(along: int) -> Condition:
-    """The damping of the coordinate ``along`` is 0: if nothing else damps, every pair of the state
-    crosses.
+    """The damping of the coordinate ``along`` is 0. If nothing else damps, every pair of
+    eigenvalues crosses there.
     """
     return Condition(lambda at: (at.damping()[along][along],))
 
 
-#: The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there.
-#: A slope with a sign, however small it is, has no root.
+#: The slope of the friction law in steady sliding is 0, so that nothing damps if dampers do not.
+#: Boxes where the slope is proved to be nonzero are excluded, however small it is.
 NO_SLOPE = Condition(lambda at: at.slopes_of_friction(), excluded=lambda at: at.slope_has_a_sign())
-#: Kinds of points in the plane, as MatCont calls them, with what vanishes there of the
-#: coefficients, the lowest first. BT: two roots λ are 0. ZH: one is, and two others have the sum 0.
-#: HH: all four of two coordinates come in pairs with the sum 0.
+#: Codimension-two points by their names in MatCont, with the numbers that vanish there, from the
+#: coefficients of the characteristic polynomial, the lowest first. BT: two roots λ are 0. ZH: one
+#: root is 0, and two others have the sum 0. HH, of two coordinates: two pairs with the sum 0.
 KINDS: Mapping[str, Callable[[Sequence[Any]], Sequence[Any]]] = {
     "BT": lambda a: a[:2],
     "ZH": lambda a: (a[0], hurwitz(a[1:])),
@@ -452,13 +452,14 @@ KINDS: Mapping[str, Callable[[Sequence[Any]], Sequence[Any]]] = {
 
 @cache
 def of_kind(kind: str, along: int | None) -> Condition:
-    """Points of one of the :data:`KINDS`; ``along`` as of :func:`_characteristic`."""
+    """The condition of one of the :data:`KINDS`; ``along`` is that of :func:`_characteristic`."""
     return Condition(lambda at: KINDS[kind](_characteristic(along, at)))
 
 
 def change(K: Matrix, column: int, block: Block = None) -> Number:
-    """Change of det K, or of that of a block, along a column of the adjugate, from entries that are
-    jets in the coordinates first.
+    """The derivative of det K, or of a block's determinant, along a column of the adjugate of K.
+
+    The entries of K are jets whose first variables are the coordinates.
     """
     value = _determinant_of(K, block)
     moved = [slope(value, i) * cofactor(K, column, i) for i in range(len(K))]
@@ -466,12 +467,12 @@ def change(K: Matrix, column: int, block: Block = None) -> Number:
 
 
 def slope(value: Number, variable: int) -> Number:
-    """The derivative of what may be a number."""
+    """The derivative of a jet by one of its variables; 0 for a constant."""
     return value.differentiated(variable) if isinstance(value, Jet) else 0
 
 
 class OfFamily(StateSystem):
-    """A system whose unknowns are the coordinates, then the parameters that vary."""
+    """A system whose unknowns are the coordinates and then the varying parameters of a family."""
 
     def __init__(self, family: Family) -> None:
         self.family, self.balance = family, family.balance
@@ -481,7 +482,7 @@ class OfFamily(StateSystem):
         )
 
     def fixed(self, count: int) -> Intervals:
-        """Prepared parameters of so many boxes at one point of the parameters that do not vary."""
+        """Prepared parameters for ``count`` boxes, at one point of the fixed parameters."""
         return Intervals(np.repeat(self._begin.ends, count, axis=2))
 
     @cached_property
@@ -491,23 +492,21 @@ class OfFamily(StateSystem):
     def parted(
         self, unknowns: Sequence[Any], fixed: Values, xp: object
     ) -> tuple[list[Any], dict[str, Any]]:
-        """Coordinates, and arguments with those that vary in place of the fixed ones; of any number
-        type.
-        """
+        """Coordinates, and arguments in which the varying parameters have their unknown values."""
         n = self.balance.n
         changed = dict(zip(self.family.vary, unknowns[n:], strict=True))
         return list(unknowns[:n]), {**fixed, **self.balance.with_angles(changed, xp)}
 
 
 class Augmented(OfFamily):
-    """Balance and condition."""
+    """The defining system: balance and condition."""
 
     def __init__(self, family: Family, condition: Condition) -> None:
         super().__init__(family)
         self.condition, self.order = condition, condition.order
 
     def identity(self) -> Hashable:
-        """Identity of the balance, the parameters that vary, and the condition."""
+        """Identity of the balance, the varying parameters and the condition."""
         return (
             type(self.balance),
             self.balance.identity(),
@@ -519,20 +518,18 @@ class Augmented(OfFamily):
     def at(
         self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
     ) -> Evaluation:
-        """The evaluation at unknowns of any number type, from arguments of which those that vary
-        are replaced.
-        """
+        """The evaluation at unknowns; the varying parameters in ``values`` are replaced."""
         return Evaluation(self.balance, *self.parted(q, values, xp), shape, xp)
 
     def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """Forces and condition."""
+        """The forces, followed by the condition's equations."""
         return [*at.forces(), *self.condition.equations(at)]
 
     def slopes_over(self, unknowns: Sequence[Number], parameters: Intervals) -> Matrix:
-        """Their slopes by coordinates and parameters."""
+        """The Jacobian by coordinates and varying parameters over boxes."""
         at = self.state(variables(list(unknowns), self.condition.order + 1), parameters)
-        # By the coordinates the stiffness itself, which is sharper, and finite where a law like
-        # Hertz's begins.
+        # Derivatives by the coordinates are the generated stiffness: sharper than jets, and finite
+        # where a law like Hertz's begins.
         n = self.balance.n
         rows = [
             [constant(entry) for entry in row] + gradient(force, self.n)[n:]
@@ -541,7 +538,7 @@ class Augmented(OfFamily):
         return rows + [gradient(value, self.n) for value in self.condition.equations(at)]
 
     def without_state(self, boxes: Boxes) -> BoolArray:
-        """Boxes where no state is, or without what the condition asks for."""
+        """Boxes without a state, or whose states are proved not to fulfil the condition."""
         out = super().without_state(boxes)
         out = out | at_anchors(boxes, ~out, no_direction)
         if self.condition.excluded is not None:
@@ -552,11 +549,15 @@ class Augmented(OfFamily):
 
     @property
     def singular(self) -> bool:  # type: ignore[override]  # of a condition
-        """True where det K = 0 is asked for, which is known of directions at anchors."""
+        """Whether the condition includes det K = 0; then boxes near anchors may be excluded
+        by it.
+        """
         return self.condition.singular and not self.balance.torsions
 
     def lines_at(self, made: Callable[..., Tape]) -> list[LineTapes]:
-        """Tapes of forces by direction, and of det K for directions on an arc."""
+        """Tapes for boxes near anchors: the forces by a spring's direction, and det K on arcs of
+        directions.
+        """
         lines = self.balance.springs
         forces = [made(direction_entries(line)) for line in range(lines)]
         if not self.singular:
@@ -566,7 +567,7 @@ class Augmented(OfFamily):
         return [LineTapes(*tapes) for tapes in zip(forces, directions, regular, strict=True)]
 
     def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
-        """Boxes that the condition rules out by itself."""
+        """Boxes that the condition's inequality excludes."""
         if self.condition.excluded is None:
             return None
         return self.condition.excluded(self.state(unknowns, parameters))
@@ -580,42 +581,42 @@ class Augmented(OfFamily):
     def abandoned(
         self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
     ) -> BoolArray:
-        """Boxes that the balance gives up, and those that the condition gives up."""
-        out, also = np.zeros(parameters.shape[1:], dtype=bool), self.condition.abandoned
+        """Boxes that the balance or the condition abandons."""
+        out = np.zeros(parameters.shape[1:], dtype=bool)
         if self.balance.torsions:
             boxes = Boxes(self, unknowns, parameters)
             out |= self.balance.at_poles(boxes, times * self.options.pole)
-        return out if also is None else out | also(self.state(unknowns, parameters))
+        if self.condition.abandoned is not None:
+            out |= self.condition.abandoned(self.state(unknowns, parameters))
+        return out
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
-        """The coordinates contracted by the balance over the box of parameters."""
+        """Boxes with the coordinates contracted by the balance, over the box of parameters."""
         ends = self.directed(unknowns, parameters)
         return np.concatenate([ends, unknowns.ends[:, self.balance.n :]], axis=1)
 
 
 def refined_roots(system: Augmented, region: FloatArray, found: Roots) -> Roots:
-    """Roots that a search along one parameter in a region has left open, or knows to few digits
-    only, again with many digits.
+    """The roots of a search along one parameter, after ball arithmetic has treated undecided and
+    inaccurate ones.
     """
-    # Boxes beyond which they lie around no points.
-    if system.condition.order or found.undecided.shape[2] > 400:
+    count = found.undecided.shape[2]
+    # So many boxes do not lie around isolated points.
+    if system.condition.order or count > 400:
         return found
     with quiet():
-        if system.abandoned(
-            Intervals(found.undecided), system.fixed(found.undecided.shape[2])
-        ).any():
-            return found  # no number of digits tells what is there
+        if system.abandoned(Intervals(found.undecided), system.fixed(count)).any():
+            return found  # no precision decides a pole
     return refined_in_digits(system, system.family.begin, region, found, most=12)
 
 
 def _regular(boxes: Boxes, spring: int) -> BoolArray:
-    """Boxes at the anchor of a spring in which det K is not 0, whatever its direction is.
+    """Boxes near the anchor of a spring in which det K is proved to be nonzero for any direction.
 
-    Most of those in which it may be 0 show it in a direction along an axis already, a fourth of a
-    turn apart.
+    Arcs a quarter of a turn apart are tried first: most boxes that can't be excluded fail there.
     """
     out = np.ones(boxes.shape, dtype=bool)
-    # Boxes that are looked at in one go, as NumPy takes hardly longer for them than for one.
+    # Fewer boxes take NumPy hardly longer on all arcs than on some.
     for arcs in (ARCS,) if out.size < 64 else (ARCS[::8], ARCS):
         rows = np.flatnonzero(out)
         out[rows] = _regular_along(boxes.some(rows), spring, arcs)
@@ -623,12 +624,12 @@ def _regular(boxes: Boxes, spring: int) -> BoolArray:
 
 
 def _known_direction(spring: int) -> Entries:
-    """Cosine and sine of a spring over boxes."""
+    """Entries of cosine and sine of a spring's direction over boxes."""
     return ("direction", spring), lambda at: at.directions[3 * spring : 3 * spring + 2]
 
 
 def _determinant_entries(spring: int) -> Entries:
-    """det K times the length of a spring, for directions on arcs."""
+    """Entries of det K times the length of a spring, for directions on arcs."""
     first = 3 * spring
 
     def rows(at: Evaluation, arcs: Any) -> Sequence[Any]:
@@ -639,14 +640,16 @@ def _determinant_entries(spring: int) -> Entries:
         K = slopes(ENDLESS)
         R = slopes(Jet.variable(Intervals.point([1.0]), 0, 1))
         size = range(len(K))
-        pushed = -sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in size for j in size)
-        return [pushed + determinant(K) * at.directions[first + 2]]
+        rank_one = -sum(cofactor(K, i, j) * gradient(R[i][j], 1)[0] for i in size for j in size)
+        return [rank_one + determinant(K) * at.directions[first + 2]]
 
     return ("regular", spring), rows
 
 
 def _regular_along(boxes: Boxes, spring: int, numbers: IntArray) -> BoolArray:
-    """Boxes in which det K is not 0 for directions of the spring on these arcs."""
+    """Boxes in which det K is nonzero for all directions of the spring on the arcs of these
+    numbers.
+    """
     (count,) = boxes.shape
     every, turns = np.tile(np.arange(count), numbers.size), np.repeat(numbers, count)
     arcs, values = DIRECTIONS[:, :, turns], boxes.taped(*_known_direction(spring))

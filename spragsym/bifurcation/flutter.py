@@ -1,5 +1,8 @@
-"""Onsets of flutter of a model along one parameter, proved: with dampers and the slope of the
-friction law, or without.
+"""Onsets of flutter of a model along one parameter, each proved, with or without damping.
+
+With damping an onset is a Hopf point of det(λ² M + λ (C + G) + K) = 0. Without, it is a point where
+two frequencies meet. Where the search for them is incomplete, floats follow the states over samples
+of the parameter, and report crossings that are not proved as ``"detected"``.
 """
 
 from __future__ import annotations
@@ -63,15 +66,15 @@ from .points import Found, all_of, arranged, matrices, merged, nothing, of_ends,
 if TYPE_CHECKING:
     from .normal_forms import Coefficient, NormalForm
 
-#: Why none is searched for without damping.
+#: Remark where no state can be stable without damping.
 NEVER_STABLE = (
     "without damping no state is stable where gyroscopic terms act beside friction, or another "
     "force without a potential, so that no flutter sets in; ask for the onsets of the damped "
     "model, damping=True"
 )
-#: ω of the points of a search that M, C and K are taken at.
+#: Frequencies ω of what oscillates at a state, from its M, C + G and K.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
-#: Points of one search, their kinds and their ω.
+#: Points of one search, their kinds and their frequencies.
 _Part: TypeAlias = tuple[Found, list[str], list[float]]
 
 
@@ -86,48 +89,47 @@ def flutter_onsets(
     options: SearchOptions | None = None,
     method: Method = "auto",
 ) -> Onsets:
-    """Onsets of flutter in contact along one parameter, the others fixed; ``complete`` says whether
-    these are all.
+    """Onsets of flutter in contact along one parameter; ``complete`` says whether these are all.
 
     Parameters
     ----------
     p : Parameters
-        Of any model, scalars; the one that varies is not used.
+        Of any model, scalars; the value of the one that varies is not used.
     vary : str, optional
-        A parameter; without it ``theta0``, or the model's first one.
+        The parameter; by default ``theta0``, or the model's first one.
     damping : bool, optional
         True for Hopf points of the full linearization, det(λ² M + λ (C + G) + K) = 0 with dampers
-        and slope of the friction law; False for (27), without C, as the article's flutter. Without
-        it True, unless C is 0, of several contacts for each combination of those that touch.
+        and slopes of the friction laws. False for (27), without C, as the article's flutter. By
+        default True unless C is 0, decided for each combination of touching contacts.
     between, within, options, method
         As for :func:`spragsym.folds`; a closed form is there for (27) along θ₀.
 
     Returns
     -------
     Onsets
-        Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``,
-        where two frequencies meet; or ``"detected"``: floats see a pair cross there, where the
-        search was not complete, and no proof succeeds; ``omega`` is the frequency, ``criticality``
-        whether it is super- or subcritical. Where all damping changes its sign at once, by a
+        The kind is ``"hopf"`` where a pair ± i ω crosses the imaginary axis, ``"flutter"`` where
+        two frequencies meet, and ``"detected"`` where floats see a crossing that is not proved,
+        because the search was incomplete. ``omega`` is the frequency; ``criticality`` says whether
+        an onset is super- or subcritical. Where all damping changes its sign at once, as by a
         falling friction law against a damper, every pair of a state crosses, and each has a row.
-        Closed forms add ``branch``, which counts the equilibria from below in θ, from 0, ``count``,
-        how many there are, and ``side``: 1 where the state flutters at slightly larger θ₀, −1 where
-        it does at slightly smaller θ₀, 0 where the boundary is only touched.
+        Closed forms add ``branch``, the number of the equilibrium from below in θ, from 0,
+        ``count``, the number of equilibria, and ``side``: 1 if the state flutters at slightly
+        larger θ₀, −1 if at slightly smaller θ₀, 0 if the boundary is only touched.
 
     Raises
     ------
     ParameterError
         For a parameter that is missing or an array.
     ConvergenceError
-        At parameters of the article's model so degenerate that onsets can't be told apart.
+        At degenerate parameters of the article's model, where onsets can't be separated.
 
     Notes
     -----
-    Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in
-    κ. Where one coordinate only is damped, that entry of C is a factor of Hurwitz's determinant and
-    taken out: what is left, and the entry, or the slope of the friction law where it is that, are
-    searched for on their own. An end of the range at which C vanishes is no onset. Points where a
-    real pair ± λ has the sum 0, or two real λ meet, are roots as well and left out.
+    Source: F = 0 with Hurwitz's determinant of order 2 n − 1, or with the discriminant of
+    det(K − κ M) in κ. If only one coordinate is damped, its entry of C (or the slope of the
+    friction law) is a factor of Hurwitz's determinant; this factor and the other are then searched
+    separately. An end of the range at which C vanishes is no onset. Points where a real pair ± λ
+    has the sum 0, or two real λ meet, are roots too and are left out.
 
     Examples
     --------
@@ -146,8 +148,9 @@ def flutter_onsets(
 
 @dataclass(frozen=True)
 class Sought:
-    """Onsets of one kind in a block of coordinates, of all for None: what holds there, and ω of
-    what oscillates, from M, C + G and K of the block.
+    """One kind of onset in a block of coordinates: its condition, and the frequencies at a state.
+
+    ``block`` is None for all coordinates.
     """
 
     condition: Condition
@@ -156,7 +159,7 @@ class Sought:
     block: Block
 
     def omega(self, *linearization: FloatArray) -> list[float]:
-        """Frequencies at a state, by M, C + G and K of all coordinates."""
+        """Frequencies at a state, from M, C + G and K of all coordinates."""
         if self.block is None:
             return self.frequencies(*linearization)
         part = np.ix_(self.block, self.block)
@@ -165,8 +168,10 @@ class Sought:
 
 @dataclass(frozen=True)
 class OnsetSystems:
-    """What is searched for onsets of a family: with damping or without, the only coordinate that is
-    damped, if there is but one, and the blocks of coordinates.
+    """The conditions to search for onsets of a family, with or without damping.
+
+    ``only`` is the one coordinate that is damped, if there is just one; ``said`` are remarks if no
+    onset is possible.
     """
 
     damping: bool
@@ -177,44 +182,40 @@ class OnsetSystems:
 
     @classmethod
     def of(cls, family: Family, damping: bool | None) -> Self:
-        """Of one combination of contacts that touch; with damping unless there is none, if it is
-        not said.
+        """The conditions for one combination of touching contacts; ``damping`` None means True
+        unless there is none.
         """
         balance, over = family.balance, family.over
-        # With G the pair that crosses is none of a mode that nothing damps.
+        # The factorization by one damped coordinate does not hold with gyroscopic forces.
         along = None if balance.gyroscopic else damped_by_friction_alone(balance, over)
         slope = None if along is None else slope_over(balance, over)
         entries, only = damped_entries(balance, over), along
         if along is None and not balance.gyroscopic and len(entries) == 1:
             row, column = entries[0]
             only = row if row == column else None
-        if damping is None:
-            damping = (
-                is_damped(balance, over)
-                if slope is None
-                else bool(slope.magnitude.max() > NEGLIGIBLE)
-            )
+        if damping is None and slope is not None:
+            damping = bool(slope.magnitude.max() > NEGLIGIBLE)
+        elif damping is None:
+            damping = is_damped(balance, over)
         in_pairs = comes_in_pairs(balance, over)
         if not damping and not in_pairs:
             return cls(damping, only, [], [], (NEVER_STABLE,))
         blocks = blocks_of(family, Evaluation.by_rates if damping else Evaluation.gyroscopic)
         damped = frozenset[int]()
-        if damping:  # dampers as good as 0 do not count beside what damps one coordinate alone
+        if damping:  # beside friction that damps alone, entries of C are negligible
             damped = frozenset(row for row, _ in entries) if only is None else frozenset({only})
         conservative = is_conservative(balance, over)
         sought = list[Sought]()
         for block in blocks:
             own = None if len(blocks) == 1 else block
             if in_pairs and not damped & {*block}:
-                # Where K is symmetric all κ are real and stay so as K changes: where two meet they
-                # pass each other.
+                # With a symmetric K all κ are real, and two that meet pass each other.
                 if not conservative and len(block) > 1:
                     sought.append(Sought(within_block(FLUTTER, own), meeting, "flutter", own))
             elif only is None or balance.n == 1:
                 sought.append(Sought(within_block(HOPF, own), crossing, "hopf", own))
             else:
-                # Where K is symmetric damping takes energy from all modes, or gives to all: no pair
-                # crosses.
+                # With a symmetric K, damping of one sign keeps all pairs on one side of the axis.
                 if not conservative and len(block) > 1:
                     along = block.index(only)
                     mode = within_block(undamped_mode(along), own)
@@ -223,13 +224,13 @@ class OnsetSystems:
                     sought.append(Sought(no_damping(only), every, "hopf", own))
                 elif conservative or slope.holds_zero().any():
                     sought.append(Sought(NO_SLOPE, every, "hopf", own))
-        # What has no slope comes last, as its undecided boxes have remarks of their own.
+        # NO_SLOPE comes last: its undecided boxes have remarks of their own.
         sought.sort(key=lambda one: one.condition is NO_SLOPE)
         return cls(damping, only, blocks, sought)
 
 
 def _in_combination(family: Family, damping: bool | None) -> Points:
-    """Onsets of one combination of contacts that touch."""
+    """Onsets of one combination of touching contacts."""
     systems = OnsetSystems.of(family, damping)
     if systems.said:
         unknown = replace(nothing(family), whole=np.zeros(1, dtype=bool))
@@ -238,14 +239,13 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
     for one in systems.sought:
         out = search(family, one.condition)
         if out.roots.undecided.shape[2]:
-            out, more, omega = with_seen(Augmented(family, one.condition), out)
-            alone = replace(out, roots=more)
-            followed = (alone, ["detected"] * omega.size, omega.tolist())
-            parts.append(
-                followed
-                if one.condition.pairs
-                else _part(family, alone, replace(one, kind="detected"), systems.damping)
-            )
+            out, unproved, omega = with_seen(Augmented(family, one.condition), out)
+            detected = replace(out, roots=unproved)
+            if one.condition.pairs:
+                parts.append((detected, ["detected"] * omega.size, omega.tolist()))
+            else:
+                kind = replace(one, kind="detected")
+                parts.append(_part(family, detected, kind, systems.damping))
         parts.append(_part(family, out, one, systems.damping))
     parts = parts or [(nothing(family), [], [])]
     flat = bool(systems.sought) and systems.sought[-1].condition is NO_SLOPE
@@ -257,13 +257,15 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
 
 
 def _part(family: Family, found: Found, sought: Sought, damping: bool) -> _Part:
-    """A row for each frequency that a root has; none for roots whose λ are real."""
+    """The roots with their kinds and frequencies, one row for each frequency; none for a root whose
+    λ are real.
+    """
     rows, omega = list[int](), list[float]()
-    every = matrices(family, found.roots.middle, damping)
-    for row, each in enumerate(zip(*every, strict=True)):
-        some = sought.omega(*each)
-        omega += some
-        rows += [row] * len(some)
+    linearization = matrices(family, found.roots.middle, damping)
+    for row, each in enumerate(zip(*linearization, strict=True)):
+        own = sought.omega(*each)
+        omega += own
+        rows += [row] * len(own)
     return (
         replace(found, roots=found.roots.select(np.array(rows, dtype=int))),
         [sought.kind] * len(rows),
@@ -272,8 +274,8 @@ def _part(family: Family, found: Found, sought: Sought, damping: bool) -> _Part:
 
 
 def crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
-    """ω of the two roots λ of det(λ² M + λ (C + G) + K) whose sum is the nearest to 0, unless they
-    are real.
+    """ω of the two roots λ of det(λ² M + λ (C + G) + K) whose sum is nearest to 0; none if they are
+    real.
     """
     roots = stability.roots(M, C, K)
     one = _nearest(roots, -roots)
@@ -281,19 +283,19 @@ def crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
 
 
 def _nearest(numbers: ComplexArray, others: ComplexArray) -> NDArray[Any]:
-    """The number that is the nearest to what stands in ``others`` in another place."""
-    apart = np.abs(numbers[:, None] - others)
-    np.fill_diagonal(apart, np.inf)
-    return numbers[apart.min(axis=1).argmin()]
+    """The number whose distance from an element of ``others`` at another index is least."""
+    distance = np.abs(numbers[:, None] - others)
+    np.fill_diagonal(distance, np.inf)
+    return numbers[distance.min(axis=1).argmin()]
 
 
 def _omega(square: NDArray[Any]) -> list[float]:
-    """ω of a root κ, unless it is negative."""
+    """ω = √κ, if κ is positive."""
     return [float(np.sqrt(square.real))] if square.real > 0 else []
 
 
 def meeting(M: FloatArray, G: FloatArray, K: FloatArray) -> list[float]:
-    """ω of the two roots κ = −λ² of det(λ² M + λ G + K) that are the nearest to each other, unless
+    """ω of the two roots κ = −λ² of det(λ² M + λ G + K) that are nearest to each other; none if
     they are negative.
     """
     if G.any():
@@ -305,30 +307,34 @@ def meeting(M: FloatArray, G: FloatArray, K: FloatArray) -> list[float]:
 
 
 def _without(along: int, M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
-    """ω of a mode in which the coordinate ``along`` does not move: the root of its minor that is
-    the nearest to one of all.
+    """ω of a mode in which the coordinate ``along`` does not move.
+
+    It is the root κ of the minor without this coordinate that is nearest to a root of all
+    coordinates.
     """
     others = [i for i in range(len(K)) if i != along]
     squares = stability.squares(M[np.ix_(others, others)], K[np.ix_(others, others)])
-    return _omega(
-        squares[np.abs(squares[:, None] - stability.squares(M, K)[None]).min(axis=1).argmin()]
-    )
+    distance = np.abs(squares[:, None] - stability.squares(M, K)[None]).min(axis=1)
+    return _omega(squares[distance.argmin()])
 
 
 def every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
-    """ω of all pairs of a state that nothing damps."""
+    """ω of all pairs of a state without damping."""
     return frequencies(stability.roots(M, C, K))
 
 
 def frequencies(roots: ComplexArray) -> list[float]:
-    """ω of the pairs ± i ω among roots, ascending."""
+    """ω of the pairs ± i ω among roots, ascending; real parts up to 1e-5 ω are neglected."""
     return sorted(
         abs(root.imag) for root in roots[roots.imag > 0] if abs(root.real) < 1e-5 * root.imag
     )
 
 
 def _joined(family: Family, parts: list[_Part], flat: bool, said: tuple[str, ...] = ()) -> Points:
-    """All parts in one result; ``flat`` where the last is of places without slope."""
+    """The points of all searches as one result.
+
+    ``flat`` says that the last search was for places where the slope of the friction law vanishes.
+    """
     each, kinds, frequencies = zip(*parts, strict=True)
     kind, omega = np.array([*chain(*kinds)], dtype=str), np.array([*chain(*frequencies)])
     found = all_of(each)
@@ -361,7 +367,7 @@ def _joined(family: Family, parts: list[_Part], flat: bool, said: tuple[str, ...
 
 
 def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
-    """Remarks on undecided boxes where the friction law has practically no slope."""
+    """Remark on undecided boxes where the slope of the friction law is practically 0."""
     balance = family.balance
     over = Intervals.between(family.at(-left[0, -1:]), family.at(left[1, -1:]))
     size = slope_over(balance, over).magnitude
@@ -375,66 +381,68 @@ def _undamped(family: Family, left: FloatArray) -> tuple[str, ...]:
 
 
 def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray]:
-    """Onsets of a search, with those that floats see and that are proved; those that are not; and
-    their frequencies.
+    """The result of a search with onsets added that floats detect and that are proved; the detected
+    ones that are not proved, and their frequencies.
     """
     from scipy.optimize import linear_sum_assignment  # heavy, and a refusal does not need it
 
-    seen = np.array(_sightings(system, found.roots.undecided))
-    fixed, sightings = system.family.begin, seen.reshape(-1, system.n + 1).T
-    candidates = sightings[:-1]
-    room = 1e-6 * scale_of(candidates)
-    tried = refined(system, fixed, Roots.at(ends_around(candidates, room)))
-    sure = tried.error <= system.options.tolerance
+    fixed, seen = system.family.begin, np.array(_sightings(system, found.roots.undecided))
+    detected = seen.reshape(-1, system.n + 1).T
+    candidates = detected[:-1]
+    around = ends_around(candidates, 1e-6 * scale_of(candidates))
+    tried = refined(system, fixed, Roots.at(around))
+    accurate = tried.error <= system.options.tolerance
     proved, open_ = (
-        on_contact_side(system, fixed, Roots.at(tried.ends[:, :, some])) for some in (sure, ~sure)
+        on_contact_side(system, fixed, Roots.at(tried.ends[:, :, mask]))
+        for mask in (accurate, ~accurate)
     )
-    apart = np.abs(candidates[:, ~sure, None] - open_.middle[:, None]).max(axis=0)
-    # Of several pairs that cross at one place each has its own frequency.
-    omega = sightings[-1, ~sure][linear_sum_assignment(apart.T)[1]]
-    return (
-        replace(found, roots=distinct(found.roots.concatenated(proved.select(undecided=slice(0))))),
-        open_,
-        omega,
-    )
+    distance = np.abs(candidates[:, ~accurate, None] - open_.middle[:, None]).max(axis=0)
+    # Several pairs may cross at one state, each with its own frequency.
+    omega = detected[-1, ~accurate][linear_sum_assignment(distance.T)[1]]
+    roots = distinct(found.roots.concatenated(proved.select(undecided=slice(0))))
+    return replace(found, roots=roots), open_, omega
 
 
-def _sightings(system: Augmented, left: FloatArray) -> list[FloatArray]:
-    """Onsets that floats see between values of the parameter, ends of its range and of undecided
-    boxes among them: coordinates, parameter and ω, NaN where none was followed.
+def _sightings(system: Augmented, undecided: FloatArray) -> list[FloatArray]:
+    """Onsets that floats detect between values of the parameter: coordinates, parameter and ω, NaN
+    if no pair was followed.
+
+    The values are samples of the range, its ends, and the ends of undecided boxes. Each state is
+    compared with the nearest one at the next value, and the step is bisected where a pair crosses.
     """
     low, high = system.family.spans[0]
     samples = system.options.samples
     even = low + (high - low) * (np.arange(samples) + 0.5) / samples
-    beside = spans_of(merged(left))[-1].ravel()
-    some = np.linspace(0, beside.size - 1, min(beside.size, samples)).astype(int)
-    values = np.unique([low, *even, *np.sort(beside)[some], high])
+    beside = spans_of(merged(undecided))[-1].ravel()
+    chosen = np.linspace(0, beside.size - 1, min(beside.size, samples)).astype(int)
+    values = np.unique([low, *even, *np.sort(beside)[chosen], high])
     q, point = _states(
         float_candidates(system.balance, system.family.at(values[None]), system.family.asked)
     )
     z = np.concatenate([q, values[point][None]])
-    every, out = _signals(system, z), list[FloatArray]()
-    for one in range(point.size):
-        following = np.flatnonzero(point == point[one] + 1)
+    signals, out = _signals(system, z), list[FloatArray]()
+    for state in range(point.size):
+        following = np.flatnonzero(point == point[state] + 1)
         if not following.size:
             continue
-        other = int(following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()])
-        if _crossing_pairs(every[one], every[other]).size:
-            out += _bisected(system, (z[:, one], every[one]), (z[:, other], every[other]), 40)
+        other = int(following[np.abs(q[:, following] - q[:, [state]]).max(axis=0).argmin()])
+        if _crossing_pairs(signals[state], signals[other]).size:
+            out += _bisected(
+                system, (z[:, state], signals[state]), (z[:, other], signals[other]), 40
+            )
     if system.condition.pairs:
         return out
-    # Not where the condition changes its sign at a pole.
-    most = 1e-6 * max((magnitude(row) for row in every if row.size), default=0.0)
-    return [one for one in out if (np.abs(_signals(system, one[:-1, None])[0]) <= most).any()]
+    # At a pole the condition changes its sign too, but is large there.
+    most = 1e-6 * max((magnitude(row) for row in signals if row.size), default=0.0)
+    return [state for state in out if (np.abs(_signals(system, state[:-1, None])[0]) <= most).any()]
 
 
 def _states(found: Roots) -> tuple[FloatArray, IntArray]:
-    """Roots, and the middles of boxes so small that rounding alone leaves them open, each once; and
-    their points.
+    """Float states and their points: roots, and the middles of undecided boxes that are very small,
+    each once.
     """
     ends, point = found.every
     boxes = Intervals(ends)
-    # Width of a box whose middle is as good as a root.
     small = np.asarray((boxes.width <= 1e-6 * scale_of(boxes.middle)).all(axis=0))
     small[: found.point.size] = True
     hulls, point = clusters(ends[:, :, small], point[small])
@@ -442,8 +450,9 @@ def _states(found: Roots) -> tuple[FloatArray, IntArray]:
 
 
 def _crossing_pairs(a: ComplexArray, b: ComplexArray) -> ComplexArray:
-    """Eigenvalues above the real axis whose real part changes sign to the next state; each is
-    followed.
+    """Numbers of ``a`` whose real part changes its sign to the matched number of ``b``.
+
+    The match minimizes the sum of distances.
     """
     from scipy.optimize import linear_sum_assignment  # heavy, and a refusal does not need it
 
@@ -463,8 +472,9 @@ def _bisected(
     high: tuple[FloatArray, ComplexArray],
     halvings: int,
 ) -> list[FloatArray]:
-    """The onsets between two states with their λ, of which some cross: those are followed anew to
-    the middle and from there.
+    """Onsets between two states with their signals, by bisection in the parameter.
+
+    An onset is coordinates, parameter and ω. Both halves are followed where signals cross in both.
     """
     state = _state(system, 0.5 * (low[0] + high[0]))
     (roots,) = _signals(system, state[:, None])
@@ -475,16 +485,12 @@ def _bisected(
         if _crossing_pairs(one[1], other[1]).size
     ]
     if halvings and halves:
-        # Where more than one onset lies between, the halvings are shared.
         share = (halvings - 1) // len(halves)
-        return [
-            sighting for one, other in halves for sighting in _bisected(system, one, other, share)
-        ]
-    # Else the ends do not lie on one branch.
+        return [onset for one, other in halves for onset in _bisected(system, one, other, share)]
     crossing = _crossing_pairs(low[1], high[1])
     if not system.condition.pairs:
         return [np.append(state, np.nan) for _ in crossing]
-    # Growth over the size of a λ on the imaginary axis.
+    # A larger share of growth is no crossing: the two states do not lie on one branch.
     neutral = 1e-6
     nearest = [roots[np.abs(roots - here).argmin()] for here in crossing if roots.size]
     return [
@@ -495,7 +501,7 @@ def _bisected(
 
 
 def _state(system: Augmented, z: FloatArray) -> FloatArray:
-    """The state of the value z[−1] that Newton's method finds near by."""
+    """The state at the parameter value z[−1], by Newton's method from z."""
     parameters = Intervals.point(system.family.at(z[-1:, None]))
     with quiet():
         q = system.balance.guessed(z[:-1, None], system.balance.prepared(parameters))
@@ -503,18 +509,17 @@ def _state(system: Augmented, z: FloatArray) -> FloatArray:
 
 
 def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
-    """Numbers whose real part changes its sign at an onset, of each state z, shape (n + 1, N).
+    """Numbers whose real parts change sign at an onset, for each state z, shape (n + 1, N).
 
-    The λ above the real axis; where friction alone damps, or nothing, the condition's own value,
-    0 where its sign is open beside a state that is known but for rounding.
+    These are the λ above the real axis. If the condition is not on pairs, it is the condition's own
+    value, and 0 where its sign is unknown.
     """
     if system.condition.pairs:
         block = system.condition.block or range(system.balance.n)
         part = np.ix_(range(z.shape[1]), block, block)
         every = stability.roots(*(each[part] for each in matrices(system.family, z)))
         return [row[np.isfinite(row) & (row.imag > 1e-6 * np.abs(row))] for row in every]
-    # Error of a state that Newton's method has found, over its size.
-    error = 2.0**-50
+    error = 2.0**-50  # of a state by Newton's method, over its size
     states = Intervals(ends_around(z, error * scale_of(z)))
     with quiet():
         tested = system.residuals(states, system.fixed(z.shape[1]))[-1]
@@ -524,41 +529,41 @@ def _signals(system: Augmented, z: FloatArray) -> list[ComplexArray]:
 
 
 def of_forms(forms: Sequence[Any], name: str, missing: float) -> FloatArray:
-    """A column of normal forms, of points that have one."""
+    """A column of normal forms; ``missing`` for points without one."""
     return np.array([missing if isinstance(form, str) else getattr(form, name) for form in forms])
 
 
 def _column(name: str, missing: float) -> cached_property[FloatArray]:
+    """A cached column of the normal forms of onsets."""
     return cached_property(lambda found: of_forms(found.normal_forms, name, missing))
 
 
 @dataclass(frozen=True, eq=False)
 class Onsets(Points):
-    """Onsets of flutter along one parameter, of the kind ``"hopf"`` or ``"flutter"``, with their
-    normal forms.
+    """Onsets of flutter along one parameter, with their normal forms.
 
-    What follows is computed when it is first asked for; with all that :class:`Points` has,
-    ``omega`` the frequency.
+    The attributes below are computed on first use, in addition to those of :class:`Points` and the
+    frequency ``omega``.
 
     Attributes
     ----------
     criticality : ndarray of str
-        ``"supercritical"`` where l₁ < 0 is proved (the cycle that is born attracts within the plane
-        of the pair, and grows from nothing), ``"subcritical"`` where l₁ > 0 is (an unstable cycle
-        shrinks onto the state, and beyond the onset motions go far), else ``"undecided"``, also
-        where l₁ comes from the tail of a law smoothed at rest alone.
+        ``"supercritical"`` where l₁ < 0 is proved: the cycle that is born attracts within the plane
+        of the pair, and grows from nothing. ``"subcritical"`` where l₁ > 0 is proved: an unstable
+        cycle shrinks onto the state, and beyond the onset motions go far. Otherwise
+        ``"undecided"``, also where l₁ comes only from the tail of a law that is smoothed at rest.
     lyapunov, lyapunov_error : ndarray
-        The first Lyapunov coefficient l₁ and a bound on its error that is proved; NaN and inf where
+        The first Lyapunov coefficient l₁ and a proved bound on its error; NaN and inf where
         ``why`` says that there is none. The state is coordinates, then rates, in the model's units,
-        and ⟨q, q⟩ = ⟨p, q⟩ = 1.
+        with ⟨q, q⟩ = ⟨p, q⟩ = 1.
     crossing, crossing_error : ndarray
-        d Re λ / d parameter of the pair: where it is positive, the state is unstable for larger
-        values.
+        d Re λ / d parameter of the pair, and a bound on its error. Where it is positive, the state
+        is unstable for larger values.
     when : ndarray of str
-        What the sign of that says, where its bound leaves it: as the parameter goes ``"up"`` or
-        ``"down"``, this pair makes the state unstable; else empty.
+        The sign of ``crossing`` in words, where it is proved: this pair makes the state unstable as
+        the parameter goes ``"up"`` or ``"down"``; else empty.
     why : tuple of str
-        Why an onset is undecided; empty for the others.
+        Why the criticality of an onset is undecided; empty where it is decided.
     """
 
     schema = (
@@ -578,15 +583,15 @@ class Onsets(Points):
 
     @property
     def _of_each(self) -> tuple[str, ...]:
-        """The frequency, what closed forms know, and the criticality of each."""
+        """Names of the columns that describe each onset."""
         more = ("omega", "branch", "count", "side")
         columns = (name for name in more if self._own(name) in self._values)
         return (*columns, "kind", "criticality")
 
     @cached_property
     def normal_forms(self) -> tuple[Any, ...]:
-        """The :class:`~spragsym.bifurcation.normal_forms.NormalForm` of each, or why it has
-        none.
+        """The :class:`~spragsym.bifurcation.normal_forms.NormalForm` of each onset, or the reason
+        why it has none.
         """
         return tuple(self._normal_form(row) for row in range(len(self)))
 
@@ -626,14 +631,14 @@ class Onsets(Points):
         return form_or_why(self.balance(row), self.given(row), state, self.vary, radii)
 
     def balance(self, row: int, law: str = "friction_at_rest") -> Balance:
-        """The balance of forces of the contacts that touch at one of them.
+        """The balance of forces of the contacts that touch at one onset.
 
         Parameters
         ----------
         row : int
             Number of the onset, from 0.
         law : str
-            The friction, of rest or at the speed of the belt, by its generated function.
+            The generated function that gives μ; ``"friction_at_speed"`` for μ(V).
 
         Returns
         -------
@@ -652,7 +657,7 @@ class Onsets(Points):
         return balances[number_of(balances, touching)]
 
     def given(self, row: int) -> FloatArray:
-        """Parameters of one of them, in the order of the model.
+        """Parameters of one onset, in the order of the model.
 
         Parameters
         ----------
@@ -674,7 +679,7 @@ class Onsets(Points):
         return np.array([self[name][row] for name in self.parameters.model.parameters])
 
     def state(self, row: int) -> FloatArray:
-        """Coordinates of one of them.
+        """Coordinates of one onset.
 
         Parameters
         ----------
@@ -697,8 +702,8 @@ class Onsets(Points):
 
 
 def form_or_why(*point: Any) -> NormalForm | str:
-    """The normal form of a point, arguments as of :func:`.normal_forms.normal_form`, or why it has
-    none.
+    """The normal form of a point, with the arguments of :func:`.normal_forms.normal_form`, or the
+    reason why it has none.
     """
     from .normal_forms import normal_form  # many who ask for onsets never ask for this
 
@@ -709,15 +714,14 @@ def form_or_why(*point: Any) -> NormalForm | str:
 
 
 def criticality_of(form: NormalForm | Coefficient | str) -> tuple[str, str]:
-    """Criticality by the sign of the coefficient, and why it is undecided; of a normal form, or of
-    why there is none.
+    """Criticality by the sign of l₁, and the reason if it is undecided, from a normal form or from
+    the reason why there is none.
     """
     if isinstance(form, str):
         return "undecided", form
     if not abs(form.lyapunov) > form.lyapunov_error:
         return "undecided", "the first Lyapunov coefficient is not told from 0 by its bound"
-    # Change of the growth rate over ω below which a coefficient is the tail of a smoothed
-    # law.
+    # A smaller change of the growth rate over ω comes from the tail of a smoothed law.
     meant = 1e-9
     if abs(form.lyapunov) * form.reach**2 < meant:
         return "undecided", (

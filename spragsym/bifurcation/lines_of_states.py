@@ -1,15 +1,16 @@
-"""Parameters at which affine forces may vanish on a whole line of states.
+"""Parameter values at which affine forces may vanish on a whole line of states.
 
-Of forces K q + f, affine in the coordinates, no two isolated states meet: where det K = 0 there is
-a line of states, or none. On a line each determinant of Cramer's rule is 0 as well, in which f
-stands for a column of K, and no row of K is 0 where its f is not. Ranges of the parameters are
-halved, and what one of these excludes is dropped; determinants are bounded as they are and by the
-mean value theorem.
+If the forces K q + f are affine in the coordinates, there is one state where det K ≠ 0, and a line
+of states or none where det K = 0. On a line all determinants of Cramer's rule, in which f replaces
+a column of K, vanish too, and no row of K is 0 unless its f is. Branch and prune over ranges of the
+parameters excludes all other values. Determinants are bounded directly and by the mean value
+theorem.
 
-An end of a range that is excluded from it, as k = 0 of k > 0, may be a root of them all, which no
-halving tells from one beside it. A determinant D(λ) whose derivatives below the m-th are exactly 0
-at λ*, in balls, is D⁽ᵐ⁾(ξ) (λ − λ*)ᵐ/m!: where D⁽ᵐ⁾ has a sign over a box at λ*, D is not 0 in that
-box but at λ*. At an end that belongs to the range, λ* itself is asked as well.
+An end of a range that does not belong to it, as k = 0 of k > 0, may be a common root of all
+determinants; halving never separates it from values beside it. Let the derivatives of a determinant
+D(λ) below the m-th be exactly 0 at the end λ*, in ball arithmetic. Then D(λ) = D⁽ᵐ⁾(ξ) (λ −
+λ*)ᵐ/m!. If D⁽ᵐ⁾ has a sign over a box at λ*, D vanishes in that box at λ* only. If the end belongs
+to the range, λ* itself must be excluded too.
 """
 
 from __future__ import annotations
@@ -41,20 +42,18 @@ from .defining_systems import FOLD, Augmented, Family
 
 
 def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
-    """Boxes of the parameters that vary, shape (2, number, boxes), in which affine forces may
-    vanish on a line; and their points.
+    """Boxes of the varying parameters, shape (2, number, boxes), that may hold a line of states,
+    and the point of each.
     """
     sides = np.stack([-family.spans[:, 0], family.spans[:, 1]])[:, :, None]
     count, number = family.given.shape[1], len(family.vary)
     ends, point = np.repeat(sides, count, axis=2), np.arange(count)
-    # Halvings of each range.
-    for halving in range(32 * number):
-        some = np.flatnonzero(_may_hold_a_line(family, ends, point))
-        ends, point = ends[:, :, some], point[some]
+    for halving in range(32 * number):  # each range is halved 32 times
+        possible = np.flatnonzero(_may_hold_a_line(family, ends, point))
+        ends, point = ends[:, :, possible], point[possible]
         if not point.size:
             break
-        # Boxes of a point that are kept, or else their hull.
-        if np.bincount(point, minlength=1).max() > 100:
+        if np.bincount(point, minlength=1).max() > 100:  # too many: their hull
             points, which = np.unique(point, return_inverse=True)
             return hulls_of(ends, which, points.size), points
         row = halving % number
@@ -63,7 +62,7 @@ def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
 
 
 def _may_hold_a_line(family: Family, ends: FloatArray, point: IntArray) -> BoolArray:
-    """Boxes in which nothing excludes a line of states."""
+    """Boxes of parameters in which a line of states is not excluded."""
     system, (number, count) = Augmented(family, FOLD), ends.shape[1:]
     n, boxes = system.balance.n, Intervals(ends)
     with quiet():
@@ -98,12 +97,13 @@ def _none_from(
     end: float,
     signs: Sequence[Sequence[int]],
 ) -> bool:
-    """Proof that a box, at the ``end`` of the range of the k-th parameter, holds no line of states.
+    """Whether a box at the ``end`` of the range of parameter number k is proved to hold no line of
+    states.
 
-    ``signs`` are those of the derivatives of all determinants by that parameter over the box.
+    ``signs`` are those of the derivatives of all determinants by that parameter over the box, by
+    order.
     """
-    # Bits at an end.
-    bits = 192
+    bits = 192  # of ball arithmetic
     precise = PreciseBalance(system, given, bits)
     with balls.precision(bits):
         varied: list[Any] = [
@@ -116,21 +116,25 @@ def _none_from(
     except (UndecidedSign, ZeroDivisionError):
         return False
     rows = zip(K, map(constant, f), strict=True)
-    alone = any(balls.sign(force) and all(map(_is_nothing, row)) for row, force in rows)
-    if system.balance.model.Parameters.ranges[system.family.vary[k]].contains(end) and not alone:
+    none_at_end = any(balls.sign(force) and all(map(_is_nothing, row)) for row, force in rows)
+    allowed = system.balance.model.Parameters.ranges[system.family.vary[k]]
+    if allowed.contains(end) and not none_at_end:
         return False
     return any(_root_alone(one, k, [of[j] for of in signs]) for j, one in enumerate(minors))
 
 
 def _root_alone(minor: Number, k: int, signs: Sequence[int]) -> bool:
-    """Proof that a determinant is 0 at the end and nowhere else in the box, by its derivatives."""
+    """Whether a determinant is proved to vanish at the end and nowhere else in the box.
+
+    ``signs`` are those of its derivatives over the box.
+    """
     orders = range(len(signs))
     first = next((m for m in orders if not _is_nothing(_slope(minor, k, m))), 0)
     return first > 0 and signs[first] != 0
 
 
 def _affine(at: Evaluation) -> tuple[Matrix, Sequence[Any]]:
-    """K and f of the forces K q + f, from an evaluation at q = 0."""
+    """K and f of the affine forces, from an evaluation at q = 0."""
     return at.slopes, at.forces()
 
 
@@ -142,17 +146,17 @@ def _minors(K: Matrix, f: Sequence[Any]) -> list[Any]:
 
 
 def _slope(value: Number, k: int, order: int) -> Number:
-    """A derivative by the k-th parameter, of a jet or a number."""
+    """The derivative of a jet or number by parameter number k."""
     if isinstance(value, Jet):
         return value.derivative(*[k] * order)
     return 0 if order else value
 
 
 def _signs(values: Sequence[Any], count: int) -> Int8Array:
-    """Signs of numbers or jets over boxes, 0 where one is not known."""
+    """Signs of numbers or jets over boxes; 0 where unknown."""
     return stacked([constant(value) for value in values], (count,)).signs
 
 
 def _is_nothing(value: Number) -> bool:
-    """The number 0, exactly."""
+    """Whether a ball or jet is exactly 0."""
     return not any(balls.ends(constant(value)))

@@ -609,7 +609,7 @@ class QuasiStaticContinuation:
             if (
                 there.sure[0]
                 and there.v[0] == self.at[number]
-                and (away <= there.room[: tubes.n]).all()
+                and (away <= there.radius[: tubes.n]).all()
             ):
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]

@@ -1,18 +1,18 @@
-"""Search for points at which equilibria change, along one or two parameters of a model: one driver
-for all kinds, one result.
+"""Search for bifurcation points of equilibria along one or two parameters, of all kinds alike.
 
-An end of a range is left undecided where all states are degenerate there, or a law has no value.
-Without the inclined spring, σ = 0, the two directions of the article's model do not feel each
-other, and the one across the belt is not damped. So all states at that end are on the border of
-stability, and none of them is an onset that a parameter passes. In a box that reaches down to such
-an end at 0 no search decides anything: in the logarithm of a parameter that is larger than 0 all of
-its sizes are alike, and each is decided on its own, down to
-:attr:`Logarithmic.least`.
+The module also finds the parameter values at which a state runs to infinity.
 
-A state runs to infinity at a root of the balance at infinity. With q = u/w and |u| = 1, the rows of
-the balance are G(u, w, λ) but for powers of w, see :mod:`spragsym.statics.namespaces`. At a regular
-root of G = 0, |u|² = 1 with w = 0 in u and λ one curve of states begins, λ = λ* + λ' w + …: for w →
-0 its state runs to infinity along u, on the side of λ* that λ' says.
+Ends of ranges. At an end of a range all states may be degenerate, or a law may have no value; then
+the end stays undecided. Example: without the inclined spring, σ = 0, the two directions of the
+article's model are decoupled, and that across the belt is undamped. All states at this end are on
+the border of stability, but none is an onset. A box that reaches down to such an end at 0 is never
+decided. In the logarithm of a positive parameter all of its orders of magnitude are alike: each is
+decided, down to :attr:`Logarithmic.least`.
+
+Infinity. With q = u/w and |u| = 1, the rows of the balance are G(u, w, λ) up to powers of w, see
+:mod:`spragsym.statics.namespaces`. At a regular root of G = 0, |u|² = 1 with w = 0, in the unknowns
+u and λ, one curve of states begins, λ = λ* + λ' w + …. For w → 0 its state runs to infinity along
+u; the sign of λ' says on which side of λ* it exists.
 """
 
 from __future__ import annotations
@@ -58,42 +58,43 @@ from ..statics.systems import WithoutTapes
 from .defining_systems import Augmented, Condition, Family, OfFamily, refined_roots, slope
 from .lines_of_states import lines_of_states
 
-#: What kinds of points begin with at which a state runs to infinity.
+#: Kinds of points at which a state runs to infinity begin with this word.
 INFINITY = "infinity"
 
 
 @dataclass(frozen=True)
 class Found:
-    """Roots of a search, the region of each of its points and whether it holds all equilibria."""
+    """Result of a search: roots, the region of each point, and whether it holds all equilibria."""
 
     roots: Roots
     region: FloatArray
     whole: BoolArray
-    #: What is known of the boxes that are left, where it is known.
+    #: Reason why boxes are undecided, if it is known and the same for all.
     why: str | None = None
 
 
 def isolated(family: Family, condition: Condition, kind: str) -> Points:
-    """Points of one condition along one parameter or in the plane of two."""
+    """Points of one condition along one parameter, or in the plane of two."""
     with doing("points of the kind {} over {}", kind, " and ".join(family.vary)):
         found = search(family, condition)
     return arranged(family, found, kind)
 
 
 def search(family: Family, condition: Condition, budget: int | None = None) -> Found:
-    """All points of a kind; ``budget`` is how many boxes are looked at for one point of the
-    parameters that do not vary.
+    """All points at which a condition holds; ``budget`` is the number of boxes for one point of the
+    fixed parameters.
     """
-    balance, alone = family.balance, family.given.shape[1] == len(family.vary) == 1
+    balance = family.balance
+    alone = family.given.shape[1] == len(family.vary) == 1  # one point, along one parameter
     if condition.singular and family.is_affine():
         return _of_affine_forces(family)
     searched, whole = _region(family, balance)
     if condition.touching is not None and not whole.all():
-        # On the border the contact's force is 0: these are states where it is open, too.
+        # States on the border, where the contact's force is 0, are also states of the open contact.
         searched, whole = _region(family, balance.across(condition.touching))
     system, fixed = Augmented(family, condition), family.begin
     if budget is None and system.options.budget is None:
-        # What is not decided by then has taken a second or so: of more unknowns a box costs more.
+        # About a second of work: with more unknowns a box costs more.
         budget = 200_000 if system.n <= 3 else 1_000_000 if system.n == 4 else 500_000
     from_least = alone and begins_at_zero(system, searched)
     wide = _between(searched, Logarithmic.low, searched[1, -1, 0]) if from_least else searched
@@ -110,7 +111,7 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
 
 
 def all_of(parts: Sequence[Found]) -> Found:
-    """What several searches along the same parameters have found."""
+    """The results of several searches along the same parameters, as one."""
     roots, *others = (one.roots for one in parts)
     region = np.minimum.reduce([one.region for one in parts])
     whole = np.logical_and.reduce([one.whole for one in parts])
@@ -118,18 +119,18 @@ def all_of(parts: Sequence[Found]) -> Found:
 
 
 def nothing(family: Family) -> Found:
-    """The result of a search where it is known beforehand that there are no points."""
+    """The result of a search that is known to have no points."""
     return Found(Roots.none(family.balance.n + len(family.vary)), *_region(family, family.balance))
 
 
 def _region(family: Family, balance: Balance) -> tuple[FloatArray, BoolArray]:
-    """Coordinates and the parameters that vary, and whether that holds all equilibria."""
+    """The region of coordinates and varying parameters, and whether it holds all equilibria."""
     searched, whole = region(balance, family.over, family.asked)
     return with_sides(searched, family.spans), whole
 
 
 def with_sides(region: FloatArray, spans: FloatArray) -> FloatArray:
-    """A region of coordinates with −low and high of the parameters that vary."""
+    """A region of coordinates, extended by the ranges ``spans`` of varying parameters."""
     sides = np.stack([-spans[:, 0], spans[:, 1]])[:, :, None]
     return np.concatenate(
         [region, np.broadcast_to(sides, (*sides.shape[:2], region.shape[2]))], axis=1
@@ -137,12 +138,15 @@ def with_sides(region: FloatArray, spans: FloatArray) -> FloatArray:
 
 
 def _between(region: FloatArray, low: float, high: float) -> FloatArray:
-    """A region with another range of its one parameter."""
+    """The region with another range of its one varying parameter."""
     return with_sides(region[:, :-1], np.array([[low, high]]))
 
 
 def _of_affine_forces(family: Family) -> Found:
-    """No two states meet; parameters at which they may form a line are left."""
+    """The result for affine forces: no two states meet, so that nothing is found.
+
+    Parameters at which states may form a line remain undecided.
+    """
     n, count = family.balance.n, family.given.shape[1]
     values, point = lines_of_states(family)
     roots, whole = Roots.none(n + len(family.vary)), np.ones(count, dtype=bool)
@@ -156,8 +160,8 @@ def _of_affine_forces(family: Family) -> Found:
 
 
 def matrices(family: Family, z: FloatArray, damping: bool = True) -> tuple[FloatArray, ...]:
-    """M, C + G, or G without ``damping``, and K, each of shape (N, n, n), at coordinates and the
-    parameters that vary, z of shape (n + number, N).
+    """M, C + G and K at coordinates and varying parameters z, shape (n + number, N); each of shape
+    (N, n, n). Without ``damping``, G replaces C + G.
     """
     n = family.balance.n
     return stability.linearization(family.balance, z[:n], family.at(z[n:]), damping)
@@ -170,16 +174,17 @@ def arranged(
     more: Mapping[str, FloatArray] | None = None,
     remarks: tuple[str, ...] = (),
 ) -> Points:
-    """The points, all of one kind or each of its own, as a result, sorted by the parameters that
-    vary.
+    """The points of a search as a result, sorted by the varying parameters.
+
+    ``kind`` is one for all points or one for each, ``more`` are further columns.
     """
     balance, vary = family.balance, family.vary
-    n, middle, left = balance.n, found.roots.middle, found.roots.undecided
+    n, middle, undecided = balance.n, found.roots.middle, found.roots.undecided
     order = in_order(np.concatenate([middle[n:], middle[:n]]), found.roots.error, found.roots.point)
     more = which(balance, order.size) | dict(more or {})
     values = family.named(middle[:, order]) | selected_rows(more, order)
     box = spans_of(found.region[:, :, 0])
-    boxes_left, kinds = listed(family, left, found.why)
+    open_boxes, kinds = listed(family, undecided, found.why)
     remarks += (*kinds, *of_region(balance, found.region[:, :n], found.whole))
     remarks += of_ranges(family.endless, vary, box[n:])
     return Points(
@@ -190,14 +195,14 @@ def arranged(
         box,
         bool(found.whole.all()),
         family.endless,
-        boxes_left,
+        open_boxes,
         remarks,
         values,
     )
 
 
 def which(balance: Balance, size: int) -> dict[str, Any]:
-    """Columns that say which contacts touch, and which only just, of a model with several."""
+    """Columns ``touching`` and ``at_border``, for a model with several combinations of contacts."""
     if not balance.model.has_regimes:
         return {}
     touching, at_border = (own_name(balance.model, name) for name in ("touching", "at_border"))
@@ -207,45 +212,48 @@ def which(balance: Balance, size: int) -> dict[str, Any]:
 
 
 def listed(
-    family: Family, left: FloatArray, why: str | None = None
+    family: Family, undecided: FloatArray, why: str | None = None
 ) -> tuple[FloatArray, tuple[str, ...]]:
-    """Boxes that are left, shape (2, unknowns, boxes), as lower and upper ends, and how many are of
-    each kind, or ``why`` all of them are left.
+    """Undecided boxes, shape (2, unknowns, boxes), as lower and upper ends, and one sentence for
+    each reason. ``why`` is the reason if it is known for all.
     """
     balance, vary = family.balance, family.vary
-    varied = dict(zip(vary, Intervals(left[:, balance.n :]), strict=True))
-    given = np.repeat(family.given, left.shape[2], axis=1)
-    kinds = summed([why] * left.shape[2] if why else kinds_of(balance, given, left, varied))
-    # Boxes left that are listed one by one.
-    left = merged(left) if len(vary) == 1 and (why or left.shape[2] > 200) else left
-    return np.moveaxis(spans_of(left), 1, 0), kinds
+    varied = dict(zip(vary, Intervals(undecided[:, balance.n :]), strict=True))
+    given = np.repeat(family.given, undecided.shape[2], axis=1)
+    kinds = summed(
+        [why] * undecided.shape[2] if why else kinds_of(balance, given, undecided, varied)
+    )
+    if len(vary) == 1 and (why or undecided.shape[2] > 200):  # too many to list each
+        undecided = merged(undecided)
+    return np.moveaxis(spans_of(undecided), 1, 0), kinds
 
 
-def merged(left: FloatArray) -> FloatArray:
-    """Boxes that are left as hulls of those with touching ranges of the parameter: thousands cover
-    a line of equilibria.
+def merged(undecided: FloatArray) -> FloatArray:
+    """Hulls of the undecided boxes whose ranges of the parameter meet: thousands may cover one line
+    of equilibria.
     """
-    if not left.shape[2]:
-        return left
-    left = left[:, :, np.argsort(-left[0, -1])]
-    low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])
+    if not undecided.shape[2]:
+        return undecided
+    undecided = undecided[:, :, np.argsort(-undecided[0, -1])]
+    low, reached = -undecided[0, -1], np.maximum.accumulate(undecided[1, -1])
     return np.maximum.reduceat(
-        left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2
+        undecided, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2
     )
 
 
 def of_ends(
     family: Family, found: Found, reason: Callable[[float, FloatArray], str | None]
 ) -> tuple[str, ...]:
-    """Remarks on undecided boxes at an end of the range of one parameter: the ``reason``
-    for them, none if that is None.
+    """Remarks on undecided boxes at an end of the range of one parameter; ``reason`` gives the text
+    for them, or None for no remark.
     """
-    left, remarks = found.roots.undecided, []
+    undecided, remarks = found.roots.undecided, []
     for end in (-float(found.region[0, -1, 0]), float(found.region[1, -1, 0])):
-        here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
-        if here.shape[2] and (why := reason(end, here)) is not None:
+        here = undecided[:, :, (-undecided[0, -1] <= end) & (end <= undecided[1, -1])]
+        why = reason(end, here) if here.shape[2] else None
+        if why is not None:
             text = (
-                f"{here.shape[2]} of {left.shape[2]} undecided boxes hold the end {{}} of the "
+                f"{here.shape[2]} of {undecided.shape[2]} undecided boxes hold the end {{}} of the "
                 f"range{why}"
             )
             remarks.append(Remark(text, At(family.vary[0], (end,), "g")))
@@ -253,11 +261,11 @@ def of_ends(
 
 
 def shared(system: Augmented, left: FloatArray) -> BoolArray:
-    """Boxes of coordinates and parameter whose only root is proved to be at an end of the range
-    where all states are roots.
+    """Undecided boxes whose only root is proved to be at an end of the range where all states are
+    roots.
 
-    ``system`` is along one parameter, with a condition of order 0; ``left`` has the shape (2, n +
-    1, N).
+    ``system`` is along one parameter, with a condition of order 0; ``left`` are the boxes, shape
+    (2, n + 1, N).
     """
     out = np.zeros(left.shape[2], dtype=bool)
     if system.condition.order or not out.size:
@@ -268,20 +276,21 @@ def shared(system: Augmented, left: FloatArray) -> BoolArray:
             here = np.flatnonzero((-left[0, -1] <= end) & (end <= left[1, -1]))
             if not here.size:
                 continue
-            some, parameters = wide[:, :, here], _at_end(system, end, here.size)
+            own, parameters = wide[:, :, here], _at_end(system, end, here.size)
             out[here] |= (
-                _one_root(system, system.fixed(here.size), some)
-                & _one_root(system.balance, parameters, some[:, :-1])
-                & vanishes(system, end, some)
+                _one_root(system, system.fixed(here.size), own)
+                & _one_root(system.balance, parameters, own[:, :-1])
+                & vanishes(system, end, own)
             )
     return out
 
 
 def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
-    """Boxes over whose coordinates the condition is 0 everywhere at this value of the parameter."""
+    """Boxes over whose coordinates the condition is identically 0 at the end of the parameter's
+    range.
+    """
     count, (vary,) = ends.shape[2], system.family.vary
-    # 0 as the number, unless it is an angle.
-    exactly = end == 0 and vary not in system.balance.angles
+    exactly = end == 0 and vary not in system.balance.angles  # products with it are exactly 0
     value = 0 if exactly else Intervals.point(np.full(count, end))
     try:
         with quiet():
@@ -293,33 +302,33 @@ def vanishes(system: Augmented, end: float, ends: FloatArray) -> BoolArray:
 
 
 def _at_end(system: Augmented, end: float, count: int) -> Intervals:
-    """Prepared parameters with this value of the one that varies."""
+    """Prepared parameters with this value of the varying one, for ``count`` boxes."""
     return system.prepared_at(system.family.at(np.full((1, count), end)))
 
 
 def _one_root(system: boxes.EquationSystem, parameters: Intervals, wide: FloatArray) -> BoolArray:
-    """Boxes with exactly one root."""
+    """Boxes that are proved to hold exactly one root."""
     return contractors.inside(stepped(system, wide, parameters).ends, wide)
 
 
 class Logarithmic(Augmented):
-    """A defining system with the logarithm of its parameter as unknown."""
+    """A defining system whose unknown is the logarithm of its parameter."""
 
-    #: Where the range of a parameter begins that is larger than 0.
+    #: Least value that is searched.
     least = 2.0**-300
-    #: Value up to which the logarithm of a parameter is an unknown.
+    #: The logarithm is searched up to this value.
     high = 2.0**-9
-    #: Value from which on the parameter itself is; between them both are.
+    #: The parameter itself is searched from this value on, so that the two searches overlap.
     low = 2.0**-10
 
     def parted(self, unknowns: Sequence[Any], *given: Any) -> tuple[list[Any], dict[str, Any]]:
-        """Coordinates, and arguments with the parameter of this logarithm."""
+        """Coordinates, and arguments with the parameter from its logarithm."""
         return super().parted([*unknowns[:-1], XP.exp(unknowns[-1])], *given)
 
 
 def begins_at_zero(system: Augmented, region: FloatArray) -> bool:
-    """Whether the range of the parameter in the region ``region`` begins at 0, which it never is,
-    and nothing is known there.
+    """Whether the parameter's range begins at 0, which it may not take, and the search can't decide
+    there.
     """
     (vary,) = system.family.vary
     allowed = system.balance.model.Parameters.ranges[vary]
@@ -331,53 +340,52 @@ def begins_at_zero(system: Augmented, region: FloatArray) -> bool:
         or vary in system.balance.angles
     ):
         return False
-    with quiet():  # whether the condition has bounds in the whole region but for large values
-        below = system.residuals(
-            Intervals(_between(region, 0.0, Logarithmic.low)), _at_end(system, Logarithmic.low, 1)
-        ).ends[:, -1]
-    return bool(vanishes(system, 0.0, region)[0] or not np.isfinite(below).all())
+    small = Intervals(_between(region, 0.0, Logarithmic.low))
+    with quiet():
+        condition = system.residuals(small, _at_end(system, Logarithmic.low, 1)).ends[:, -1]
+    return bool(vanishes(system, 0.0, region)[0] or not np.isfinite(condition).all())
 
 
 def _by_logarithm(system: Augmented, region: FloatArray) -> Roots:
-    """All roots with a parameter from :attr:`~Logarithmic.least` to
-    :attr:`~Logarithmic.high`, as boxes of the parameter itself.
+    """All roots with a parameter from :attr:`Logarithmic.least` to :attr:`Logarithmic.high`, as
+    boxes of the parameter itself.
     """
     by_logarithm, given = Logarithmic(system.family, system.condition), system.family.begin
     ends = _between(region, np.log(Logarithmic.least), np.log(Logarithmic.high))
     found = certified_roots.search(by_logarithm, ends, given, given, budget=100_000)
     return replace(
         found,
-        ends=_raised(found.ends),
-        alone=_raised(found.alone),
-        undecided=_raised(found.undecided),
+        ends=_exponential(found.ends),
+        alone=_exponential(found.alone),
+        undecided=_exponential(found.undecided),
     )
 
 
-def _joined(one: Roots, other: Roots) -> Roots:
-    """Roots of the search near 0 and of that from :attr:`Logarithmic.low` on, each once.
+def _joined(small: Roots, large: Roots) -> Roots:
+    """Roots of the search by logarithm and of that by the parameter itself, each once.
 
-    What the one leaves in the range of the other is decided there.
+    Boxes that one search leaves undecided in the range of the other are dropped.
     """
     return distinct(
-        one.select(undecided=-one.undecided[0, -1] <= Logarithmic.low).concatenated(
-            other.select(undecided=other.undecided[1, -1] >= Logarithmic.high)
+        small.select(undecided=-small.undecided[0, -1] <= Logarithmic.low).concatenated(
+            large.select(undecided=large.undecided[1, -1] >= Logarithmic.high)
         )
     )
 
 
-def _raised(ends: FloatArray) -> FloatArray:
-    """Boxes of the parameter from boxes of its logarithm."""
+def _exponential(ends: FloatArray) -> FloatArray:
+    """Boxes of the parameter, from boxes of its logarithm."""
     with quiet():
         return np.concatenate([ends[:, :-1], Intervals(ends[:, -1:]).exp().ends], axis=1)
 
 
 def escapes(family: Family) -> Points:
-    """Values of a parameter at which a state in contact runs to infinity; of two, those at which
-    they are extreme in the second.
+    """Values of a parameter at which a state in contact runs to infinity; in the plane of two
+    parameters, limit points of the curve of these values in the second.
 
-    The kind is ``"infinity up"`` where the state is there above the value, else
-    ``"infinity down"``; coordinates are infinite, NaN those that stay. What is not proved is
-    missing: a state runs to infinity there, others may elsewhere.
+    The kind is ``"infinity up"`` if the state exists above the value, ``"infinity down"`` if below.
+    Coordinates are infinite, or NaN where they stay finite. Every point is proved, but there may be
+    others.
     """
     balance, n = family.balance, family.balance.n
     found, side = _directions(family)
@@ -400,8 +408,8 @@ def escapes(family: Family) -> Points:
 
 
 def _places(balance: Balance, directions: FloatArray) -> FloatArray:
-    """The places of states at infinity: those with next to no part in the direction stay finite,
-    and are NaN.
+    """Infinite coordinates along each direction; NaN for coordinates that stay finite, by a
+    component below 1e-6.
     """
     away = np.where(np.abs(directions) < 1e-6, np.nan, np.copysign(np.inf, directions))
     away[list(balance.periodic)] = np.nan
@@ -409,8 +417,10 @@ def _places(balance: Balance, directions: FloatArray) -> FloatArray:
 
 
 def _directions(family: Family) -> tuple[Roots, IntArray]:
-    """Roots at infinity of one parameter, or of two where they turn back in the second; and on
-    which side of the value the state is.
+    """Directions of states at infinity with their parameter values, and the side on which each
+    state exists: 1, −1, or 0 if unknown.
+
+    With two parameters, limit points of the curve of values in the second are searched instead.
     """
     balance, system = family.balance, _AtInfinity(family, turns=len(family.vary) > 1)
     # A box that holds the unit sphere.
@@ -432,34 +442,35 @@ def _directions(family: Family) -> tuple[Roots, IntArray]:
 def slopes_at_infinity(
     balance: Balance, vary: str, given: FloatArray, error: float, before: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Slopes of G = 0 and |u|² = 1 by u, and by all parameters, where a state runs to infinity: at
-    ``given`` parameters, shape (P,), of which ``vary`` is known within an ``error``; shapes (n + 1,
-    n) and (n + 1, P), NaN where the direction is not known.
+    """Derivatives of G = 0, |u|² = 1 where a state runs to infinity: by u, shape (n + 1, n), and by
+    all parameters, shape (n + 1, P); NaN where the direction is not found.
 
-    ``before`` are the coordinates there, as columns of :func:`escapes` have them.
+    ``given`` are the parameters, shape (P,), of which ``vary`` is known to within ``error``.
+    ``before`` are the coordinates there, as columns of :func:`escapes`.
     """
     names, column = tuple(balance.parameters), given[:, None].copy()
     value = given[names.index(vary)]
-    room = error + 1e-9 * abs(value)
+    tolerance = error + 1e-9 * abs(value)
     column[names.index(vary)] = np.nan
-    span = np.array([[value - room, value + room]])
+    span = np.array([[value - tolerance, value + tolerance]])
     found, _ = _directions(Family(None, balance, (vary,), column, span))
     n, z = balance.n, found.middle
     same = np.array_equal(_places(balance, z[:n, :1]), before[:, None], equal_nan=True)
     if found.point.size != 1 or not same:
         return np.full((n + 1, n), np.nan), np.full((n + 1, len(names)), np.nan)
     system = _AtInfinity(Family(None, balance, names, column, np.zeros((len(names), 2))))
-    at = Intervals.point(np.concatenate([z[:n], given[:, None]]))
-    rows = system.slopes(at, system.prepared_at(given[:, None]))
-    slopes = np.array([[as_intervals(one, (1,)).middle[0] for one in row] for row in rows])
+    point = Intervals.point(np.concatenate([z[:n], given[:, None]]))
+    rows = system.slopes(point, system.prepared_at(given[:, None]))
+    slopes = np.array([[as_intervals(entry, (1,)).middle[0] for entry in row] for row in rows])
     return slopes[:, :n], slopes[:, n:-1]
 
 
 class _AtInfinity(OfFamily, WithoutTapes):
-    """G at w = 0 and |u| = 1; unknowns are u, angles that come around, and parameters.
+    """The system G = 0 at w = 0, |u|² = 1; unknowns are u, periodic angles and the varying
+    parameters.
 
-    Where the curve of values of two ``turns`` back in the last one the Jacobian of G, |u|² by u and
-    the first is singular.
+    With ``turns``, for limit points in the second of two parameters, the Jacobian of G and |u|² by
+    u and the first parameter is singular too.
     """
 
     def __init__(self, family: Family, turns: bool = False) -> None:
@@ -469,7 +480,7 @@ class _AtInfinity(OfFamily, WithoutTapes):
     def at(
         self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
     ) -> Evaluation:
-        """The evaluation at u/w, at intervals or jets of them in which w is one more variable."""
+        """The evaluation at q = u/w, for intervals or jets, in which w is one more variable."""
         order = order_of(*q)
         w = Jet.variable(0, self.n, order)
         u, arguments = self.parted(q, values, xp)
@@ -477,14 +488,12 @@ class _AtInfinity(OfFamily, WithoutTapes):
             name: value if isinstance(value, int) else Scaled(value, 0, w)
             for name, value in arguments.items()
         }
-        return self.balance.at(
-            [Scaled(part, int(i not in self.balance.periodic), w) for i, part in enumerate(u)],
-            scaled,
-            xp=SCALED,
-        )
+        periodic = self.balance.periodic
+        coordinates = [Scaled(part, int(i not in periodic), w) for i, part in enumerate(u)]
+        return self.balance.at(coordinates, scaled, xp=SCALED)
 
     def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """G, |u|² − 1, and where the curve turns back the determinant."""
+        """G, |u|² − 1 and, at limit points, the determinant."""
         far = set(range(self.balance.n)) - set(self.balance.periodic)
         rows = [*map(_regular, at.rows("forces")), sum((unknowns[i] ** 2 for i in far), -1)]
         if not self.order:
@@ -498,26 +507,28 @@ class _AtInfinity(OfFamily, WithoutTapes):
         return self.balance.sides([as_intervals(constant(gap), shape) for gap in gaps])[1]
 
     def side(self, unknowns: Intervals, parameters: Intervals) -> IntArray:
-        """On which side of the value of one parameter the state is, 1 or −1; 0 where that is not
-        known, and of two parameters.
+        """Side of the parameter value on which the state exists, 1 or −1; 0 if unknown, or with two
+        parameters.
         """
         if self.order:
             return np.zeros(unknowns.shape[1], dtype=int)
         slopes = self.slopes(unknowns, parameters)
-        moved = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
-        ratio = stacked([moved, determinant([row[: self.n] for row in slopes])], unknowns.shape[1:])
-        return ratio.signs.prod(axis=0)
+        # λ' by Cramer's rule: its sign is the product of those of two determinants.
+        numerator = determinant([[*row[: self.n - 1], -row[self.n]] for row in slopes])
+        denominator = determinant([row[: self.n] for row in slopes])
+        return stacked([numerator, denominator], unknowns.shape[1:]).signs.prod(axis=0)
 
     def slopes(self, unknowns: Intervals, parameters: Intervals) -> list[list[Number]]:
-        """Slopes of each equation by the unknowns, and by w."""
+        """Derivatives of each equation by the unknowns and by w."""
         equations = self.equations(variables(list(unknowns), 1), parameters)
         return [gradient(row, self.n + 1) for row in equations]
 
     def behind_borders(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Directions along whose curve of states a contact opens, or one that is open closes.
+        """Directions whose states lie beyond a contact's border: a touching contact opens, or an
+        open one closes.
 
-        A gap that is 0 in the direction of the state depends on coordinates that stay: its slope
-        along the curve, by the Schur complement of the equations, tells.
+        A gap that is 0 in the direction itself depends on the finite coordinates. Then the sign of
+        its derivative along the curve of states decides, by the Schur complement of the equations.
         """
         slopes, shape = self.slopes(unknowns, parameters), unknowns.shape[1:]
         regular = determinant([row[: self.n] for row in slopes])
@@ -533,5 +544,5 @@ class _AtInfinity(OfFamily, WithoutTapes):
 
 
 def _regular(row: Number) -> Number:
-    """A number but for its power of w."""
+    """The coefficient of a number's power of w."""
     return row.value if isinstance(row, Scaled) else row

@@ -1,26 +1,25 @@
-"""Folds, pitchforks and cusps of any model, proved and told apart, and what ends at a fold.
+"""Folds, pitchforks and cusps of any model, proved and classified; which states end at a fold.
 
-At a pitchfork of a model that is its own mirror image three equilibria become one, all of them in
-one point. Without friction and without a spring along the belt the article's model is one, and its
-equilibria meet at pitchforks. There the forces and det K have no regular root, so that a search
-over boxes stays undecided around it. The mirror decides it:
+Pitchforks. If a model is its own mirror image, three equilibria may become one at a pitchfork, as
+in the article's model without friction and without a spring along the belt. Forces and det K have
+no regular root there, so that a search over boxes stays undecided around it. The mirror decides:
 
-- a state on the mirror has K in two blocks, since turned rows are odd and the others even in the
-  turned coordinates. The pitchfork is a regular root of the even rows of the balance and of the
-  determinant of the turned block, in the even coordinates and the parameter;
-- a mirror that exchanges coordinates is one of signs in their means and half differences: rows and
-  K are taken along these, and so is the box;
-- near it the balance comes down to one function g of one coordinate u, odd about the mirror, whose
-  third derivative is not 0 all over a box that is its own image. Then the box holds no other fold:
-  g would have a double root on either side and one on the mirror, five in all, and so its third
-  derivative two;
-- over two parameters pitchforks form curves, on which the equations of a cusp hold as well. Of one
-  turned coordinate the change of det K along that column of the adjugate is odd in it: where its
-  slope is not 0 in a box and its image, that holds no cusp.
+- At a state on the mirror K has two diagonal blocks: that of odd coordinates, whose signs the
+  mirror changes, and that of even ones. The pitchfork is a regular root of the even rows of the
+  balance and of the determinant of the odd block, in the even coordinates and the parameter.
+- A mirror that exchanges two coordinates changes the sign of their half difference, and keeps their
+  mean. Rows, K and boxes are transformed to means and half differences.
+- Near the pitchfork the balance reduces to one function g(u) of one coordinate, odd about the
+  mirror (Lyapunov–Schmidt). Let g‴ ≠ 0 all over a box that is its own image. Another fold in the
+  box would give g a double root on either side and a root on the mirror. Five roots would give g‴
+  two roots. So the box holds no other fold.
+- In the plane of two parameters pitchforks form curves, on which the equations of a cusp hold too.
+  With one odd coordinate, the derivative of det K along that column of the adjugate is odd in it.
+  Where its slope is nonzero over a box and its image, the box holds no cusp.
 
-What ends at a fold follows from its normal form: with K v = 0 and w K = 0 the states near it are q
-+ s v, where w · ∂F/∂λ δλ + ½ w · D²F(v, v) s² = 0 up to higher order, and det K changes by s ∇(det
-K) · v. At a regular fold none of these numbers is 0, and each is enclosed over the fold's box.
+Ends. Near a fold with K v = 0 and w K = 0 the states are q + s v, and up to higher order w · ∂F/∂λ
+δλ + ½ w · D²F(v, v) s² = 0, while det K changes by s ∇(det K) · v. At a regular fold none of these
+numbers is 0; each is enclosed over the fold's box.
 """
 
 from __future__ import annotations
@@ -86,14 +85,14 @@ def folds_of(
     options: SearchOptions | None = None,
 ) -> Points:
     """All folds and pitchforks along one parameter, and border points between combinations of
-    contacts that touch; arguments as of :func:`spragsym.folds`.
+    touching contacts; arguments as for :func:`spragsym.folds`.
     """
     families = Family.every(p, (vary,), between, within, options)
     return replace(joined([*map(_folds_in, families), *borders(families)]), _ended=ended)
 
 
 def _folds_in(family: Family) -> Points:
-    """Folds of one combination of contacts that touch."""
+    """Folds and pitchforks of one combination of touching contacts."""
     (vary,) = family.vary
     found, pitchforks = with_pitchforks(family, search(family, FOLD))
     kind = np.repeat(["fold", "pitchfork"], [found.roots.point.size - pitchforks, pitchforks])
@@ -117,62 +116,63 @@ def cusps_of(
     within: Ranges | None,
     options: SearchOptions | None = None,
 ) -> Points:
-    """All cusps in the plane of two parameters; arguments as of :func:`spragsym.cusps`."""
+    """All cusps in the plane of two parameters; arguments as for :func:`spragsym.cusps`."""
     families = Family.every(p, vary, between, within, options)
     return joined([arranged(family, isolated(family), "cusp") for family in families])
 
 
 @dataclass(frozen=True)
 class Mirror:
-    """Coordinates that a mirror turns, the image of a state, and lines that are upright on the
+    """A mirror symmetry: odd coordinates, the image of a state, and the springs with dx = 0 on the
     mirror.
 
-    Of two coordinates that it exchanges, the one of number ``partners[j]`` with that of number j,
-    times a sign, the first stands for their mean and the second, j, for half their difference.
+    If the mirror exchanges coordinates i and j, ``partners[j]`` is (i, sign). Then number i stands
+    for their mean, which is even, and number j for half their difference, which is odd.
     """
 
     odd: list[int]
     image: Callable[[Sequence[Any], Mapping[str, Any]], Sequence[Any]]
     upright: Sequence[int] = ()
     partners: Mapping[int, tuple[int, int]] = field(default_factory=dict)
-    #: Whether the forces along coordinates follow, as their sums may not.
+    #: Whether coordinates are exchanged: then the symmetric rows are ``forces``, not the balance in
+    #: another basis.
     exchanges: bool = False
 
     def forces(self, at: Evaluation) -> list[Any]:
-        """The balance along means and half differences."""
+        """Rows of the balance by means and half differences."""
         return self.along(at.rows("forces") if self.exchanges else at.forces())
 
     def slopes(self, at: Evaluation) -> list[list[Any]]:
-        """K along them, in rows and columns."""
+        """K by means and half differences, in rows and columns."""
         K = at.rows("forces_jacobian") if self.exchanges else at.slopes
         rows = [self.along(row) for row in K]
         return [list(row) for row in zip(*map(self.along, zip(*rows, strict=True)), strict=True)]
 
-    def along(self, parts: Sequence[Any], way: int = 1) -> list[Any]:
-        """Of two numbers that belong to exchanged coordinates the sum and the difference."""
+    def along(self, parts: Sequence[Any], sign: int = 1) -> list[Any]:
+        """Sums and differences of the numbers that belong to exchanged coordinates.
+
+        ``sign`` −1 is the transformation of coordinates, 1 that of forces.
+        """
         out = list(parts)
-        for j, (i, sign) in self.partners.items():
-            out[i] = parts[i] + way * sign * parts[j]
-            out[j] = parts[j] - way * sign * parts[i]
+        for j, (i, partner_sign) in self.partners.items():
+            out[i] = parts[i] + sign * partner_sign * parts[j]
+            out[j] = parts[j] - sign * partner_sign * parts[i]
         return out
 
     def state(self, parts: Sequence[Any]) -> list[Any]:
-        """Coordinates with these means and half differences."""
+        """Coordinates from means and half differences."""
         return self.along(parts, -1)
 
 
 def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
-    """Points of a search for folds, with the pitchforks behind it in place of the boxes that are
-    undecided around them.
+    """The result of a search for folds, in which proved pitchforks replace the undecided boxes
+    around them.
 
-    Also their number.
+    Pitchforks are the last roots; their number is returned too.
     """
     number, system = 0, Augmented(family, FOLD)
-    for mirror in (
-        _mirrors(family)
-        if found.roots.undecided.shape[2] <= system.options.scattered and not found.why
-        else ()
-    ):
+    scattered = found.roots.undecided.shape[2] > system.options.scattered
+    for mirror in () if scattered or found.why else _mirrors(family):
         left = found.roots.undecided
         if not left.shape[2]:
             break
@@ -183,47 +183,38 @@ def with_pitchforks(family: Family, found: Found) -> tuple[Found, int]:
         open_boxes, decided = np.ones(left.shape[2], dtype=bool), []
         for hull in np.moveaxis(clusters(left, found.roots.undecided_point)[0], 2, 0):
             here = np.flatnonzero(contractors.within(on_mirror.ends, hull[:, :, None]))
-            alone = contractors.apart(on_mirror.undecided, hull[:, :, None]).all()
-            sure = alone and here.size == 1 and (inside | beyond)[here[0]]
-            if sure and only_fold(family, hull, mirror):
+            complete = contractors.apart(on_mirror.undecided, hull[:, :, None]).all()
+            one_root = complete and here.size == 1 and (inside | beyond)[here[0]]
+            if one_root and only_fold(family, hull, mirror):
                 decided += [int(here[0])] if inside[here[0]] else []
                 open_boxes &= ~contractors.within(left, hull[:, :, None])
-        found = replace(
-            found,
-            roots=found.roots.select(undecided=open_boxes).concatenated(
-                on_mirror.select(np.array(decided, dtype=np.intp), slice(0))
-            ),
-        )
+        pitchforks = on_mirror.select(np.array(decided, dtype=np.intp), slice(0))
+        roots = found.roots.select(undecided=open_boxes).concatenated(pitchforks)
+        found = replace(found, roots=roots)
         number += len(decided)
     return found, number
 
 
 def only_fold(family: Family, box: FloatArray, mirror: Mirror) -> bool:
-    """Whether a box of coordinates and parameter around one pitchfork, shape (2, n + 1), is proved
-    to hold no other fold.
-    """
+    """Whether a box around one pitchfork, shape (2, n + 1), is proved to hold no other fold."""
     balance, (vary,), low, high = family.balance, family.vary, -box[0], box[1]
     with quiet():
-        parameters = balance.prepared(
-            Intervals.between(*(family.at(end[-1:, None]) for end in (low, high)))
-        )
+        begin, end = family.at(low[-1:, None]), family.at(high[-1:, None])
+        parameters = balance.prepared(Intervals.between(begin, end))
         sides = Intervals(box[:, :-1, None])
-        image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,)).ends[
-            :, :, 0
-        ]
-        wide = np.maximum(box[:, :-1], image)
+        image = stacked(mirror.image(list(sides), balance.arguments(parameters)), (1,))
+        wide = np.maximum(box[:, :-1], image.ends[:, :, 0])
         wide = wide + 0.25 * width_of(wide) + 1e-9
         sides = Intervals(wide[:, :, None])
         slopes = matrix(mirror.slopes(balance.state(sides, parameters)), (1,)).middle[:, :, 0]
-        parted = mirror.along(list(sides))
+        transformed = mirror.along(list(sides))
         for j, (i, _) in mirror.partners.items():
-            parted[i], parted[j] = parted[i] * 0.5, parted[j] * 0.5
-        wide = stacked(parted, (1,)).ends[:, :, 0]
+            transformed[i], transformed[j] = transformed[i] * 0.5, transformed[j] * 0.5
+        wide = stacked(transformed, (1,)).ends[:, :, 0]
     if not np.isfinite(slopes).all():
         return False
     *whole, span = exact_ends(np.concatenate([wide, box[:, -1:]], axis=1))
-    # Bits of the forces around a pitchfork.
-    bits = 120
+    bits = 120  # of ball arithmetic
     precise = PreciseBalance(balance, family.given[:, 0], bits, {vary: span})
 
     def values(parts: Sequence[Any]) -> Sequence[Any]:
@@ -236,9 +227,7 @@ def only_fold(family: Family, box: FloatArray, mirror: Mirror) -> bool:
 
 
 class _OnMirror(OfFamily):
-    """States on the mirror at which the block of K that belongs to the turned coordinates is
-    singular.
-    """
+    """The defining system of pitchforks: states on the mirror whose odd block of K is singular."""
 
     def __init__(self, family: Family, mirror: Mirror) -> None:
         super().__init__(family)
@@ -247,24 +236,22 @@ class _OnMirror(OfFamily):
     def at(
         self, q: Sequence[Any], values: Values, shape: Shape = (), xp: object = XP
     ) -> Evaluation:
-        """The state on the mirror with these even coordinates and this parameter, whatever the odd
-        ones are.
-        """
-        there, values = self.parted(q, values, xp)
+        """The evaluation at the state on the mirror that has the given even coordinates."""
+        state, values = self.parted(q, values, xp)
         odd, partners = self.mirror.odd, self.mirror.partners
         for i in odd:
-            there[i] = there[i] if i in partners else 0
-        image = self.mirror.image(there, values)
+            state[i] = state[i] if i in partners else 0
+        image = self.mirror.image(state, values)
         for i, (other, sign) in partners.items():
-            there[other] = (there[other] + sign * there[i]) * 0.5
-            there[i] = sign * there[other]
+            state[other] = (state[other] + sign * state[i]) * 0.5
+            state[i] = sign * state[other]
         for i in odd:
-            there[i] = there[i] if i in partners else image[i] * 0.5
-        return Evaluation(self.balance, there, values, shape, xp, self.mirror.upright)
+            state[i] = state[i] if i in partners else image[i] * 0.5
+        return Evaluation(self.balance, state, values, shape, xp, self.mirror.upright)
 
     def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """Even rows of the balance, the odd coordinates less those on the mirror, and the
-        determinant of the turned block.
+        """Even rows of the balance, the odd coordinates minus their values on the mirror, and the
+        determinant of the odd block of K.
         """
         K, odd, forces = self.mirror.slopes(at), self.mirror.odd, self.mirror.forces(at)
         rows = [unknowns[i] - at.q[i] if i in odd else force for i, force in enumerate(forces)]
@@ -272,23 +259,22 @@ class _OnMirror(OfFamily):
 
 
 def _mirrors(family: Family) -> list[Mirror]:
-    """The mirrors of the page, and those that change signs of coordinates only, as of two springs
-    that do not feel each other.
-    """
+    """The mirrors of the page, and mirrors that only change the signs of some coordinates."""
     balance, over = family.balance, family.over
     found = mirrors_of(balance, over)
     known = [one.odd for one in found if not one.exchanges]
     values = balance.over(over)
     for size in range(1, balance.n + 1):
-        for some in itertools.combinations(range(balance.n), size):
-            if list(some) not in known and follows(balance, values, some):
-                found.append(Mirror(list(some), partial(_with_signs, some)))
+        for odd in itertools.combinations(range(balance.n), size):
+            if list(odd) not in known and follows(balance, values, odd):
+                found.append(Mirror(list(odd), partial(_with_signs, odd)))
     return found
 
 
 def mirrors_of(balance: Balance, over: Intervals) -> list[Mirror]:
-    """The mirrors that the page has for these parameters, shape (P, 1): of signs, and then those
-    that exchange coordinates or contacts.
+    """The mirrors that the page states for these parameters, shape (P, 1).
+
+    Mirrors that change signs stand before those that exchange coordinates or contacts.
     """
     about, found = balance.model.about["mirror"], list[Mirror]()
     if any(_hold(balance, over, [(name, 0) for name in names]) for names in about["zero"]):
@@ -308,50 +294,55 @@ def mirrors_of(balance: Balance, over: Intervals) -> list[Mirror]:
 
 
 def _hold(balance: Balance, over: Intervals, equations: Sequence[Sequence[Any]]) -> bool:
-    """Whether parameters, or friction coefficients, are all over a box what equations say."""
+    """Whether the equations hold for all parameters in a box.
+
+    An equation is (name, value), where a name is that of a parameter or friction coefficient, and
+    the value is a number or another name.
+    """
     ends = {name: part.ends.ravel() for name, part in zip(balance.parameters, over, strict=True)}
     with quiet():
         mus = stacked(balance.at((), balance.over(over)).frictions, (1,)).ends[..., 0]
     mus = np.where(np.abs(mus).max(axis=0) <= NEGLIGIBLE, 0.0, mus)
     names = balance.model.about["by_parameters"][-mus.shape[1] :]
     ends |= dict(zip(names, mus.T, strict=True))
-    wanted = [
-        (ends[name], ends[value] if isinstance(value, str) else value) for name, value in equations
-    ]
-    return all(
-        one[0] == -one[1] and (one[1] == other if np.ndim(other) == 0 else (one == other).all())
-        for one, other in wanted
-    )
+
+    def holds(name: str, value: str | float) -> bool:
+        low, high = -ends[name][0], ends[name][1]
+        if isinstance(value, str):
+            return bool(low == high and (ends[name] == ends[value]).all())
+        return bool(low == high == value)
+
+    return all(holds(name, value) for name, value in equations)
 
 
 def _exchanged(
     places: Sequence[int], signs: Sequence[int], q: Sequence[Any], _: Values
 ) -> list[Any]:
+    """The image of a state whose coordinates are exchanged, with signs."""
     return [sign * q[place] for place, sign in zip(places, signs, strict=True)]
 
 
 def _with_signs(odd: Sequence[int], q: Sequence[Any], _: Values) -> list[Any]:
+    """The image of a state whose odd coordinates change their signs."""
     return [-part if i in odd else part for i, part in enumerate(q)]
 
 
 def isolated(family: Family) -> Found:
-    """A box for each cusp, and what is left."""
+    """Cusps, and undecided boxes, in the plane of two parameters."""
     return all_of([_of_block(family, block) for block in blocks_of(family)])
 
 
 def _of_block(family: Family, block: tuple[int, ...]) -> Found:
-    """Cusps at which the determinant of a block of K is 0."""
+    """Cusps at which the determinant of a block of K vanishes."""
     balance, first = family.balance, block[0]
     found = search(family, cusp_off_mirrors(family, first, block))
     roots = told_apart(family, found, first)
     for column in (k for k in range(balance.n) if k != first):
-        # A cusp at which a column of the adjugate is 0, as on a mirror, is a double root with it,
-        # and regular with another one.
-        hulls = (
-            clusters(roots.undecided, roots.undecided_point)[0]
-            if roots.undecided_point.size <= balance.options.scattered
-            else roots.undecided[:, :, :0]
-        )
+        # If the first column of the adjugate is 0 at a cusp, as on a mirror, the root is double,
+        # but regular with another column.
+        hulls = roots.undecided[:, :, :0]
+        if roots.undecided_point.size <= balance.options.scattered:
+            hulls, _ = clusters(roots.undecided, roots.undecided_point)
         for hull in np.moveaxis(hulls, 2, 0):
             spans = spans_of(hull)[balance.n :]
             near = replace(family, spans=spans, asked=hull[:, : balance.n])
@@ -363,30 +354,30 @@ def _of_block(family: Family, block: tuple[int, ...]) -> Found:
 
 
 def told_apart(family: Family, found: Found, column: int) -> Roots:
-    """The roots that are cusps, and those of which that is not known among what is left.
+    """The roots of a search for cusps that are cusps; those not known to be become undecided.
 
-    A root is a cusp if the column in use is not 0 there, and none if det K changes along another
-    column.
+    A root is a cusp if the column of the adjugate in use is nonzero. It is no cusp if the
+    derivative of det K along another column is nonzero.
     """
     ends, n = found.roots.ends, family.balance.n
     shape = ends.shape[2:]
     system = Augmented(family, cusp(column))
     with quiet():
         K = system.state(variables(list(Intervals(ends)), 1), system.fixed(shape[0])).slopes
-        asked = (
-            [cofactor(K, column, i) for i in range(n)],
-            [change(K, other) for other in range(n) if other != column],
-        )
-    nonzero, none = (
-        ~np.logical_and.reduce(stacked([constant(part) for part in some], shape).holds_zero())
-        for some in asked
+        adjugate = [cofactor(K, column, i) for i in range(n)]
+        changes = [change(K, other) for other in range(n) if other != column]
+    is_cusp, is_none = (
+        ~np.logical_and.reduce(stacked([constant(part) for part in parts], shape).holds_zero())
+        for parts in (adjugate, changes)
     )
-    return found.roots.reopened(nonzero & ~none, ~nonzero & ~none)
+    return found.roots.reopened(is_cusp & ~is_none, ~is_cusp & ~is_none)
 
 
 def cusp_off_mirrors(family: Family, column: int = 0, block: Block = None) -> Condition:
-    """Condition of a cusp off the mirrors: beside a mirror that turns one coordinate there are none
-    but where pitchforks are degenerate.
+    """The condition of a cusp, with boxes excluded around mirrors that change the sign of one
+    coordinate.
+
+    Cusps there are possible only where pitchforks are degenerate.
     """
     n = family.balance.n
     mirrors = [one for one in _mirrors(family) if len(one.odd) == 1 and not one.partners]
@@ -399,18 +390,17 @@ def cusp_off_mirrors(family: Family, column: int = 0, block: Block = None) -> Co
         return [change(K, number) for number in range(n)]
 
     def excluded(at: Evaluation) -> BoolArray:
-        q, along = at.box.ends, [constant(value) for value in changes(at, at.q, 1)]
+        q, numbers = at.box.ends, [constant(value) for value in changes(at, at.q, 1)]
         for mirror, image in zip(mirrors, images(at), strict=True):
             (odd,) = mirror.odd
-            along.append(
-                gradient(changes(at, Intervals(np.maximum(q, image.ends)), 2)[odd], n)[odd]
-            )
-        return ~np.logical_and.reduce(stacked(along, at.shape).holds_zero())
+            both = Intervals(np.maximum(q, image.ends))
+            numbers.append(gradient(changes(at, both, 2)[odd], n)[odd])
+        return ~np.logical_and.reduce(stacked(numbers, at.shape).holds_zero())
 
     def abandoned(at: Evaluation) -> BoolArray:
         q = at.box
         on = [~contractors.apart(q.ends, image.ends) for image in images(at)]
-        # Halving decides what is beside a degenerate pitchfork too slowly.
+        # Beside a degenerate pitchfork halving decides too slowly.
         small = np.logical_and.reduce(q.width <= 2.0**-12 * scale_of(q.magnitude))
         return small & np.logical_or.reduce(on)
 
@@ -419,7 +409,7 @@ def cusp_off_mirrors(family: Family, column: int = 0, block: Block = None) -> Co
 
 
 def ended(points: Points) -> Ended:
-    """Columns ``ends``, ``when`` and ``after`` of points: empty for all but folds along one
+    """Columns ``ends``, ``when`` and ``after`` of points; empty except at folds along one
     parameter.
     """
     found = replace(nothing_ends(points), after=_afterwards)
@@ -428,14 +418,13 @@ def ended(points: Points) -> Ended:
         try:
             found.ends[row], found.when[row] = _at(points, int(row))
         except ConvergenceError:
-            # Where two states meet and nothing more is known.
             found.ends[row] = found.when[row] = "undecided"
     return found
 
 
 def _at(points: Points, row: int) -> tuple[str, str]:
-    """Outcome of one fold: which of the two states is stable, and in which direction they
-    vanish.
+    """Columns ``ends`` and ``when`` at one fold: which of the two states is stable, and in which
+    direction they vanish.
     """
     family, z, ends = at_point(points, row)
     side, lower = _normal_form(family, Intervals(ends))
@@ -446,8 +435,10 @@ def _at(points: Points, row: int) -> tuple[str, str]:
 
 
 def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
-    """On which side of a fold its two states are, 1 or −1 as the parameter goes, and whether det K
+    """On which side of a fold its two states exist, 1 or −1 along the parameter, and whether det K
     > 0 in the lower one.
+
+    Raises ConvergenceError if a sign is not known.
     """
     system, balance = Augmented(family, FOLD), family.balance
     with quiet():
@@ -457,34 +448,32 @@ def _normal_form(family: Family, box: Intervals) -> tuple[int, bool]:
         adjugate = [[constant(cofactor(K, j, i)) for j in range(n)] for i in range(n)]
         sizes = np.abs(matrix(adjugate, (1,)).middle[:, :, 0])
         r, c = np.unravel_index(int(sizes.argmax()), sizes.shape)
-        pushed = sum(
+        by_parameter = sum(  # w · ∂F/∂λ, with row r of the adjugate for w
             gradient(force, n + 1)[n] * w for force, w in zip(rows, adjugate[r], strict=True)
         )
-        curved = constant(change(K, int(c)))
-        bent = curved * adjugate[r][c]
-        side = -_sign(pushed) * _sign(bent)
+        of_determinant = constant(change(K, int(c)))  # ∇(det K) · v, with column c for v
+        curvature = of_determinant * adjugate[r][c]
+        side = -_sign(by_parameter) * _sign(curvature)
         first = next((sign for sign in (_sign(line[c]) for line in adjugate) if sign), 0)
     if not side or not first:
         raise ConvergenceError("the normal form at the fold is not known well enough")
-    return side, first * _sign(curved) < 0
+    return side, first * _sign(of_determinant) < 0
 
 
 def _sign(value: Number) -> int:
-    """1 or −1 where it is known, else 0."""
+    """Sign of an enclosure, 1 or −1; 0 where it is unknown."""
     return int(stacked([value], (1,)).signs[0, 0])
 
 
 def _afterwards(points: Points) -> dict[str, FloatArray]:
-    """Column ``after``, a search at each fold at which a stable state ends.
-
-    It is the nearest equilibrium that is stable beyond the fold, as near to it as the two that meet
-    are gone for certain.
+    """Column ``after``: the stable equilibrium beyond each fold at which a stable state ends,
+    nearest to it.
     """
     found, vary = nowhere(points), points.vary[0]
     allowed = points.parameters.ranges[vary]
     for row in np.flatnonzero(np.isin(points.ends, ("lower", "upper"))):
         value, forward = float(points[vary][row]), 1 if points.when[row] == "up" else -1
-        # Some errors beyond it, where its two states are gone for certain.
+        # Several errors beyond the fold, its two states have vanished for certain.
         beyond = value + forward * 4 * max(1.0, abs(value)) * float(points.error[row])
         beyond = beyond if allowed.low < beyond < allowed.high else value
         here = equilibria(points.parameters.replace(**{vary: beyond}), method="search")

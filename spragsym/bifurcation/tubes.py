@@ -1,20 +1,18 @@
-"""Tubes around curves of states, proved: boxes that hold one state for each value of what moves,
-for whole boxes of parameters.
+"""Proved tubes around curves of states (validated continuation), for boxes of parameters.
 
-A point of a curve is z = (q, v): the coordinates, and the parameter that moves. One of these is the
-pivot s, which the others follow: v itself, or a coordinate where a fold is to be passed. About a
-middle m, with the parameters p about their middle c,
+A point of a curve is z = (q, v): the coordinates and the parameter that moves. One component of z
+is the pivot s, of which the others are functions. The pivot is v itself, or a coordinate to pass a
+fold. With a point m, and with parameters p in a box with middle c, the mean value theorem gives
 
     z = m + d s + D (p − c) + u,   F(m, c) + (F_z d) s + (F_z D + F_p) (p − c) + F_z u = 0,
 
-by the mean value theorem with slopes over the whole box. Where d and D are near the curve's own
-slopes, little is left of the two terms in the middle, and interval Newton in u proves that each s
-and each p have one state in the box, and only one. Segments hold together where the set of states
-at the end of one lies in the box of the next.
+where slopes are enclosed over the whole box. If d and D approximate the derivatives of the curve by
+s and p, the two terms in the middle are small. Interval Newton in u then proves that the box holds
+one state, and only one, for each s and each p. Two tubes belong to the same curve if the states at
+the end of one lie in the box of the next.
 
-The state moves with the parameters, and slopes depend on both. Affine arithmetic keeps that to
-first order, so that over a box little more is left than slopes really vary by; intervals would take
-each entry of the matrix for its own.
+Slopes over a box of parameters use affine arithmetic. It keeps the dependence of state and slopes
+on the parameters to first order; intervals would treat every entry of the matrix as independent.
 """
 
 from __future__ import annotations
@@ -48,21 +46,23 @@ from ..statics.namespaces import NARROW, XP
 from ..statics.precise_balance import on_side
 from .options import ContinuationOptions
 
-#: A sum of a few products of floats, rounded up.
+#: Factor that makes a sum of a few products of nonnegative floats an upper bound.
 ROUNDED_UP = 1 + 2.0**-40
 
 
 def halves(
     low: FloatArray, high: FloatArray, weight: FloatArray, share: float = 0.5
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Boxes, one a column, cut at a share of their side of most weight: its number, and the upper
-    ends of one part and the lower ones of the other.
+    """Boxes cut in two across the side of largest weight, at a ``share`` of it; one box in each
+    column.
 
-    A side between whose ends there is no float is cut last.
+    Returns the number of the side, the upper ends of the lower part and the lower ends of the upper
+    part. A side too short to be cut in floats is chosen last.
     """
     column = np.arange(low.shape[1])
-    some = slice(len(weight))
-    side = np.where(np.nextafter(low[some], np.inf) < high[some], weight, -1.0).argmax(axis=0)
+    weighted = slice(len(weight))
+    has_floats = np.nextafter(low[weighted], np.inf) < high[weighted]
+    side = np.where(has_floats, weight, -1.0).argmax(axis=0)
     cut = (1 - share) * low[side, column] + share * high[side, column]
     top, bottom = high.copy(), low.copy()
     top[side, column], bottom[side, column] = cut, cut
@@ -71,14 +71,17 @@ def halves(
 
 @dataclass(frozen=True)
 class Place(ByColumn):
-    """Place of tubes: the middle z of the states there, how far the states of a box lie from it at
-    most, and slopes D.
+    """States for boxes of parameters, at one value of the pivot or along a tube.
 
-    Within ``room`` of z + D (p − c) each point p of the box has one state and no other, which lies
-    within ``off`` of it, and within ``held`` of the middle. A tube has its states about z + a s + D
-    (p − c) for all |s| ≤ moved: ``along`` are its slopes a by the pivot; of a place ``moved`` is 0.
-    ``z``, ``along``, ``held``, ``off`` and ``room`` have the shape (n + 1, N), ``moved`` (N,),
-    ``by_p`` (n + 1, free, N); ``sure`` where it is proved.
+    The states lie near z + a s + D (p − c), |s| ≤ ``moved``, where a is ``along``, the slopes by
+    the pivot, and D is ``by_p``. At a single value of the pivot, ``moved`` is 0. If ``sure``, it is
+    proved that for each s and p
+
+    - one state lies within ``off`` of that point, and within ``held`` of z,
+    - no other state lies within ``radius`` of it.
+
+    The shape is (n + 1, N) for ``z``, ``along``, ``held``, ``off`` and ``radius``, (N,) for
+    ``moved`` and ``sure``, and (n + 1, free, N) for ``by_p``.
     """
 
     z: FloatArray
@@ -87,39 +90,39 @@ class Place(ByColumn):
     by_p: FloatArray
     held: FloatArray
     off: FloatArray
-    room: FloatArray
+    radius: FloatArray
     sure: BoolArray
 
     @property
     def v(self) -> FloatArray:
-        """Values of the parameter that varies."""
+        """Values of the parameter that moves."""
         return self.z[-1]
 
     def box(self) -> Intervals:
-        """All states there; what does not leave the middle is a point."""
+        """Boxes that hold all states; a component that does not vary is a point."""
         wide = self.held + np.where(self.held > 0, np.spacing(np.abs(self.z) + self.held), 0.0)
         return Intervals(ends_around(self.z, wide))
 
     def lies_in(
         self, other: Place, shift: FloatArray | float = 0.0, turned: FloatArray | float = 0.0
     ) -> BoolArray:
-        """Whether its states are those of another place, which holds for all its parameters: by
-        their coordinates.
+        """Whether the states are those of the ``other`` place, by their coordinates.
 
-        ``shift`` is how far the states of the other move from its middle to this one's, ``turned``
-        how much the slopes of the two differ by over the box.
+        ``shift`` is the change of the other's states between the two middles. ``turned`` bounds the
+        difference that the slopes of the two make over the box of parameters.
         """
-        apart = np.abs(self.z - other.z - shift) + turned
-        within = (
-            apart * ROUNDED_UP
+        distance = np.abs(self.z - other.z - shift) + turned
+        largest = (
+            distance * ROUNDED_UP
             + self.off * ROUNDED_UP
             + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
         )
-        return self.sure & other.sure & (within[:-1] <= other.room[:-1]).all(axis=0)
+        return self.sure & other.sure & (largest[:-1] <= other.radius[:-1]).all(axis=0)
 
     def numbers(self, apart: FloatArray) -> Affine:
-        """The coordinates and what moves, with s, then each p over its half-width, then each u for
-        the sides.
+        """z in affine arithmetic; the terms are of s, of each p over its half-width, and of each u.
+
+        ``apart`` are the half-widths of the free parameters.
         """
         size, free, count = self.by_p.shape
         terms = np.zeros((1 + free + size, size, count))
@@ -131,34 +134,37 @@ class Place(ByColumn):
 
 @dataclass(frozen=True)
 class Slopes:
-    """Rows of slopes by q, v and the free parameters, shape (n, n + 1 + free, N): intervals, or
-    affine numbers that ``Y`` has multiplied.
+    """Rows of slopes by q, v and the free parameters, shape (n, n + 1 + free, N).
 
-    What belongs to the rows beside slopes ``Y`` multiplies as well.
+    They are intervals, or affine numbers that have been multiplied by the preconditioner ``Y``.
+    Other numbers of the rows must be multiplied by ``Y`` too.
     """
 
     rows: Any
     Y: FloatArray | None = None
 
     def taken(self, value: Any) -> Intervals:
-        """Numbers of the type as intervals."""
+        """Numbers of the type of the rows, as intervals."""
         return value if self.Y is None else value.interval()
 
     def left(self, forces: Intervals, tube: Place, apart: FloatArray) -> Intervals:
-        """F(m, c) and what is left of the changes along a tube and across the box of its
-        parameters, by row.
+        """Residuals along a tube without the term in u: F(m, c) + (F_z d) s + (F_z D + F_p) (p −
+        c).
+
+        ``apart`` are the half-widths of the free parameters.
         """
         if self.Y is not None:
             forces = Intervals(contractors.product(self.Y, forces.ends[:, :, None])[:, :, 0])
-        moved, strayed = (Intervals(pair(part, part)) for part in (tube.moved, apart))
-        total = forces + self.image(tube.along) * moved
-        for k, reach in enumerate(strayed):
-            total = total + self.image(tube.by_p[:, k], self.rows[:, len(tube.along) + k]) * reach
+        half_pivot, half_widths = (Intervals(pair(part, part)) for part in (tube.moved, apart))
+        total = forces + self.image(tube.along) * half_pivot
+        for k, half in enumerate(half_widths):
+            total = total + self.image(tube.by_p[:, k], self.rows[:, len(tube.along) + k]) * half
         return total
 
     def image(self, direction: FloatArray, start: Any = None) -> Intervals:
-        """The rows times a vector, shape (n + 1, N), and more: what is 0 for all boxes is left
-        out.
+        """The rows times a vector, shape (n + 1, N), plus ``start``.
+
+        Components that are 0 in all boxes are left out.
         """
         total = self.rows[:, 0] * 0 if start is None else start
         for j, part in enumerate(direction):
@@ -167,22 +173,25 @@ class Slopes:
         return self.taken(total)
 
     def newton(self, left: Intervals, others: Sequence[int], reach: FloatArray) -> FloatArray:
-        """Ends of a step of interval Newton for the unknowns ``others`` from what is left of the
-        forces.
+        """Ends of one interval Newton step for the unknowns ``others``, within ``reach`` of 0.
+
+        ``left`` are the residuals of :meth:`left`.
         """
-        given = left, self.taken(self.rows[:, others]), np.zeros_like(reach), reach
-        return contractors.newton(*given).ends if self.Y is None else contractors.by_rows(*given)
+        lines = left, self.taken(self.rows[:, others]), np.zeros_like(reach), reach
+        if self.Y is None:
+            return contractors.newton(*lines).ends
+        return contractors.by_rows(*lines)
 
 
 @dataclass(frozen=True)
 class Tubes(ByColumn):
-    """Curves of states of a model in contact as ``vary`` moves, for boxes of parameters, one a
-    column.
+    """Curves of states of a model as the parameter ``vary`` moves, one for each of N boxes of
+    parameters.
 
-    ``fixed`` are all parameters, shape (parameters, N), and ``prepared`` the ends of what follows
-    from them, shape (2, arguments, N); ``centre`` and ``half`` are middle and half-width of those
-    that are ``free`` to have a width, shape (free, N). The ``pivot`` is the number of what the
-    others follow among the coordinates and, last, what moves.
+    ``fixed`` are all parameters, shape (parameters, N), and ``prepared`` the ends of the arguments
+    that follow from them, shape (2, arguments, N). ``centre`` and ``half`` are middle and
+    half-width of the ``free`` parameters, which may have a width, shape (free, N). ``pivot`` is the
+    index of the pivot in z; the index n is that of ``vary``.
     """
 
     balance: Balance
@@ -204,9 +213,7 @@ class Tubes(ByColumn):
         free: tuple[str, ...] = (),
         options: ContinuationOptions | None = None,
     ) -> Self:
-        """At points of the parameters, boxes of zero width; the pivot is the parameter that
-        varies.
-        """
+        """Tubes for single points of the parameters; the pivot is the parameter that moves."""
         centre = fixed[[balance.parameters.index(name) for name in free]]
         half, options = np.zeros_like(centre), options or ContinuationOptions()
         prepared = balance.prepared(Intervals.point(fixed)).ends
@@ -219,23 +226,24 @@ class Tubes(ByColumn):
 
     @property
     def moving(self) -> list[int]:
-        """Indices of the free parameters among the model's, and of the one that varies."""
+        """Indices, among the model's parameters, of the free ones and of ``vary``."""
         return [self.balance.parameters.index(name) for name in (*self.free, self.vary)]
 
     @property
     def others(self) -> list[int]:
-        """Indices of the unknowns that are functions of the pivot."""
+        """Indices in z of the unknowns that are functions of the pivot."""
         return [each for each in range(self.n + 1) if each != self.pivot]
 
     # ---------------------------------------------------------------------------------------------
     # evaluation
 
     def bounds(self, v: Intervals) -> Intervals:
-        """Prepared parameters with these values of the one that varies."""
+        """Prepared parameters over the boxes, for values ``v`` of the parameter that moves."""
         moved = dict(zip(self.free, self._span(), strict=True)) | {self.vary: v}
         return self.balance.prepared_beside(self.prepared, self.fixed, moved)
 
     def _span(self) -> Intervals:
+        """Enclosures of the free parameters."""
         wide = np.where(
             self.half > 0, self.half * ROUNDED_UP + np.spacing(np.abs(self.centre)), 0.0
         )
@@ -243,7 +251,7 @@ class Tubes(ByColumn):
 
     def slopes(self, z: Intervals) -> Intervals:
         """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free,
-        N).
+        N), by interval arithmetic.
         """
 
         def rows(q: Sequence[Number], parameters: Intervals) -> list[Any]:
@@ -256,10 +264,10 @@ class Tubes(ByColumn):
         return Intervals(found.ends.reshape(shape))
 
     def over(self, tube: Place) -> Slopes:
-        """Slopes over places or tubes, affine where parameters have a width.
+        """Slopes over places or tubes.
 
-        Those are multiplied by the inverse of their midpoints for all unknowns but the pivot,
-        before they become intervals.
+        Where parameters have a width, they are affine, and multiplied by the inverse of their
+        midpoints for all unknowns but the pivot before they become intervals.
         """
         if not self.half.any():
             return Slopes(self.slopes(tube.box()))
@@ -280,7 +288,8 @@ class Tubes(ByColumn):
             np.concatenate([moving.terms, sides], axis=1),
             np.concatenate([moving.error, np.zeros((free, count))]),
         )
-        if (recorded := self._affine_tape) is not None:
+        recorded = self._affine_tape
+        if recorded is not None:
             found = affine.evaluated(recorded, given, Intervals(self.prepared))
         else:
             found = self._affine_by_rows(given, tube)
@@ -290,8 +299,10 @@ class Tubes(ByColumn):
 
     @property
     def _affine_tape(self) -> Tape | None:
-        """Slopes by what moves and is free, and by the prepared parameters; None where no tape has
-        them: of units, and of torsion springs, whose angles are intervals.
+        """Tape of the slopes for affine numbers; None where there is none.
+
+        That is so with units among the parameters, and with torsion springs, whose angles are
+        intervals.
         """
         balance, n = self.balance, self.n
         if balance.factors or balance.torsions or not tape.available():
@@ -312,7 +323,9 @@ class Tubes(ByColumn):
             return None
 
     def _affine_by_rows(self, given: Affine, tube: Place) -> Affine:
-        """The same by NumPy, from the numbers of what moves and is free."""
+        """Entries of the slopes by NumPy, without a tape; ``given`` are z and the free
+        parameters.
+        """
         shape, n = self.half.shape[1:], self.n
         fixed = zip(self.balance.parameters, self.fixed, strict=True)
         values = {
@@ -325,14 +338,14 @@ class Tubes(ByColumn):
         return Affine.stacked([entry for row in rows for entry in row], shape)
 
     def _turnings(self, box: Intervals) -> list[Affine]:
-        """Angles of torsion springs, from intervals."""
+        """Angles of torsion springs over a box, by interval arithmetic."""
         if not self.balance.torsions:
             return []
         found = self.balance.state(box[:-1], self.bounds(box[-1])).directions
         return list(map(Affine.between, found[3 * self.balance.springs :]))
 
     def _rows(self, at: Evaluation) -> list[list[Any]]:
-        """Derivatives of the forces by row; by the free parameters only where some box has a
+        """Rows of derivatives of the forces; those by free parameters are 0 if no box has a
         width.
         """
         none = [0] * (len(self.free) - len(self._wide))
@@ -340,11 +353,13 @@ class Tubes(ByColumn):
 
     @property
     def _wide(self) -> tuple[str, ...]:
-        """Free parameters, if some box has a width."""
+        """The free parameters if some box has a width, else none."""
         return self.free if self.half.any() else ()
 
     def _slopes(self, at: Evaluation, names: Sequence[str]) -> list[list[Any]]:
-        """Derivatives of the forces by the coordinates, by what varies and by these parameters."""
+        """Rows of derivatives of the forces by the coordinates, by ``vary`` and by the named
+        parameters.
+        """
         name = "forces_by_parameters"
         rows = self.balance.followed.get(name, name)
         moved = self.balance.by_parameters(at, [self.vary, *names], rows)
@@ -352,7 +367,7 @@ class Tubes(ByColumn):
         return [[*row, *more] for row, more in zip(slopes, moved, strict=True)]
 
     def floats(self, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:
-        """Forces and their slopes in the middle of the boxes, in floats."""
+        """Forces and their slopes as floats, at z and the middles of the boxes of parameters."""
         columns = self.fixed.copy()
         columns[self.moving] = np.vstack([self.centre, z[-1]])
         q = z[:-1]
@@ -364,7 +379,7 @@ class Tubes(ByColumn):
         return filled([forces], z.shape[1:])[0], filled(rows, z.shape[1:])
 
     def _forces(self, z: FloatArray) -> Intervals:
-        """Enclosed, in the middle of the boxes."""
+        """Enclosures of the forces at z and the middles of the boxes of parameters."""
         bounds = replace(self, half=np.zeros_like(self.half)).bounds(Intervals.point(z[-1]))
         balance = self.balance
 
@@ -375,18 +390,21 @@ class Tubes(ByColumn):
             return balance.taped("followed", rows, Intervals.point(z[:-1]), bounds)
 
     def apart(self) -> FloatArray:
-        """Largest distance of the free parameters from their middles."""
+        """Upper bounds of the distances of the free parameters from their middles."""
         if not self.half.any():
             return self.half
         wide = self._span()
         return np.maximum(wide.high - self.centre, self.centre - wide.low) * ROUNDED_UP
 
     def corrected(self, z: FloatArray) -> FloatArray:
-        """Newton's method in the middle of the boxes with a given pivot, the slopes renewed every
-        other step.
+        """States at the pivots of ``z``, by Newton's method in the middles of the boxes of
+        parameters.
+
+        The Jacobian is computed at every other step.
         """
         others, z, inverse = self.others, np.array(z, order="C"), np.zeros(0)
-        if (found := self._tapes) is not None:
+        found = self._tapes
+        if found is not None:
             compiled, tapes = found
             steps = self.options.newton_steps
             compiled.corrected(tapes[:2], self._centred, self.pivot, steps, z)
@@ -403,10 +421,11 @@ class Tubes(ByColumn):
         return z
 
     def tangents(self, z: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """dz/ds and dz/dp in the middle of the boxes."""
+        """Derivatives dz/ds and dz/dp of the curves, in the middles of the boxes of parameters."""
         others = self.others
         by_s, by_p = np.ones(z.shape), np.zeros((self.n + 1, *self.half.shape))
-        if (found := self._tapes) is not None:
+        found = self._tapes
+        if found is not None:
             compiled, tapes = found
             to_p = by_p if self.half.any() else by_p[:, :0]
             at = np.ascontiguousarray(z), by_s, to_p
@@ -419,7 +438,7 @@ class Tubes(ByColumn):
         return by_s, by_p
 
     def _across(self, z: FloatArray) -> FloatArray:
-        """dz/dp in the middle of the boxes, where they have a width at all."""
+        """dz/dp in the middles of the boxes; 0 if no box has a width."""
         return self.tangents(z)[1] if self.half.any() else np.zeros((self.n + 1, *self.half.shape))
 
     # ---------------------------------------------------------------------------------------------
@@ -431,49 +450,54 @@ class Tubes(ByColumn):
         like: Place | None = None,
         error: FloatArray | float | None = None,
     ) -> Place:
-        """The states of whole boxes at one value of the pivot, one for each point of a box; z is
-        about those in the middle.
+        """The proved states of the boxes at one value of the pivot; ``z`` is near those in the
+        middles.
 
-        ``like`` is a place near by, which tells how far from the middle states may lie. With an
-        ``error``, over max(1, |coordinate|), z is a state in the middle to within it, and the place
-        is sure only where it is proved to be of that state.
+        ``like`` is a place nearby, whose ``off`` suggests how wide the new one must be. With
+        ``error``, relative to max(1, |coordinate|), ``z`` is the state in the middle to within that
+        error, and the place is sure only if it is proved to hold that state.
         """
         given, others, z = z, self.others, self.corrected(z)
         zero = np.zeros_like(z)
         beside = zero if like is None else like.off * self.half.any(axis=0)
         found = self._one_state(z, zero, self._across(z), zero[0], beside)
         if error is not None:
-            # Newton's method may have come to another state, which is proved just as well.
-            away = np.abs(z - given)[others] + error * scale_of(given[others])
-            found.sure[:] &= (away * ROUNDED_UP <= found.room[others]).all(axis=0)
+            # Newton's method may have converged to another state.
+            distance = np.abs(z - given)[others] + error * scale_of(given[others])
+            found.sure[:] &= (distance * ROUNDED_UP <= found.radius[others]).all(axis=0)
         return found
 
     def segment(self, start: Place, z: FloatArray) -> tuple[BoolArray, Place, Place]:
-        """From a place to another value of the pivot, about which z is: where that is proved, the
-        place there, and the tube.
+        """The tube from a place to another value of the pivot, given by ``z`` near the states
+        there.
+
+        Returns where it is proved, the place at its end, and the tube.
         """
         end = self.place(z, start)
         z = end.z
-        pivot, held = self.pivot, start.held[self.pivot]
-        way = z[pivot] - start.z[pivot]
+        pivot, spread = self.pivot, start.held[self.pivot]
+        change = z[pivot] - start.z[pivot]
         with quiet():
-            along = np.where(way != 0, (z - start.z) / way, 0.0)
-        # With another pivot than before the states there lie on either side of the middle.
-        wide = np.where(
-            held > 0, held * ROUNDED_UP + 2 * np.spacing(np.abs(start.z[pivot]) + held), 0
+            along = np.where(change != 0, (z - start.z) / change, 0.0)
+        # After a change of the pivot, its values at the start are spread about the middle.
+        overlap = np.where(
+            spread > 0,
+            spread * ROUNDED_UP + 2 * np.spacing(np.abs(start.z[pivot]) + spread),
+            0,
         )
-        begin = start.z - along * np.sign(way) * wide
+        begin = start.z - along * np.sign(change) * overlap
         middle, half = 0.5 * (begin + z), 0.5 * np.abs(z - begin)[pivot]
         by_p = self._across(middle)
         beside = np.maximum(*(self._beside(one, middle, along, by_p) for one in (start, end)))
         tube = self._one_state(middle, along, by_p, half, beside)
-        return tube.sure & end.sure & start.sure & (np.abs(way) >= wide), end, tube
+        return tube.sure & end.sure & start.sure & (np.abs(change) >= overlap), end, tube
 
     def _beside(
         self, place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray
     ) -> FloatArray:
-        """Distance of the states of a place from where a tube's middle moves to with the pivot and
-        the parameters.
+        """Bound on the distance of a place's states from the linear prediction of a tube.
+
+        The prediction starts at the tube's ``middle``, with slopes ``along`` and ``by_p``.
         """
         off, turned, pivot = place.z - middle, place.by_p - by_p, self.pivot
         swing = (np.abs(turned - along[:, None] * turned[pivot]) * self.apart()).sum(axis=1)
@@ -493,38 +517,30 @@ class Tubes(ByColumn):
         half: FloatArray,
         beside: FloatArray,
     ) -> Place:
-        """Boxes that hold one state, in contact, for each value of the pivot and of the parameters,
-        where that is proved.
+        """Places with one state, on the contact's side, for each value of the pivot and of the
+        parameters; sure where that is proved.
 
-        They hold what lies within ``beside`` of where their middles move; ``half`` is how far the
-        pivot does.
+        ``z``, ``along`` and ``by_p`` are those of the places, and ``half`` is the half-length of
+        the range of the pivot. Boxes are at least as wide as ``beside`` around the linear
+        prediction.
         """
         others = self.others
-        # The middle is rounded.
-        moved = np.where(
+        moved = np.where(  # the middle is rounded
             half > 0, half * ROUNDED_UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0
         )
         swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * ROUNDED_UP
         least = 2 * self.options.half_width * scale_of(z[others])
         more = 1 + self.options.inflation
         reach = np.maximum(least, more * beside[others] * self.half.any(axis=0))
-        out = Place(
-            z,
-            along,
-            moved,
-            by_p,
-            swing.copy(),
-            np.zeros_like(z),
-            np.zeros_like(z),
-            np.zeros(half.size, dtype=bool),
-        )
+        zero, none = np.zeros_like(z), np.zeros(half.size, dtype=bool)
+        out = Place(z, along, moved, by_p, swing.copy(), zero, zero.copy(), none)
         most = np.zeros_like(reach)
         found = None if self.half.any() else self._tapes
         if found is None:
             self._inflate(out, beside, reach, most)
         else:
             compiled, tapes = found
-            given = z, along, swing, moved, beside, reach, out.room, most, out.sure
+            given = z, along, swing, moved, beside, reach, out.radius, most, out.sure
             compiled.tubes(
                 tapes,
                 tuple(self.balance.borders()),
@@ -539,7 +555,7 @@ class Tubes(ByColumn):
 
     @property
     def _centred(self) -> FloatArray:
-        """Ends of the prepared parameters in the middle of the boxes, but for what varies."""
+        """Ends of the prepared parameters, at the middles of the free ones."""
         if not self.free:
             return self.prepared
         moved = dict(zip(self.free, Intervals.point(self.centre), strict=True))
@@ -547,15 +563,17 @@ class Tubes(ByColumn):
 
     @property
     def _tapes(self) -> tuple[ModuleType, tuple[Any, ...]] | None:
-        """Compiled code, and as that takes them forces, slopes, by the free parameters too where
-        some box has a width, and gaps, where only what varies moves.
+        """Compiled code and its tapes of forces, slopes and gaps; None where something can't be
+        recorded.
+
+        Slopes by free parameters are among them only if some box has a width.
         """
         balance, compiled = self.balance, plans.compiled_for(self.n + 1)
         if balance.factors or compiled is None:
             return None
         vanishing, names = balance.vanishing(Intervals(self._centred)), self._wide
 
-        def given(
+        def packed(
             name: str, entries: Callable[[Evaluation], Sequence[Any]]
         ) -> tuple[bytes, bytes, int, int] | None:
             def rows(z: Intervals, parameters: Intervals) -> Sequence[Any]:
@@ -571,16 +589,20 @@ class Tubes(ByColumn):
 
         try:
             return compiled, (
-                given("forces", lambda at: at.followed("forces")),
-                given("slopes", lambda at: [one for row in self._slopes(at, names) for one in row]),
-                given("gaps", lambda at: at.gaps()) if balance.borders() else None,
+                packed("forces", lambda at: at.followed("forces")),
+                packed(
+                    "slopes", lambda at: [one for row in self._slopes(at, names) for one in row]
+                ),
+                packed("gaps", lambda at: at.gaps()) if balance.borders() else None,
             )
         except NotRecorded:
             return None
 
     def _inflate(self, out: Place, beside: FloatArray, reach: FloatArray, most: FloatArray) -> None:
-        """Make boxes about places, at first as wide as ``reach``, wider until they are proved, and
-        ``out`` and ``most`` what is known of those that are.
+        """Prove boxes around places, by interval Newton steps with ε-inflation.
+
+        Boxes begin with the half-widths ``reach`` and grow until they are proved. Fills in ``sure``
+        and ``radius`` of ``out``, and ``most``, the half-widths of the boxes that hold the states.
         """
         others = self.others
         rows = np.arange(out.sure.size)
@@ -590,39 +612,38 @@ class Tubes(ByColumn):
         for _ in range(self.options.inflations):
             if not rows.size:
                 break
-            alone = beside[:, rows]
-            alone[others] = np.maximum(reach, alone[others])
-            some, tried = self[rows], replace(out[rows], held=swing[:, rows] + alone, off=alone)
-            slopes = some.over(tried)
+            radius = beside[:, rows]
+            radius[others] = np.maximum(reach, radius[others])
+            tubes, tried = self[rows], replace(out[rows], held=swing[:, rows] + radius, off=radius)
+            slopes = tubes.over(tried)
             with quiet():
-                step = slopes.newton(
-                    slopes.left(forces[:, rows], tried, some.apart()), others, reach
-                )
-            good = np.isfinite(step).all(axis=(0, 1))
-            done = good & contractors.inside(step, reach)
-            if done.any():
-                here, box = rows[done], tried[done].box()
-                out.sure[here] = on_side(
-                    self.balance, some[done].bounds(box[-1]), box.ends[:, :-1]
-                )[0]
-                out.room[:, here], most[:, here] = alone[:, done], np.maximum(*step[:, :, done])
-            left = good & ~done
-            rows = rows[left]
-            reach = more * np.maximum(reach, np.maximum(*np.abs(step)))[:, left]
+                residual = slopes.left(forces[:, rows], tried, tubes.apart())
+                step = slopes.newton(residual, others, reach)
+            finite = np.isfinite(step).all(axis=(0, 1))
+            unique = finite & contractors.inside(step, reach)
+            if unique.any():
+                proved, box = rows[unique], tried[unique].box()
+                inside, _ = on_side(self.balance, tubes[unique].bounds(box[-1]), box.ends[:, :-1])
+                out.sure[proved], out.radius[:, proved] = inside, radius[:, unique]
+                most[:, proved] = np.maximum(*step[:, :, unique])
+            wider = finite & ~unique
+            rows = rows[wider]
+            reach = more * np.maximum(reach, np.maximum(*np.abs(step)))[:, wider]
 
     def rises(self, tube: Place, by_s: FloatArray) -> FloatArray:
-        """Sign of dv/ds for all states in places or tubes, 0 where it is not known; ``by_s`` is
-        about dz/ds.
+        """Sign of dv/ds for all states in places or tubes, 0 if not proved; ``by_s`` approximates
+        dz/ds.
         """
         slopes = self.over(tube)
         solved, _ = self._solved(slopes, slopes.rows[:, self.pivot], by_s)
         return np.where(solved, np.sign(by_s[-1]), 0.0)
 
     def bends(self, tube: Place, by_s: FloatArray) -> FloatArray:
-        """Sign of d²v/ds² for all states in tubes of points, 0 where it is not known; ``by_s`` is
-        about dz/ds.
+        """Sign of d²v/ds² for all states in tubes of points, 0 if not proved; ``by_s`` approximates
+        dz/ds.
 
-        Where F has second derivatives over the box, F_z z″ + F_zz[z′, z′] = 0.
+        The second derivative z″ solves F_z z″ + F_zz[z′, z′] = 0, where F has second derivatives
+        over the box.
         """
         if self.free or self.balance.factors:
             return np.zeros(tube.sure.size)
@@ -651,8 +672,11 @@ class Tubes(ByColumn):
     def _solved(
         self, slopes: Slopes, starts: Any, about: FloatArray
     ) -> tuple[BoolArray, FloatArray]:
-        """Where the solutions of slopes · x + starts = 0 for all but the pivot, ``about`` so large,
-        have a last one of that sign; how far each may be off, infinite where nothing is known.
+        """Whether the last component of x is proved to have the sign of ``about``, and error bounds
+        of x.
+
+        x solves slopes · x + starts = 0; its component of the pivot is 0. ``about`` approximates x.
+        A bound is infinite where nothing is proved.
         """
         about = about.copy()
         about[self.pivot] = 0.0
@@ -660,19 +684,18 @@ class Tubes(ByColumn):
         reach = np.tile(0.1 * size + 1e-12, (self.n, 1))
         off = np.full(reach.shape, np.inf)
         with quiet():
-            left = slopes.image(about, starts)
+            residual = slopes.image(about, starts)
             for _ in range(self.options.inflations):
                 if np.isfinite(off).all():
                     break
-                # v is the last of what follows a coordinate.
-                step = slopes.newton(left, self.others, reach)
+                step = slopes.newton(residual, self.others, reach)
                 most = np.maximum(*step)
                 off = np.where(contractors.inside(step, reach), np.fmin(off, most), off)
                 reach = (1 + self.options.inflation) * np.maximum(reach, most)
         return off[-1] * ROUNDED_UP < size, off
 
     # ---------------------------------------------------------------------------------------------
-    # the way
+    # continuation
 
     def followed(
         self,
@@ -681,23 +704,23 @@ class Tubes(ByColumn):
         least: float | None = None,
         needless: Callable[[Place], BoolArray] | None = None,
     ) -> Place:
-        """The state as ``vary`` moves to a goal: the last places that are proved, at the goal where
-        all of the way is.
+        """The states as ``vary`` moves from a place to a goal: the last proved place of each.
 
-        ``needless`` says of the places where they stand which of them need not be followed farther;
-        it is asked at first, and when some have come to their goals.
+        It is at the goal where the whole way is proved. Steps are doubled after a success and
+        quartered after a failure. ``needless`` marks places that need not be followed farther; it
+        is asked at the start, and whenever more of them have reached their goals.
         """
         here = start[np.arange(goal.size)]
-        way = goal - here.v
-        step = self.options.first_step * way
+        distance = goal - here.v
+        step = self.options.first_step * distance
         least = self.options.least_step if least is None else least
         open_, arrived = here.sure.copy(), -1
         for _ in range(self.options.steps):
-            there = here.v == goal
-            if needless is not None and there.sum() > arrived:
+            reached = here.v == goal
+            if needless is not None and reached.sum() > arrived:
                 open_ &= ~needless(here)
-                arrived = there.sum()
-            rows = np.flatnonzero(open_ & ~there & (np.abs(step) >= least * np.abs(way)))
+                arrived = reached.sum()
+            rows = np.flatnonzero(open_ & ~reached & (np.abs(step) >= least * np.abs(distance)))
             if not rows.size:
                 break
             at = here[rows]
@@ -712,8 +735,10 @@ class Tubes(ByColumn):
 def in_turn(
     balance: Balance, goals: Iterable[tuple[str, FloatArray]], at: FloatArray, place: Place
 ) -> tuple[Place, BoolArray]:
-    """The states of a place where one parameter after the other has moved from its value in ``at``,
-    all parameters of shape (P, N), to its goal; and where all of the way is proved.
+    """The states of a place after one parameter after the other has moved to its goal.
+
+    ``at`` are all parameters at the start, shape (P, N), and ``goals`` names and new values. Also
+    returns where all of it is proved.
     """
     at, proved = at.copy(), np.ones(at.shape[1], dtype=bool)
     for name, goal in goals:

@@ -76,7 +76,7 @@ class ProvedJumps:
         off = np.stack(free)[:, rows] - 0.5 * self.pieces.of.sum(axis=0)[:, part[rows]]
         base = self.pieces.base[part[rows]]
         there = base.z[:-1] + np.einsum("ikM,kM->iM", base.by_p[:-1], off)
-        return there, np.where(base.sure, base.room[:-1], -1.0)
+        return there, np.where(base.sure, base.radius[:-1], -1.0)
 
     def _parts(self, free: Sequence[FloatArray]) -> IntArray:
         """Number of the part that each point lies in, −1 where it lies in none."""

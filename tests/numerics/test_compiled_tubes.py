@@ -55,8 +55,8 @@ def test_the_same_tubes_are_proved(name: str, monkeypatch: pytest.MonkeyPatch) -
         other = of._one_state(*given)
         assert 0.1 * one.sure.size < one.sure.sum() < 0.99 * one.sure.size
         np.testing.assert_array_equal(one.sure, other.sure)
-        np.testing.assert_array_equal(one.room > 0, other.room > 0)
-        np.testing.assert_allclose(one.room, other.room, rtol=1e-9)
+        np.testing.assert_array_equal(one.radius > 0, other.radius > 0)
+        np.testing.assert_allclose(one.radius, other.radius, rtol=1e-9)
         np.testing.assert_allclose(one.off, other.off, rtol=1e-9, atol=1e-24)
         np.testing.assert_allclose(one.held, other.held, rtol=1e-9, atol=1e-24)
 

@@ -1,5 +1,8 @@
-"""Folds at the end of tubes: where states that are followed along a parameter turn back, proved,
-for many points at once.
+"""Limit points (folds) reached by tubes: where states followed along a parameter v turn back,
+proved.
+
+Many points of the parameters are treated at once. The pivot of the tubes is a coordinate, so that
+they pass the fold; see :mod:`spragsym.bifurcation.tubes`.
 """
 
 from collections.abc import Iterator
@@ -14,8 +17,9 @@ from .tubes import Place, Tubes
 
 @dataclass(frozen=True)
 class LimitPoints(ByColumn):
-    """Folds z = (q, v), shape (n + 1, N), and between which values v lies there: proved where
-    ``sure``, else without meaning.
+    """Folds z = (q, v), shape (n + 1, N), with lower and upper bounds of v.
+
+    Only those marked ``sure`` are proved; the numbers of others have no meaning.
     """
 
     z: FloatArray
@@ -25,43 +29,42 @@ class LimitPoints(ByColumn):
 
 
 def limit_points(tubes: Tubes, start: Place, forward: int) -> LimitPoints:
-    """The first folds of states at a place as v moves on, up or down, where it turns back; points
-    without width.
+    """The first folds reached from a place as v moves up (``forward`` 1) or down (−1).
 
-    The pivot is the coordinate that moves most. Newton's method along the curve, with secants,
-    gives the fold in floats. Then segments that shrink towards it are proved to hold the curve, v
-    moving on in all of them, and a last one across the fold, beyond which v goes back: the fold is
-    in that one, and its ends bound v.
+    The tubes must be those of points. Secant steps on dv/ds along the curve give the fold in
+    floats. Then segments that shrink towards it are proved to hold the curve, with v monotonic in
+    each. A last segment across the fold, at whose end v goes back, holds the fold and bounds v.
     """
     low, high = np.full((2, start.sure.size), np.nan)
     out = LimitPoints(start.z.copy(), low, high, np.zeros(low.size, dtype=bool))
-    for some, here, rows, by_v in pivots(tubes, start):
+    for own, here, rows, by_v in pivots(tubes, start):
         moving = np.sign(by_v)
         towards = forward * moving
-        z, met = secants(some, here.z, towards)
-        met &= (z - here.z)[some.pivot] * towards > 0
-        out.scatter(rows[met], _proved(some[met], here[met], z[:, met], moving[met], forward))
+        z, met = secants(own, here.z, towards)
+        met &= (z - here.z)[own.pivot] * towards > 0
+        out.scatter(rows[met], _proved(own[met], here[met], z[:, met], moving[met], forward))
     return out
 
 
 def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
-    """States carried on where they are steep, until v has moved on by so much, or as far as that is
-    proved, if at all.
+    """The states after v has moved on by ``by``, or as far as is proved, where the curve is steep.
+
+    Places that have not moved at all are not sure.
     """
     out = start[np.arange(start.sure.size)]
     out.sure[:] = False
-    for some, here, rows, by_v in pivots(tubes, start):
+    for own, here, rows, by_v in pivots(tubes, start):
         begin, moving = start.v[rows], np.sign(by_v)
-        by_s = some.tangents(here.z)[0]
-        # A part of the way there if the curve stayed as steep.
-        step = np.minimum(0.25 * np.abs(by_v * by[rows]), 0.1 * size_of(here.z[some.pivot]))
+        by_s = own.tangents(here.z)[0]
+        # A quarter of the distance if the curve stayed as steep.
+        step = np.minimum(0.25 * np.abs(by_v * by[rows]), 0.1 * size_of(here.z[own.pivot]))
         goal, least = begin + forward * by[rows], 1e-4 * step
-        open_ = some.rises(here, by_s) == moving
+        open_ = own.rises(here, by_s) == moving
         for _ in range(tubes.options.steep_steps):
             on = np.flatnonzero(open_ & ((goal - here.v) * forward > 0) & (step > least))
             if not on.size:
                 break
-            good = _moved_on(some, here, by_s, on, forward * moving * step, moving)
+            good = _moved_on(own, here, by_s, on, forward * moving * step, moving)
             step[on] *= np.where(good, 1.5, 0.25)
         here.sure[:] = open_ & (here.v != begin)
         out.scatter(rows, here)
@@ -71,24 +74,24 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
 def passed(
     tubes: Tubes, start: Place, goal: FloatArray, sharp: bool = False
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Bounds of how far all states of a place are proved to go on as ``vary`` rises, and above
-    which value to have ended.
+    """Bounds of the value of ``vary`` up to which the states of a place exist as it rises: a value
+    to which all are proved to exist, and a value above which all are proved to have ended.
 
-    The pivot is a coordinate, and the tube goes on through a fold, where v, which has risen before,
-    falls. The first is ``start.z`` or more, and at least the goal where all come to it; the second
-    is below the goal, else infinite. Beside them how far each free parameter moves v, shape (free,
-    N). A ``sharp`` answer is as near to the fold as the width of the parts allows; else it only
-    tells the two apart from the goal.
+    The first is at least ``start.z`` and, if all states reach it, the goal. The second is infinite
+    if no fold below the goal is proved. Also returns bounds of |dv/dp| by each free parameter,
+    shape (free, N). The pivot is a coordinate, and the tube passes the fold, where v begins to
+    fall. A ``sharp`` answer is as near to the fold as the width of the boxes allows; otherwise the
+    bounds only separate the fold from the goal.
     """
     safe, top, moves = start.v.copy(), np.full(goal.size, np.inf), np.zeros(tubes.half.shape)
-    for some, here, rows, by_v in pivots(tubes, start):
-        safe[rows], top[rows], moves[:, rows] = _passed(some, here, goal[rows], by_v, sharp)
-        left = (safe[rows] < goal[rows]) & np.isinf(top[rows])
-        if left.any() and not sharp:
-            # The fold lies just above the goal, or a tube over it does.
-            rows = rows[left]
+    for own, here, rows, by_v in pivots(tubes, start):
+        safe[rows], top[rows], moves[:, rows] = _passed(own, here, goal[rows], by_v, sharp)
+        open_ = (safe[rows] < goal[rows]) & np.isinf(top[rows])
+        if open_.any() and not sharp:
+            # The fold, or the tube across it, may extend just above the goal.
+            rows = rows[open_]
             safe[rows], _, moves[:, rows] = _passed(
-                some[left], here[left], goal[rows], by_v[left], over=False
+                own[open_], here[open_], goal[rows], by_v[open_], over=False
             )
     return safe, top, moves
 
@@ -101,8 +104,8 @@ def _passed(
     sharp: bool = False,
     over: bool = True,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """:func:`passed` for one pivot; ``over`` says whether the tube goes over the fold, or up to it
-    only.
+    """:func:`passed` for tubes of one pivot; ``over`` says whether to pass the fold, or stop before
+    it.
     """
     way, towards = goal - start.v, np.sign(by_v)
     straight = np.abs(by_v * way)
@@ -111,32 +114,32 @@ def _passed(
     moves = np.abs(by_p[-1])
     open_ = tubes.rises(start, by_s) == towards
     rising = open_.copy()
-    # All states of the place lie within the first segment.
+    # The first step is longer than the spread of the pivot at the start.
     here = start[np.arange(goal.size)]
     step = np.maximum(0.25 * straight, 2 * start.held[tubes.pivot])
     for _ in range(tubes.options.turn_steps):
         rows = np.flatnonzero(open_ & (step > tubes.options.least_step * straight))
         if not rows.size:
             break
-        at, some = here[rows], tubes[rows]
-        good, end, tube = some.segment(at, at.z + by_s[:, rows] * (towards * step)[rows])
+        at, own = here[rows], tubes[rows]
+        good, end, tube = own.segment(at, at.z + by_s[:, rows] * (towards * step)[rows])
         up = np.zeros(rows.size, dtype=bool)
-        up[good] = some[good].rises(tube[good], by_s[:, rows[good]]) == towards[rows[good]]
+        up[good] = own[good].rises(tube[good], by_s[:, rows[good]]) == towards[rows[good]]
         good &= np.where(rising[rows], up, tube.box().high[-1] < goal[rows])
-        # Near its fold v is as wide as the parts make it: there is no nearer.
+        # A sharp answer comes no nearer to the fold than v varies over the box of parameters.
         near = 0.1 * (goal[rows] - at.v)
         if sharp:
             near = np.minimum(
-                near, 0.05 * (moves[:, rows] * some.half).sum(axis=0) + 2.0**-12 * way[rows]
+                near, 0.05 * (moves[:, rows] * own.half).sum(axis=0) + 2.0**-12 * way[rows]
             )
         turns = over & rising[rows] & ~good & (np.abs(by_s[-1, rows]) * step[rows] < near)
         rising[rows[turns]] = False
         step[rows] *= np.where(good, 1.5, np.where(turns, 0.5, 0.25))
-        rows, end, some, tube = rows[good], end[good], some[good], tube[good]
+        rows, end, own, tube = rows[good], end[good], own[good], tube[good]
         if not rows.size:
             continue
         here.scatter(rows, end)
-        by_s[:, rows], by_p = some.tangents(end.z)
+        by_s[:, rows], by_p = own.tangents(end.z)
         moves[:, rows] = np.abs(by_p[-1])
         ends = end.box()[-1]
         safe[rows] = np.where(rising[rows], ends.low, safe[rows])
@@ -144,15 +147,16 @@ def _passed(
         highest[rows] = np.maximum(
             highest[rows], np.where(rising[rows], ends.high, tube.box().high[-1])
         )
-        falls = some.rises(end, by_s[:, rows]) == -towards[rows]
+        falls = own.rises(end, by_s[:, rows]) == -towards[rows]
         top[rows] = np.where(~rising[rows] & falls, highest[rows], np.inf)
         open_[rows] = (safe[rows] <= goal[rows]) & np.isinf(top[rows])
     return safe, top, moves
 
 
 def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray, FloatArray]]:
-    """Tubes about the coordinate that moves most, over its size, where it does; their places,
-    numbers, and its slope by v.
+    """Tubes with the pivot that moves most relative to its size, for all places where one moves.
+
+    Yields, for each pivot, the tubes, their places, their numbers, and the slope of the pivot by v.
     """
     by_v, _ = tubes.tangents(start.z)
     with quiet():
@@ -164,8 +168,9 @@ def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray,
 
 
 def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Secant steps to dv/ds = 0, from states on the curve, of which it is the first slope, to one
-    that is a step ``towards`` it, and on.
+    """Secant steps to dv/ds = 0 from states on a curve, and where they have converged.
+
+    The first step is a small one in the direction ``towards`` along the pivot.
     """
     size = size_of(z[tubes.pivot])
     step = towards * 1e-4 * size
@@ -175,22 +180,22 @@ def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArra
         z = tubes.corrected(z + by_s * step)
         by_s = tubes.tangents(z)[0]
         with quiet():
-            ahead = -by_s[-1] * step / (by_s[-1] - slope)
+            estimate = -by_s[-1] * step / (by_s[-1] - slope)
         longest = 8 * np.abs(step)
-        step = np.where(np.isfinite(ahead), np.clip(ahead, -longest, longest), 0.0)
-        near = np.abs(step) <= 1e-9 * size
-        if near.all():
+        step = np.where(np.isfinite(estimate), np.clip(estimate, -longest, longest), 0.0)
+        converged = np.abs(step) <= 1e-9 * size
+        if converged.all():
             break
-    return z, near & np.isfinite(z).all(axis=0)
+    return z, converged & np.isfinite(z).all(axis=0)
 
 
 def _proved(
     tubes: Tubes, here: Place, fold: FloatArray, moving: FloatArray, forward: int
 ) -> LimitPoints:
-    """Between which values v lies where it turns back, and whether that is proved."""
+    """The limit points with proved bounds of v, from approximate folds."""
     by_s = tubes.tangents(here.z)[0]
     open_ = tubes.rises(here, by_s) == moving
-    # In the last segment v differs by the square of this.
+    # Length of the last segment; v varies by the square of it there.
     last, share = 1e-6 * size_of(fold[tubes.pivot]), np.full(moving.size, 0.2)
     for _ in range(tubes.options.segments):
         rest = (fold - here.z)[tubes.pivot]
@@ -216,26 +221,27 @@ def _moved_on(
     step: FloatArray,
     moving: FloatArray,
 ) -> BoolArray:
-    """One segment of some rows: where it is proved that v moves on in it ``here`` and dz/ds become
-    those at its end.
+    """Where one segment is proved in which v is monotonic, among the places of the given rows.
+
+    There ``here`` and ``by_s``, dz/ds, become those at its end.
     """
-    some, slope = tubes[rows], by_s[:, rows]
-    good, end, tube = some.segment(here[rows], here.z[:, rows] + slope * step[rows])
-    then = some.tangents(end.z)[0]
-    on = good.copy()
-    on[good] = some[good].rises(tube[good], 0.5 * (slope + then)[:, good]) == moving[rows[good]]
-    # Where dv/ds falls by half and more, and only grows or falls, its ends tell it.
-    left = np.flatnonzero(good & ~on & (np.abs(then[-1]) < 0.5 * np.abs(slope[-1])))
-    if left.size:
-        bent = some[left].bends(tube[left], 0.5 * (slope + then)[:, left]) != 0
-        ends = some[left].rises(end[left], then[:, left]) == moving[rows[left]]
-        on[left] = bent & ends
-    good = on
+    own, slope = tubes[rows], by_s[:, rows]
+    proved, end, tube = own.segment(here[rows], here.z[:, rows] + slope * step[rows])
+    slope_at_end = own.tangents(end.z)[0]
+    mean = 0.5 * (slope + slope_at_end)
+    good = proved.copy()
+    good[proved] = own[proved].rises(tube[proved], mean[:, proved]) == moving[rows[proved]]
+    # Near a fold dv/ds varies much. If it is monotonic (v″ has a sign), its ends bound it.
+    open_ = np.flatnonzero(proved & ~good & (np.abs(slope_at_end[-1]) < 0.5 * np.abs(slope[-1])))
+    if open_.size:
+        bent = own[open_].bends(tube[open_], mean[:, open_]) != 0
+        ends = own[open_].rises(end[open_], slope_at_end[:, open_]) == moving[rows[open_]]
+        good[open_] = bent & ends
     here.scatter(rows[good], end[good])
-    by_s[:, rows[good]] = then[:, good]
+    by_s[:, rows[good]] = slope_at_end[:, good]
     return good
 
 
 def size_of(z: FloatArray) -> FloatArray:
-    """The size of coordinates, at least what counts as no size."""
+    """The size of coordinates, at least 1e-3."""
     return np.maximum(np.abs(z), 1e-3)

@@ -1,20 +1,16 @@
-"""Normal form of a Hopf point: the first Lyapunov coefficient, with a bound on its error that is
-proved.
+"""Normal form of a Hopf point: the first Lyapunov coefficient, with a proved bound on its error.
 
-At a Hopf point of u′ = F(u), with A q = i ω q, Aᵀ p = −i ω p, ⟨q, q⟩ = ⟨p, q⟩ = 1, B and C the
-second and third derivatives of F,
+At a Hopf point of u′ = F(u), let A q = i ω q, Aᵀ p = −i ω p, ⟨q, q⟩ = ⟨p, q⟩ = 1, and let B and C
+be the second and third derivatives of F. Then
 
-    l₁ = Re [⟨p, C(q, q, q̄)⟩ − 2 ⟨p, B(q, A⁻¹ B(q, q̄))⟩ + ⟨p, B(q̄, (2 i ω − A)⁻¹ B(q, q))⟩] / (2
-    ω)
+    l₁ = Re [⟨p, C(q, q, q̄)⟩ − 2 ⟨p, B(q, A⁻¹ B(q, q̄))⟩ + ⟨p, B(q̄, (2 i ω − A)⁻¹ B(q, q))⟩] / (2 ω)
 
 (Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, section 5.4). The state u is the
-coordinates, then their rates, in the model's units. Everything is computed in balls around the
-point, so that the exact coefficient lies in the result; l₁ alone, at many points at once, in
-intervals of floats.
+coordinates, then their rates, in the model's units. One point is computed in ball arithmetic around
+it, so that the result holds the exact coefficient; l₁ alone, at many points at once, in intervals.
 
 Derivatives come from Taylor polynomials: along u = z q + z̄ q̄ + ½ g z² + h z z̄ + ½ ḡ z̄², with g
-= (2 i ω − A)⁻¹ B(q, q) and h = −A⁻¹ B(q, q̄), the coefficient of z² z̄ in F is half of what stands
-in brackets.
+= (2 i ω − A)⁻¹ B(q, q) and h = −A⁻¹ B(q, q̄), the coefficient of z² z̄ in F is half of the bracket.
 """
 
 from __future__ import annotations
@@ -47,31 +43,31 @@ from ..statics import namespaces
 from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Values
 
-#: Bits of all balls; the box around the point has some fifty of them.
+#: Bits of all balls; the box around the point leaves about fifty significant ones.
 BITS = 106
 
 
 @dataclass(frozen=True)
 class NormalForm:
-    """Normal form of a Hopf point; every ``…_error`` bounds the absolute error of the number before
+    """Normal form of a Hopf point; each ``…_error`` bounds the absolute error of the number before
     it.
 
     Attributes
     ----------
     omega, omega_error : float
-        ω.
+        The frequency ω.
     lyapunov, lyapunov_error : float
-        l₁.
+        The first Lyapunov coefficient l₁.
     crossing, crossing_error : float
-        d Re λ / d parameter of the pair, along the equilibrium: it crosses the imaginary axis if
-        that is not 0.
+        d Re λ / d parameter of the pair, along the equilibrium: if it is not 0, the pair crosses
+        the imaginary axis.
     q, p : ndarray of complex
         The eigenvector of i ω, of length 1, and that of Aᵀ for −i ω, with ⟨p, q⟩ = p̄ᵀ q = 1.
     reach : float
-        |z| of u = z q + z̄ q̄ at which a sliding speed would first come to 0, to first order, in
-        floats; infinite without friction.
+        |z| of u = z q + z̄ q̄ at which a sliding speed first reaches 0, to first order, in floats;
+        infinite without friction.
     along, square, mean : ndarray
-        Of floats: ∂u/∂parameter of the equilibrium, g and h of the module's first lines.
+        Floats: ∂u/∂parameter of the equilibrium, and g and h as defined above in this module.
     """
 
     omega: float
@@ -97,13 +93,14 @@ def normal_form(
 ) -> NormalForm:
     """The normal form at a Hopf point that is proved to lie in a box.
 
-    ``balance`` says which contacts touch, and by its ``law`` what friction the equilibrium has:
-    ``"friction_at_rest"``, as statics takes it, or ``"friction_at_speed"``, that at the belt's
-    speed; the motion's laws are shifted by constants so that they pass through it. ``given`` are
-    the parameters in the order of the model, ``state`` the coordinates, ``vary`` the
-    parameters along which the point was found, of which the first tells the pair's crossing;
-    ``radii`` are half-widths of the box, of the coordinates and then of these. Undecided, and the
-    text says why, where this is no generic Hopf point, or is not shown to be one.
+    ``balance`` has the touching contacts and, by its ``law``, the friction of the equilibrium:
+    ``"friction_at_rest"``, as in statics, or ``"friction_at_speed"``, at the speed of the belt. The
+    motion's laws are shifted by constants so that they agree with it. ``given`` are all parameters,
+    ``state`` the coordinates, and ``vary`` the parameters along which the point was found; the
+    crossing is by the first. ``radii`` are the half-widths of the box, of coordinates and then of
+    ``vary``.
+
+    Raises UndecidedSign, with the reason, if the point is not proved to be a generic Hopf point.
     """
     point = _in_balls(balance, given, state, vary, radii)
     _require_smooth(point)
@@ -124,7 +121,7 @@ def normal_form(
 
 
 class _Side:
-    """1 or −1, it is not said which: all that is known is its square."""
+    """A factor ±1 of unknown sign, whose square is 1: all other algebra with it is an error."""
 
     def __mul__(self, other: object) -> Number:
         return 1 if other is self else NotImplemented
@@ -132,11 +129,11 @@ class _Side:
 
 @dataclass(frozen=True)
 class _Point:
-    """The field around states at steady sliding in one mode, of balls or intervals and jets of
+    """The field F around a state of steady sliding in one mode, for balls or intervals and jets of
     them.
 
-    ``vary`` is the parameter that is a variable, ``parameter`` its value; ``known`` makes a number
-    of the kind of others.
+    ``vary`` is the parameter that is a variable, and ``parameter`` its value. ``known`` converts a
+    number to the type of the others.
     """
 
     balance: Balance
@@ -150,7 +147,7 @@ class _Point:
     shape: Shape = ()
 
     def field(self, u: Sequence[Any], parameter: Number) -> list[Any]:
-        """F: the rates, then the accelerations, with the laws of friction shifted to those of the
+        """F at u: the rates, then the accelerations, with friction laws shifted to those of the
         equilibrium.
         """
         values = {**self.values, **self.balance.with_angles({self.vary: parameter}, self.xp)}
@@ -158,14 +155,12 @@ class _Point:
             u, self._constants(values), self.mode, self.xp
         )
         n = self.balance.n
-        return [
-            *u[n:],
-            *(a + s for a, s in zip(accelerations, self._shift(u[:n], values), strict=True)),
-        ]
+        shifts = self._shift(u[:n], values)
+        return [*u[n:], *(a + shift for a, shift in zip(accelerations, shifts, strict=True))]
 
     def slips(self, q: Sequence[Complex]) -> list[Any]:
-        """The sliding speed of each friction that is felt, and its derivatives by a and b along
-        2 (a Re q − b Im q).
+        """For each friction of a touching contact, the sliding speed and its derivatives by a and
+        b, along 2 (a Re q − b Im q).
         """
         found = list[Any]()
         borders = self._borders([Jet(terms, 1) for terms in self._along(q)])
@@ -177,7 +172,7 @@ class _Point:
 
     @property
     def felt(self) -> dict[int, Mapping[str, Any]]:
-        """Frictions whose contact touches, by their places among borders and in the mode."""
+        """Frictions of touching contacts, by their index among borders and in the mode."""
         names, pushing = self.balance.contacts, self.balance.pushing
         return {
             index: friction
@@ -187,7 +182,7 @@ class _Point:
         }
 
     def linear(self) -> tuple[list[list[Any]], list[Any]]:
-        """A, and ∂F/∂parameter."""
+        """The Jacobian A, and ∂F/∂parameter."""
         *u, parameter = variables([*self.state, self.parameter], 1)
         slopes = [
             list(map(self.known, gradient(row, len(u) + 1))) for row in self.field(u, parameter)
@@ -195,7 +190,9 @@ class _Point:
         return [row[:-1] for row in slopes], [row[-1] for row in slopes]
 
     def form(self, pair: _Pair, by_parameter: Sequence[Any]) -> tuple[Any, ...]:
-        """l₁, d Re λ/d parameter, q, p, ∂u/∂parameter, g and h, of a pair and ∂F/∂parameter."""
+        """l₁, d Re λ/d parameter, q, p, ∂u/∂parameter, g and h, for a pair ± i ω and
+        ∂F/∂parameter.
+        """
         q, left = pair.vector(self.xp), pair.left
         along = pair.solved([-entry for entry in by_parameter])
         path = self._along(q)
@@ -220,11 +217,11 @@ class _Point:
             for x, y, z, w in zip(aaa, aab, abb, bbb, strict=True)
         ]
         scale = _product(left, q)
-        # The coefficient of z c: d(A q)/dc.
-        moved = [Complex(x / 2, -y / 2) for x, y in zip(ac, bc, strict=True)]
+        # The coefficient of z c, where c is the change of the parameter: d(A q)/dc.
+        by_change = [Complex(x / 2, -y / 2) for x, y in zip(ac, bc, strict=True)]
         return (
             (_product(left, cubic) / scale).re / pair.omega,
-            (_product(left, moved) / scale).re,
+            (_product(left, by_change) / scale).re,
             q,
             [(entry / scale).conjugate() for entry in left],
             [entry.re for entry in along],
@@ -233,8 +230,8 @@ class _Point:
         )
 
     def required(self) -> Iterator[tuple[Any, str]]:
-        """What has to be positive where the field has third derivatives, and what is so where it is
-        not.
+        """Numbers that are positive where the field has third derivatives, each with a message for
+        where it is not.
         """
         model, kink = self.balance.model, "line {} of the model page, has a kink"
         borders = self._borders(self.state)
@@ -251,20 +248,18 @@ class _Point:
                 "the sliding speed is 0, where the law of friction, "
                 + kink.format(friction["line"]),
             )
-        ways = self.mode[len(self.mode) - model.field.torsion_sides :]
-        levels = (
-            undecorated(model.algebra.turning_borders)(
-                *self.state, *self._constants(self.values), *ways, xp=self.xp
+        sides = self.mode[len(self.mode) - model.field.torsion_sides :]
+        if sides:
+            levels = undecorated(model.algebra.turning_borders)(
+                *self.state, *self._constants(self.values), *sides, xp=self.xp
             )
-            if ways
-            else ()
-        )
-        for level in levels:
-            yield level, "a torsion spring is turned by π, where its torque jumps"
+            for level in levels:
+                yield level, "a torsion spring is turned by π, where its torque jumps"
 
     def asks_for_the_side(self) -> bool:
-        """Whether a law depends on the side of slip = 0 otherwise than by its square: algebra with
-        it is then an error.
+        """Whether a friction law depends on the sign of the slip otherwise than by its square.
+
+        Then algebra with :class:`_Side` is an error.
         """
         sides = [_Side() if k in self.felt else one for k, one in enumerate(self.mode)]
         try:
@@ -276,58 +271,62 @@ class _Point:
         return False
 
     def _along(self, q: Sequence[Complex]) -> list[dict[tuple[int, ...], Any]]:
-        """Terms of the state along 2 (a Re q − b Im q)."""
+        """Terms of the state along 2 (a Re q − b Im q), as a jet in a and b."""
         return [
             {(): u, (0,): 2 * z.re, (1,): -2 * z.im} for u, z in zip(self.state, q, strict=True)
         ]
 
     def _terms(self, rows: Sequence[Any], *numbers: int) -> list[Any]:
+        """The coefficient of a product of variables, in each row."""
         return [
             self.known(row.terms.get(numbers, 0) if isinstance(row, Jet) else 0) for row in rows
         ]
 
     def _borders(self, u: Sequence[Any]) -> Sequence[Any]:
-        """The gaps and the sliding speeds."""
+        """The gaps, then the sliding speeds."""
         found: Sequence[Any] = undecorated(self.balance.model.algebra.borders)(
             *u, *self._constants(self.values), xp=self.xp
         )
         return found
 
     def _constants(self, values: Values) -> list[Any]:
+        """Arguments of the motion, in order."""
         return [values[name] for name in self.balance.model.about["arguments"]["motion"]]
 
     def _shift(self, q: Sequence[Any], values: Values) -> Sequence[Any]:
-        """Accelerations, linear in these, by what the frictions of the equilibrium are larger than
-        the laws at the belt's speed.
+        """Accelerations by the difference between the equilibrium's friction and the laws at the
+        belt's speed.
+
+        Rows of forces are linear in the friction coefficients.
         """
         balance = self.balance
         if not balance.model.frictions or balance.law == "friction_at_speed":
             return [0] * balance.n
         at = balance.at(q, values, self.shape, self.xp)
         laws = at.of_frictions("friction_at_speed")
-        more = [mu - law for mu, law in zip(at.frictions, laws, strict=True)]
+        differences = [mu - law for mu, law in zip(at.frictions, laws, strict=True)]
 
         def forces(*friction: int) -> Sequence[Any]:
             first = [*q, *at.directions]
             return at.call("forces", first, *friction, *balance.pushing, kind="statics")
 
-        none = [0] * len(more)
-        without, missing = forces(*none), [0] * balance.n
-        for index, change in enumerate(more):
-            with_unit = forces(*none[:index], 1, *none[index + 1 :])
-            rows = zip(missing, with_unit, without, strict=True)
-            missing = [total + (b - a) * change for total, a, b in rows]
-        return linear_solution([list(map(self.known, row)) for row in at.mass()], missing)
+        zero = [0] * len(differences)
+        without, total = forces(*zero), [0] * balance.n
+        for index, difference in enumerate(differences):
+            with_unit = forces(*zero[:index], 1, *zero[index + 1 :])
+            rows = zip(total, with_unit, without, strict=True)
+            total = [value + (b - a) * difference for value, a, b in rows]
+        return linear_solution([list(map(self.known, row)) for row in at.mass()], total)
 
 
 def _in_balls(
     balance: Balance, given: FloatArray, state: FloatArray, vary: Sequence[str], radii: FloatArray
 ) -> _Point:
-    """Around one state; arguments as of :func:`normal_form`."""
-    at = [*state, *(given[balance.parameters.index(name)] for name in vary)]
+    """The field around one state in ball arithmetic; arguments as for :func:`normal_form`."""
+    point = [*state, *(given[balance.parameters.index(name)] for name in vary)]
     ends = [
         (Fraction(x) - Fraction(r), Fraction(x) + Fraction(r))
-        for x, r in zip(at, radii, strict=True)
+        for x, r in zip(point, radii, strict=True)
     ]
     with balls.precision(BITS):
         q = [balls.between(*each) for each in ends[: balance.n]]
@@ -346,7 +345,7 @@ def _in_balls(
 
 
 def _mode(balance: Balance, given: FloatArray, state: FloatArray) -> Mode:
-    """The mode of a state at rest, with nothing left out."""
+    """The full mode of a state at rest, with the touching contacts of the balance."""
     motion, rates = balance.model.field, [0.0] * len(state)
     floats = [*map(float, state), *rates]
     found = motion.exact(motion.mode_at_rest(floats, motion.constants(given.tolist())))
@@ -354,8 +353,8 @@ def _mode(balance: Balance, given: FloatArray, state: FloatArray) -> Mode:
 
 
 def _require_smooth(point: _Point) -> None:
-    """:class:`UndecidedSign` where the field has no third derivatives at the state, or is not shown
-    to have them.
+    """Raise :class:`UndecidedSign` unless the field is proved to have third derivatives at the
+    state.
     """
     for level, why in point.required():
         at_rest = why.startswith("the sliding speed")
@@ -364,20 +363,22 @@ def _require_smooth(point: _Point) -> None:
 
 
 def _reach(slips: Sequence[float]) -> float:
-    """Size of a and b at which a sliding speed would first come to 0, from each with its slopes."""
+    """Least |z| at which a sliding speed reaches 0, from each speed followed by its two
+    derivatives.
+    """
     found = [math.inf]
-    for rest, *slopes in zip(*[iter(slips)] * 3, strict=True):
-        change = math.hypot(*slopes)
-        found.append(abs(rest) / change if change else math.inf)
+    for speed, by_a, by_b in zip(slips[::3], slips[1::3], slips[2::3], strict=True):
+        change = math.hypot(by_a, by_b)
+        found.append(abs(speed) / change if change else math.inf)
     return min(found)
 
 
 @dataclass(frozen=True)
 class _Pair:
-    """A pair ± i ω of a matrix that is Z in the basis X of approximate eigenvectors, with the
-    inverse of X, and the eigenvector z of i ω in that basis.
+    """A pair ± i ω of a matrix A = X Z X⁻¹, where X are approximate eigenvectors.
 
-    Systems are solved there, where Z is nearly diagonal and no pivot has to be chosen.
+    ``z`` is the eigenvector of i ω in the basis X, and ``inverse`` is X⁻¹. Linear systems are
+    solved in this basis, where Z is nearly diagonal and no pivoting is needed.
     """
 
     omega: Any
@@ -388,17 +389,17 @@ class _Pair:
 
     @property
     def left(self) -> list[Complex]:
-        """The eigenvector of the transpose, of any length."""
+        """The eigenvector of Aᵀ for i ω, of any length."""
         return [_product(column, self.z) for column in zip(*self.inverse, strict=True)]
 
     def vector(self, xp: Any) -> list[Complex]:
-        """The eigenvector of length 1."""
+        """The eigenvector of A for i ω, of length 1."""
         q = [_product(row, self.z) for row in self.X]
         length = xp.sqrt(sum(entry.squared() for entry in q))
         return [entry / length for entry in q]
 
     def solved(self, values: Sequence[Any], shifted: bool = False) -> list[Complex]:
-        """Solution of the system with the matrix, or with 2 i ω less the matrix."""
+        """Solution x of A x = values or, if ``shifted``, of (2 i ω − A) x = values."""
         Z = self.Z
         if shifted:
             twice = Complex(0, 2 * self.omega)
@@ -411,16 +412,15 @@ class _Pair:
 
 
 def _in_basis(A: Matrix, X: Matrix, R: Matrix) -> tuple[Matrix, Matrix]:
-    """X⁻¹ A X and X⁻¹, with an approximate inverse R."""
+    """X⁻¹ A X and X⁻¹, from an approximate inverse R of X."""
     near_unit = _matrix_product(R, X)
-    inverse = [
-        *zip(*(linear_solution(near_unit, column) for column in zip(*R, strict=True)), strict=True)
-    ]
+    columns = [linear_solution(near_unit, column) for column in zip(*R, strict=True)]
+    inverse = list(zip(*columns, strict=True))
     return _matrix_product(inverse, _matrix_product(A, X)), inverse
 
 
 def _pair(A: Sequence[Sequence[Ball]]) -> _Pair:
-    """The pair of all matrices in A that have two eigenvalues with the sum 0."""
+    """The pair ± i ω of all matrices in A that have two eigenvalues with the sum 0."""
     _, vectors = np.linalg.eig(np.array([_floats(row).real for row in A]))
     X, R = (
         [[Complex(_ball(float(one.real)), _ball(float(one.imag))) for one in row] for row in rows]
@@ -435,20 +435,21 @@ def _pair(A: Sequence[Sequence[Ball]]) -> _Pair:
 
 
 def _isolated(Z: FloatArray) -> FloatArray:
-    """ω and parts of the entries of its eigenvector, −low and high, of matrices that are nearly
-    diagonal and have two eigenvalues with the sum 0; from ends of parts of theirs, shape (2, n, n,
-    2).
+    """Enclosures of ω and of the eigenvector of i ω, for nearly diagonal matrices that have two
+    eigenvalues with the sum 0.
 
-    With the matrix X of approximate eigenvectors, X⁻¹ A X is nearly diagonal, and Gershgorin's
-    discs hold the eigenvalues. Where the disc of i ω meets no other, the eigenvector is X z with z
-    = 1 in the place of the disc and less elsewhere.
+    ``Z`` are ends of the real and imaginary parts of the entries, shape (2, n, n, 2). Returns −low
+    and high of ω, then of the parts of the eigenvector's entries, shape (2, 1 + 2 n).
+
+    Gershgorin's discs hold the eigenvalues. If the disc of i ω meets no other, its eigenvector has
+    the entry 1 at the index of the disc, and entries of at most size 1 elsewhere. Raises
+    UndecidedSign unless there is just one such pair.
     """
     n = Z.shape[1]
     size, own = range(n), Z[:, range(n), range(n)]
     parts = Intervals(own).middle
     middle = parts[:, 0] + 1j * parts[:, 1]
-    # Of middles to floats, relatively.
-    rounding = 2.0**-50
+    rounding = 2.0**-50  # relative error of complex operations on the middles
     off = Intervals(Z).magnitude.sum(axis=-1)
     np.fill_diagonal(off, contractors.distance(own, parts).sum(axis=-1))
     radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + np.abs(middle) * rounding) * (
@@ -456,7 +457,7 @@ def _isolated(Z: FloatArray) -> FloatArray:
     )
 
     def apart(i: int, centre: complex, j: int) -> bool:
-        """Whether the disc i, moved to another place, does not meet the disc j."""
+        """Whether the disc i, moved to that centre, does not meet the disc j."""
         return abs(centre - middle[j]) * (1 - rounding) > radius[i] + radius[j]
 
     sums = [(i, j) for i in size for j in size if i <= j and not apart(i, -middle[i], j)]
@@ -470,12 +471,12 @@ def _isolated(Z: FloatArray) -> FloatArray:
         raise UndecidedSign(
             "the two eigenvalues with the sum 0 are not shown to be an isolated pair ± iω"
         )
-    # (Z_jj − λ) z_j = −Σ Z_jl z_l, where no |z_l| is larger than 1, and then than was found.
-    away = np.abs(middle - middle[k]) * (1 - rounding) - radius - radius[k]
-    away[k], off[k, k], spread = np.inf, 0.0, np.ones(n)
+    # (Z_jj − λ) z_j = −Σ Z_jl z_l: two iterations from the bound |z_l| ≤ 1.
+    distance = np.abs(middle - middle[k]) * (1 - rounding) - radius - radius[k]
+    distance[k], off[k, k], spread = np.inf, 0.0, np.ones(n)
     for _ in range(2):
         spread[k] = 0.0
-        spread = (off[:, k] + off @ spread) / away * (1 + 4 * rounding)
+        spread = (off[:, k] + off @ spread) / distance * (1 + 4 * rounding)
     out = np.empty((2, 1 + 2 * n))
     out[:, 0] = rounded_outward(own[:, k, 1] + off[k] @ spread * (1 + 4 * rounding))
     out[:, 1::2] = out[:, 2::2] = spread
@@ -488,7 +489,7 @@ def _isolated(Z: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class Coefficient:
-    """l₁ of a Hopf point with a bound on its error, and ``reach`` as of :class:`NormalForm`."""
+    """l₁ of a Hopf point, a bound on its error, and ``reach`` as in :class:`NormalForm`."""
 
     lyapunov: float
     lyapunov_error: float
@@ -498,11 +499,11 @@ class Coefficient:
 def coefficients(
     balance: Balance, given: FloatArray, ends: FloatArray, vary: Sequence[str]
 ) -> list[Coefficient | str | None]:
-    """l₁ of Hopf points by intervals of floats, or why these are not shown to be generic ones; None
-    where :func:`normal_form` may know more.
+    """l₁ of many Hopf points by interval arithmetic.
 
-    ``given`` are parameters, shape (P, N), and ``ends`` boxes that are proved to hold a point each:
-    of coordinates, then of what varies.
+    ``given`` are parameters, shape (P, N), and ``ends`` boxes of coordinates and then of the
+    varying parameters, with one point proved in each. An entry is the reason if a point is not
+    proved to be generic, and None if :func:`normal_form` may know more.
     """
     n, bounds = balance.n, Intervals.point(given).ends
     bounds[:, [balance.parameters.index(name) for name in vary]] = ends[:, n:]
@@ -522,7 +523,9 @@ def coefficients(
 
 @dataclass(frozen=True)
 class _InMode:
-    """Points in one mode, of intervals: boxes of coordinates and of the parameter ``vary``."""
+    """Points of one mode in interval arithmetic, in boxes of coordinates and of the parameter
+    ``vary``.
+    """
 
     balance: Balance
     mode: Mode
@@ -531,9 +534,12 @@ class _InMode:
     def coefficients(
         self, boxes: Intervals, parameters: Intervals
     ) -> list[Coefficient | str | None]:
-        """l₁ of each point that is shown to have one."""
+        """l₁ of each point; the reason or None where it is not proved, as in
+        :func:`coefficients`.
+        """
         size = 2 * self.balance.n
-        # Beside the width of such boxes rounding is nothing, or no more than some times as much.
+        # Rounding is negligible beside the width of wide boxes, and comparable to that of bounded
+        # ones: there ball arithmetic would not help.
         share = (boxes.width / scale_of(boxes.middle)).max(axis=0)
         wide, bounded = share > 2.0**-40, share > 2.0**-48
         out: list[Coefficient | str | None] = [None] * boxes.shape[1]
@@ -563,9 +569,9 @@ class _InMode:
         error = contractors.distance(found.ends[:, :1], middle[:1])[0]
         for k, row in enumerate(rows.tolist()):
             size = abs(middle[0, k])
-            # Digits that narrow the bound to a thirtieth would tell no sign, either.
-            near = bounded[row] and 32 * size < error[k]
-            if np.isfinite(error[k]) and (wide[row] or near or size > error[k]):
+            # Even an error 32 times smaller would leave the sign open.
+            undecidable = bounded[row] and 32 * size < error[k]
+            if np.isfinite(error[k]) and (wide[row] or undecidable or size > error[k]):
                 reach = _reach(middle[1:, k].tolist())
                 out[row] = Coefficient(float(middle[0, k]), float(error[k]), reach)
         return out
@@ -574,6 +580,7 @@ class _InMode:
         return self.balance.taped((name, self.mode, self.vary), rows, *given)
 
     def _at(self, boxes: Intervals, parameters: Intervals) -> _Point:
+        """The field over boxes."""
         *state, parameter = boxes
         return _Point(
             self.balance,
@@ -588,7 +595,7 @@ class _InMode:
         )
 
     def _linear(self, boxes: Intervals, parameters: Intervals) -> list[Any]:
-        """A, row by row, and what has to be positive."""
+        """A, row by row, then the numbers of :meth:`_Point.required`."""
         point = self._at(boxes, parameters)
         A, _ = point.linear()
         return [*(entry for row in A for entry in row), *(level for level, _ in point.required())]
@@ -596,7 +603,7 @@ class _InMode:
     def _form(
         self, boxes: Intervals, X: Intervals, Z: Intervals, pair: Intervals, parameters: Intervals
     ) -> list[Any]:
-        """l₁, then the sliding speeds and their slopes along the pair."""
+        """l₁, then the sliding speeds and their derivatives along the pair."""
         point, entries, (omega, *z) = self._at(boxes, parameters), list(Z), pair
         half = len(entries) // 2
         basis = map(_square, (list(X), entries[:half], entries[half:]))
@@ -620,22 +627,24 @@ def _rows_of(matrices: ComplexArray) -> Intervals:
 
 
 def _complexes(parts: Sequence[Any]) -> list[Complex]:
-    """Numbers of their real and imaginary parts."""
+    """Complex numbers from alternating real and imaginary parts."""
     return [Complex(re, im) for re, im in zip(parts[::2], parts[1::2], strict=True)]
 
 
 def _square(parts: Sequence[Any]) -> list[list[Complex]]:
-    """A square matrix of the parts of its entries, row by row."""
+    """A square matrix from the parts of its entries, row by row."""
     flat = _complexes(parts)
     size = math.isqrt(len(flat))
     return [flat[size * row : size * (row + 1)] for row in range(size)]
 
 
 def _matrix_product(one: Matrix, other: Matrix) -> list[list[Complex]]:
+    """The matrix product."""
     return [[_product(row, column) for column in zip(*other, strict=True)] for row in one]
 
 
 def _product(row: Sequence[Any], column: Sequence[Any]) -> Complex:
+    """The sum of products of entries, without conjugation."""
     total: Complex = sum(a * b for a, b in zip(row, column, strict=True))
     return total
 

@@ -1,5 +1,7 @@
-"""Models by name or from a folder: shipped ones stand in ``generated/models``, others where
-``spragsym derive`` wrote them.
+"""Loading of models: shipped ones by name, others from a folder that ``spragsym derive`` wrote.
+
+The generated code of a shipped model stands in ``generated/models``. That of a folder is compiled
+from bytes whose digests have been verified.
 """
 
 from __future__ import annotations
@@ -24,9 +26,9 @@ from ..files.text import contents, printed
 from ..generated import C_SOURCE
 from .model import Model, parameter_class
 
-#: The model that is meant where none is named.
+#: The default model.
 USUAL = "kang_nam"
-#: Model → the one that is the same with dampers beside its springs.
+#: Name of the model that adds dampers beside the springs, by the name of the one without.
 WITH_DAMPERS = {"kang_nam": "damped"}
 
 _LOADED: dict[str, Model] = {}
@@ -44,15 +46,15 @@ def _shipped_folder() -> Path:
 
 
 def page_of(model: Model, pages: Path) -> Path:
-    """Path of the page of a model: among the shipped ``pages``, or in its folder."""
-    return (
-        pages / f"{model.name}.py" if model.where == model.name else Path(model.where) / "page.py"
-    )
+    """Path of the page of a model: among the shipped ``pages``, or in the model's folder."""
+    if model.where == model.name:
+        return pages / f"{model.name}.py"
+    return Path(model.where) / "page.py"
 
 
 def mechanism(model: Model) -> str:
-    """Drawing of a model's mechanism, as an SVG file; empty where its folder is older and has
-    none.
+    """Drawing of a model's mechanism as SVG text; empty if its folder is from an older version
+    without one.
     """
     folder = _shipped_folder() / model.where if model.where in shipped() else Path(model.where)
     path = folder / f"{model.name}.svg"
@@ -60,10 +62,10 @@ def mechanism(model: Model) -> str:
 
 
 def load(name: str | os.PathLike[str]) -> Model:
-    """A model: a shipped one by its name, or the folder that ``spragsym derive`` wrote.
+    """Load a shipped model by its name, or a model from the folder that ``spragsym derive`` wrote.
 
-    Its code was generated before; no SymPy is needed. A folder's files are run as Python: load only
-    what you trust.
+    The code has been generated before; no SymPy is needed. A folder's files are run as Python: load
+    only what you trust.
 
     Parameters
     ----------
@@ -77,7 +79,7 @@ def load(name: str | os.PathLike[str]) -> Model:
     Raises
     ------
     ParameterError
-        For a name that no model has, and a folder that holds none.
+        For a name or a folder without a model.
     StoreError
         For a folder whose files are damaged or changed.
 
@@ -133,8 +135,8 @@ def load(name: str | os.PathLike[str]) -> Model:
 
 
 def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """Content of ``model.json``, and the bytes of all files that it names, each as it was
-    written.
+    """Content of ``model.json``, and the bytes of all files that it names, with verified
+    digests.
     """
     path = folder / "model.json"
     if not path.is_file():
@@ -142,27 +144,25 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
             f"{folder} holds no model.json; give a folder that `spragsym derive PAGE.py --out "
             "DIR` wrote"
         )
-    # Bytes; no file that is derived is larger.
-    largest = 64 << 20
+    largest = 64 << 20  # bytes, more than any generated file has
     data = contents(path, largest)
-    # Digest of a folder in ``model.json``, of all else in it, those of the other files
-    # included.
-    sealed = re.compile(rb'"digest": "([0-9a-f]{64})"')
-    digest = sealed.search(data)
-    # What stands in its place while it is taken.
-    unsealed = b"<digest-of-all>".ljust(64, b"-")
+    # The digest is that of model.json with a placeholder at its own place; the digests of all other
+    # files are part of the content.
+    digest = re.search(rb'"digest": "([0-9a-f]{64})"', data)
+    placeholder = b"<digest-of-all>".ljust(64, b"-")
     if (
         digest is None
-        or hashlib.sha256(data.replace(digest[1], unsealed)).hexdigest().encode() != digest[1]
+        or hashlib.sha256(data.replace(digest[1], placeholder)).hexdigest().encode() != digest[1]
     ):
         raise StoreError(
             f"{path} is damaged: it is not as it was written; derive its model page again"
         )
     about = printed(str(path), json.loads(data), allowed="\n")
-    shipped_one = json.loads((_shipped_folder() / "stick_slip" / "model.json").read_bytes())
-    if lacks := sorted(shipped_one.keys() - about.keys()):
+    current = json.loads((_shipped_folder() / "stick_slip" / "model.json").read_bytes())
+    missing = sorted(current.keys() - about.keys())
+    if missing:
         raise StoreError(
-            f"{path} is of another version of spragsym, and does not say {', '.join(lacks)}; "
+            f"{path} is of another version of spragsym, and does not say {', '.join(missing)}; "
             "derive its model page again"
         )
     if not re.fullmatch(r"\w[\w .-]*", about["name"]) or any(
@@ -184,6 +184,9 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
 
 
 def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) -> Model:
+    """A model with its class of parameters and, for a shipped model with a room of its own, its
+    closed forms.
+    """
     module = partial(_module, where, files)
     room = f"{__package__.rpartition('.')[0]}.{where}"
     if not files and importlib.util.find_spec(room):  # a shipped model with closed forms
@@ -197,16 +200,12 @@ def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) ->
 
 
 def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
-    """The functions of the model: of the package for a shipped one, else made of the bytes that
-    were verified.
-    """
+    """The module of generated functions: part of the package, or compiled from verified bytes."""
     if not files:
         return importlib.import_module(f"spragsym.generated.models.{where}.algebra")
     # A path may hold bytes that are no text in the locale.
-    digest = hashlib.sha256(
-        b"\0".join([os.fsencode(where), *(files[name] for name in sorted(files))])
-    ).hexdigest()[:16]
-    package = f"spragsym_model_{digest}"
+    content = b"\0".join([os.fsencode(where), *(files[name] for name in sorted(files))])
+    package = f"spragsym_model_{hashlib.sha256(content).hexdigest()[:16]}"
     for name in ("", "_broadcast", "algebra"):
         whole = f"{package}.{name}".rstrip(".")
         if whole in sys.modules:
@@ -228,8 +227,9 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
 
 @cache
 def fits(name: str) -> bool:
-    """Whether an extension module was built, from the C library that was generated with the rest;
-    one of another is a warning.
+    """Whether an extension module exists and was compiled from the current generated C library.
+
+    Warns if it was compiled from another one.
     """
     try:
         source = importlib.import_module(name).SOURCE
@@ -238,8 +238,7 @@ def fits(name: str) -> bool:
     if source != C_SOURCE:
         warnings.warn(
             f"{name} was compiled from another derivation and is not used: many points and "
-            "motions take several times longer; "
-            "install spragsym again",
+            "motions take several times longer; install spragsym again",
             stacklevel=3,
         )
     return bool(source == C_SOURCE)

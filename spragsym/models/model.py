@@ -1,5 +1,5 @@
-"""A loaded model: its names, the class of its parameters, its generated functions, and what its
-page says in words.
+"""A loaded model: names, parameters, generated functions, and what ``model.json`` says of
+its page.
 """
 
 from __future__ import annotations
@@ -24,16 +24,17 @@ from . import forces
 from .field import FELT_EXPONENT, Field, field_of
 from .parameters import ANGLE, FINITE, FloatArray, ParameterSet, Range, as_numbers
 
-#: Which contacts touch: all, none of those that can open, or those of these names.
+#: Combination of touching contacts: True for all, False for none that can open, or the names of
+#: those that can open and touch.
 Touching: TypeAlias = bool | tuple[str, ...]
 
 
-#: The face that a contact presses on where N is negative.
+#: The second face of a contact that presses on either of two, where N is negative.
 OPPOSITE = "opposite face"
 
 
 def label_of(contact: Mapping[str, Any]) -> str:
-    """The name of a contact, in words where it has none."""
+    """The name of a contact; ``"face"`` if it has none."""
     return contact["name"] or "face"
 
 
@@ -45,15 +46,15 @@ class Model:
     name : str
         Its name.
     where : str
-        What :func:`spragsym.load` takes for it: the name of a shipped model, or a folder.
+        The argument of :func:`spragsym.load`: the name of a shipped model, or a folder.
     about : mapping
-        ``model.json``: coordinates, parameters, laws, springs, as the page says them.
+        The content of ``model.json``: coordinates, parameters, laws and springs of the page.
     algebra : module
-        Generated functions: the balance of forces, small deviations from it, the motion.
+        Generated functions of the balance of forces, the linearization and the motion.
     search : Model
-        The same without closed forms.
+        The same model without closed forms.
     Parameters : type
-        The class of its parameters: ``model.Parameters(**changes_of_base)``.
+        The class of its sets of parameters: ``model.Parameters(**changes_of_base)``.
 
     Examples
     --------
@@ -87,12 +88,12 @@ class Model:
 
     @cached_property
     def algebra(self) -> ModuleType:
-        """Generated functions: the balance of forces, small deviations from it, the motion."""
+        """Generated functions of the balance of forces, the linearization and the motion."""
         return self._module()
 
     @cached_property
     def search(self) -> Model:
-        """The model without its closed forms: every question by the general algorithm, as with
+        """The model without its closed forms: general algorithms answer every question, as with
         ``method="search"``.
         """
         if not self.closed:
@@ -103,14 +104,12 @@ class Model:
         return other
 
     def closed_form(self, name: str) -> Callable[..., Any] | None:
-        """The closed form of a question, if the model brings one."""
+        """The function that answers a question in closed form, or None."""
         return _imported(self.closed[name], name) if name in self.closed else None
 
     @cached_property
     def field(self) -> Field:
-        """The field of its motion, with exponentials of the friction law left out far below
-        rounding.
-        """
+        """The vector field of the motion; friction exponentials far below rounding are left out."""
         return field_of(self, FELT_EXPONENT)
 
     @property
@@ -119,7 +118,7 @@ class Model:
         return _names(self.about["coordinates"])
 
     def column(self, name: str) -> Column:
-        """The column of a quantity of the model; of any other name a plain number."""
+        """The column of a quantity of the model; a plain number for any other name."""
         return self.columns.get(name) or Column(name)
 
     def is_angle(self, name: str) -> bool:
@@ -127,12 +126,14 @@ class Model:
         return self.column(name).is_angle
 
     def any_of(self, name: str) -> Range:
-        """Any finite number, of the unit of a parameter or of a component of a state."""
+        """The range of all finite numbers, in the unit of a parameter or of a component of
+        a state.
+        """
         return ANGLE if self.is_angle(name) else FINITE
 
     @property
     def rates(self) -> tuple[str, ...]:
-        """Names of their rates."""
+        """Names of the rates of the coordinates."""
         return tuple(entry["rate"] for entry in self.about["coordinates"])
 
     @property
@@ -142,8 +143,8 @@ class Model:
 
     @property
     def starting(self) -> tuple[str, ...]:
-        """Names of those that a motion may begin with: all but the rate of a clock, which has it
-        given.
+        """Names of the components that a motion may start with: all but the rate of a clock, which
+        is given.
         """
         return self.components[: -1 if self.clock else None]
 
@@ -154,46 +155,54 @@ class Model:
 
     @property
     def contacts(self) -> Sequence[Mapping[str, Any]]:
-        """Every contact, as the page says it; one without a name or a gap stands for none."""
+        """The contacts as the page describes them; a single one without name and gap stands for
+        none.
+        """
         return self.about["contacts"]
 
     @property
     def frictions(self) -> Sequence[Mapping[str, Any]]:
-        """Every friction, each with the name of its contact."""
+        """The frictions as the page describes them, each with the name of its contact."""
         return self.about["frictions"]
 
     @property
     def rubbing(self) -> tuple[str, ...]:
-        """Names of the contacts with friction; of a model without any that of the first contact,
-        whose friction is 0.
+        """Names of the contacts with friction.
+
+        A model without friction has that of its first contact, with the friction 0.
         """
         return _names(self.frictions or self.contacts[:1])
 
     @cached_property
     def clock(self) -> str:
-        """The coordinate that is the phase of a clock, the last; empty where the page has none."""
+        """The coordinate, the last, that is the phase of a clock; empty if the page has none."""
         return self.coordinates[-1] if hasattr(self.algebra, "clock") else ""
 
     @cached_property
     def whole_turns(self) -> WholeTurns:
-        """Turns of angles after which all is as before, by the place of the one that makes one."""
+        """Whole turns of angles under which the model is invariant, by the index of the angle.
+
+        Each is the number of turns of every coordinate, by index, that go with one turn of the
+        angle.
+        """
         found = {}
         for index, entry in enumerate(self.about["coordinates"]):
-            if moved := entry.get("comes_around"):
-                others = {} if moved is True else moved
+            turns = entry.get("comes_around")
+            if turns:
+                others = {} if turns is True else turns
                 counts = {self.coordinates.index(name): count for name, count in others.items()}
                 found[index] = {index: 1, **counts}
         return found
 
     def require_answered(self, question: str) -> None:
-        """An error for a question that is not answered of the model: it names the question, why,
-        and what is answered instead.
-        """
+        """Raise ModelError for a question that is not answered for the model, with the reason."""
         if why := self.refusal(question):
             raise ModelError(f"{question} is not answered yet of {self.name}, {why}")
 
     def refusal(self, question: str) -> str:
-        """Why a question is not answered of a page with a clock, and what is; empty where it is."""
+        """The reason why a question is not answered for a page with a clock, and what to ask; else
+        empty.
+        """
         if self.clock and question not in FORCED:
             return (
                 f"whose page has a clock ({self.clock}): nothing rests there; ask "
@@ -203,11 +212,11 @@ class Model:
 
     @cached_property
     def regimes(self) -> dict[Touching, str]:
-        """Values that ``contact`` may have for equilibria, and the name of each.
+        """The values that ``contact`` may have for equilibria, and the name of each.
 
-        True where all contacts touch, False where none of those that can open does, else the names
-        of those of them that do. One that presses on either of two faces, as in a slot, "touches"
-        on its own face, where N is not negative.
+        True means that all contacts touch, False that none touches of those that can open, and
+        names that just these touch of those that can open. A contact that presses on either of two
+        faces, as in a slot, "touches" on its own face, where N ≥ 0.
         """
         if all(entry["gap"] is None and not entry["border"] for entry in self.contacts):
             return {True: "sliding" if self.frictions else "rest"}
@@ -221,14 +230,14 @@ class Model:
 
     @property
     def has_regimes(self) -> bool:
-        """Whether equilibria are those of more regimes than one: of several contacts, or of one
-        that presses on either of two faces.
+        """Whether equilibria may have several combinations of touching contacts: with several
+        contacts, or with one that presses on either of two faces.
         """
         return len(self.contacts) > 1 or forces.presses_either(self.contacts[0])
 
     @property
     def base(self) -> dict[str, float]:
-        """Base values; a parameter without one, as the article's θ₀, is not among them."""
+        """Base values by name, without parameters that have none, as the article's θ₀."""
         return {
             entry["name"]: entry["base"]
             for entry in self.about["parameters"]
@@ -237,41 +246,43 @@ class Model:
 
     @property
     def coefficient(self) -> str | None:
-        """The parameter that is the friction coefficient, the usual loading parameter, if any."""
+        """The parameter that is the friction coefficient, the usual loading parameter, or None."""
         name: str | None = self.about["roles"]["friction"]
         return name
 
     @property
     def inclination(self) -> str | None:
-        """The parameter that is the inclination of the mechanism, if any."""
+        """The parameter that is the inclination of the mechanism, or None."""
         name: str | None = self.about["roles"]["inclination"]
         return name
 
     @property
     def axes(self) -> tuple[str, ...]:
-        """Parameters that vary unless told otherwise: inclination and friction where the model has
-        them, else its first parameter of the balance.
+        """Parameters that vary by default: inclination and friction coefficient, else the first
+        parameter of the balance.
         """
         named = (name for name in (self.inclination, self.coefficient) if name is not None)
         return tuple(named) or self.plane[:1] or self.parameters[:1]
 
     @property
     def balanced(self) -> tuple[str, ...]:
-        """Parameters on which the balance of forces depends, and not the motion alone."""
+        """Parameters on which the balance of forces depends; others matter to the motion alone."""
         return _names(entry for entry in self.about["parameters"] if entry["role"] == "both")
 
     @property
     def plane(self) -> tuple[str, ...]:
-        """Two parameters for a picture whose reader may choose others: the same where they move
-        equilibria, then what else of the balance stands first.
+        """Two parameters for a picture by default: inclination and friction coefficient if the
+        balance depends on them, then other parameters of the balance.
         """
         named = [name for name in (self.inclination, self.coefficient) if name in self.balanced]
         return tuple(dict.fromkeys([*named, *self.balanced]))[:2]
 
     @cached_property
     def columns(self) -> Mapping[str, Column]:
-        """Columns of the model's own quantities by name: coordinates, rates, parameters, and
-        directions, lengths and forces of springs and contact, of the time the column ``t``.
+        """Columns of the model's own quantities by name.
+
+        These are coordinates, rates, parameters, and directions, lengths and forces of springs and
+        contacts. The column of time is ``t``.
         """
         found = [
             *forces.columns(self),
@@ -290,8 +301,8 @@ class Model:
 
     @cached_property
     def places(self) -> tuple[str, ...]:
-        """Names of columns that say where a state is: direction and length of each inclined spring,
-        and the coordinates.
+        """Names of columns that locate a state: direction and length of each inclined spring, and
+        the coordinates.
         """
         return forces.columns_of(self)
 
@@ -307,9 +318,7 @@ class Model:
         return found | {unit: scales[name] for unit, name in scale.items()}
 
     def unit(self, dimension: str) -> str:
-        """The model's own unit of a dimension, as ``k_c*L_0`` of ``"N"``; empty where it has
-        none.
-        """
+        """The model's own unit of a dimension, as ``k_c*L_0`` for ``"N"``; empty if it has none."""
         return self._units.get(dimension, "")
 
     def describe(self) -> str:
@@ -346,8 +355,8 @@ class Model:
         )
 
     def arguments(self, p: ParameterSet, kind: str = "statics") -> tuple[FloatArray, ...]:
-        """The parameters as generated functions take them, angles as cosine and sine, each with the
-        common shape.
+        """The parameters as generated functions take them, with cosine and sine of angles, each of
+        the common shape.
 
         ``kind`` is ``"statics"`` for functions of the balance of forces, ``"motion"`` for all
         others.
@@ -367,8 +376,10 @@ class Model:
     def rising_over(
         self, vary: str | None, over: str | None, called: str = "vary"
     ) -> tuple[str, str]:
-        """The loading parameter, and over the range of what; ``called`` is the argument that says
-        the first.
+        """The loading parameter, and the parameter over whose range it is asked; defaults replace
+        None.
+
+        ``called`` is the name of the first argument, for messages.
         """
         if vary is None or over is None:
             first, second = self.two(None, f"{called} and over")
@@ -379,37 +390,34 @@ class Model:
         return vary, over
 
     def cases(self) -> tuple[tuple[str, ParameterSet], ...]:
-        """Named points of all parameters, to begin at: those that the model brings, or the base
-        values.
+        """Named sets of all parameters to begin with: the model's own, or its base values.
 
-        Where there is none, of an angle that of the article's cases, and of others the middle of
-        the range.
+        Without a base value an angle is 30°, as in the article, and another parameter the middle of
+        its range, or 1.
         """
         if own := self.closed_form("cases"):
             return own()
-        values = {}
-        # What an angle without a base value is, as in the article's cases.
-        inclination = math.radians(30.0)
-        for entry in self.about["parameters"]:
-            low, high, angle = entry["low"], entry["high"], entry["name"] in self.about["angles"]
-            middle = (
-                inclination
-                if angle
-                else 0.5 * (low + high)
-                if low is not None and high is not None
-                else 1.0
-            )
-            values[entry["name"]] = middle if entry["base"] is None else entry["base"]
+
+        def value(entry: Mapping[str, Any]) -> float:
+            low, high = entry["low"], entry["high"]
+            if entry["base"] is not None:
+                return entry["base"]
+            if entry["name"] in self.about["angles"]:
+                return math.radians(30.0)
+            return 1.0 if low is None or high is None else 0.5 * (low + high)
+
+        values = {entry["name"]: value(entry) for entry in self.about["parameters"]}
         return (("Base values", self.Parameters(**values)),)
 
     def friction(
         self, p: ParameterSet, law: str = "friction_at_speed", contact: str | None = None
     ) -> FloatArray:
-        """The friction coefficient of steady sliding at the speed of the belt, or
-        ``"friction_at_rest"``, which statics takes; of several contacts that of the one named.
+        """The friction coefficient of steady sliding, of the shape of ``p``; source: the law of the
+        page.
 
-        Of the shape of ``p``, of which angles that the law does not depend on may be missing;
-        source: the law of the page.
+        ``law`` is ``"friction_at_speed"``, at the speed of the belt, or ``"friction_at_rest"``,
+        which statics takes. ``contact`` names one of several contacts. Angles that the law does not
+        depend on may be missing.
         """
         if law not in ("friction_at_speed", "friction_at_rest") or not self.frictions:
             raise ParameterError(
@@ -425,13 +433,14 @@ class Model:
         return np.asarray(coefficient(*self.arguments(p.replace(**missing), "motion")), dtype=float)
 
     def one(self, vary: str | None) -> str:
+        """The parameter that varies, by default the first of :attr:`axes`."""
         if not self.parameters:
             raise ParameterError(f"{self.name} has no parameters, so that nothing can vary")
         return self.axes[0] if vary is None else vary
 
     def rising(self, vary: str | None, begin: float | FloatArray | None) -> tuple[str, Any]:
-        """The loading parameter unless told otherwise, the friction at full slip, and from
-        where.
+        """The loading parameter, by default the friction coefficient, and the value from which it
+        rises.
         """
         name = vary or self.coefficient
         if name is None:
@@ -451,7 +460,7 @@ class Model:
         return name, given if given.ndim else given.item()
 
     def require_parameter(self, name: str) -> None:
-        """An error unless what varies is a parameter of the model."""
+        """Raise ParameterError unless the name is that of a parameter."""
         if name not in self.parameters:
             raise ParameterError(
                 f"vary = {name!r} is not a parameter of {self.name}; choose one of "
@@ -459,7 +468,9 @@ class Model:
             )
 
     def two(self, vary: Sequence[str] | None, called: str = "vary") -> Sequence[str]:
-        """The two parameters that vary: inclination and friction unless told otherwise."""
+        """The two parameters that vary: inclination and friction coefficient if ``vary`` is
+        None.
+        """
         if vary is None and len(self.axes) < 2:
             raise ParameterError(
                 f"{self.name} has not both an inclination and a friction; give {called}, two of "
@@ -490,22 +501,20 @@ class Model:
 def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
     """The class of a model's sets of parameters, with their base values.
 
-    ``where`` is what :func:`spragsym.load` takes for the model, by which a set finds its class
-    again in another process.
+    ``where`` is the argument of :func:`spragsym.load` for the model. By it another process finds
+    the class again.
     """
     names = _names(about["parameters"])
     base = {one["name"]: one["base"] for one in about["parameters"]}
+    arguments = [
+        Parameter(name, Parameter.POSITIONAL_OR_KEYWORD, default=base[name]) for name in names
+    ]
     made = type(
         "Parameters",
         (ParameterSet,),
         {
             "__doc__": _documentation(about),
-            "__signature__": Signature(
-                [
-                    Parameter(name, Parameter.POSITIONAL_OR_KEYWORD, default=base[name])
-                    for name in names
-                ]
-            ),
+            "__signature__": Signature(arguments),
             "ranges": {entry["name"]: _range(about, entry) for entry in about["parameters"]},
             "spanned": frozenset(names),
             "origin": "model.Parameters(...)",
@@ -518,7 +527,7 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
 
 @cache
 def _imported(module: str, name: str) -> Callable[..., Any]:
-    """A function of a module: looking the module up takes as long as a tenth of one point's
+    """A function of a module; cached, since the import takes a tenth of the time of one point's
     equilibria.
     """
     return getattr(import_module(module, "spragsym"), name)
@@ -529,11 +538,11 @@ def _names(entries: Iterable[Mapping[str, Any]]) -> tuple[str, ...]:
 
 
 def _range(about: Mapping[str, Any], entry: Mapping[str, Any]) -> Range:
+    """The allowed range of a parameter, with advice for a value outside of it."""
     low, high = (
         default if entry[end] is None else entry[end]
         for end, default in (("low", -math.inf), ("high", math.inf))
     )
-    # Of the article's remedies only what is true of any page: which mirror image a belt has is not.
     belts = [one["belt"] for one in about["frictions"]]
     if entry["unit"] == "rad":
         remedy = "angles are radians; use numpy.radians for degrees"
@@ -552,6 +561,7 @@ def _range(about: Mapping[str, Any], entry: Mapping[str, Any]) -> Range:
 
 
 def _documentation(about: Mapping[str, Any]) -> str:
+    """The docstring of a class of parameters."""
     lines = [
         f"Parameters of the model {about['name']}, scalars or arrays that broadcast together.",
         "",
@@ -569,13 +579,12 @@ def _documentation(about: Mapping[str, Any]) -> str:
 
 
 def title_drawing_words(about: Mapping[str, Any]) -> tuple[str, str, list[str]]:
-    """Title of a page, its drawing in characters, and the blocks below; formulas set apart are
+    """Title of a page, its drawing in characters, and the paragraphs below; displayed formulas are
     indented.
     """
     title, _, rest = about["drawing"].partition("\n\n::\n\n")
     drawn, *blocks = rest.split("\n\n")
-    while (
-        drawn.startswith(" ") and blocks and blocks[0].startswith("    ")
-    ):  # a drawing with blank lines
+    # A drawing may contain blank lines.
+    while drawn.startswith(" ") and blocks and blocks[0].startswith("    "):
         drawn += "\n\n" + blocks.pop(0)
     return title, textwrap.dedent(drawn).strip("\n"), blocks

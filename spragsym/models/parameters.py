@@ -1,4 +1,4 @@
-"""Parameters of models: what an argument may be, and sets of values."""
+"""Parameters of models: which values an argument may have, and sets of parameter values."""
 
 from __future__ import annotations
 
@@ -22,18 +22,21 @@ from .units import Carried as Carried
 if TYPE_CHECKING:
     from ..models.model import Model
 
-#: Lower and upper end.
+#: Lower and upper end of a range.
 Span: TypeAlias = tuple[float, float]
-#: Those by name, of parameters or coordinates.
+#: Ranges of parameters or coordinates by name.
 Ranges: TypeAlias = Mapping[str, Span]
 
-#: How far inside an end that a range does not hold a value is taken, over its length.
+#: Distance from an open end at which a value inside of the range is taken, over the length of it.
 INSIDE = 2.0**-40
 
 
 @dataclass(frozen=True)
 class Range:
-    """Allowed values of an argument, in its SI unit."""
+    """Allowed values of an argument, in its SI unit; the ends belong to it as the flags say.
+
+    ``remedy`` is advice for a value outside.
+    """
 
     low: float
     high: float = math.inf
@@ -43,24 +46,26 @@ class Range:
     unit: str = "1"
 
     def spans(self, value: Any) -> BoolArray:
-        """Whether a number of any type lies between the ends, or where those of an array do."""
+        """Whether a number of any type lies in the range, or the mask of an array's numbers that
+        do.
+        """
         above = value > self.low if self.open_low else value >= self.low
         return above & (value <= self.high if self.closed_high else value < self.high)
 
     def contains(self, value: float) -> bool:
-        """Whether a number is allowed."""
+        """Whether a number is finite and in the range."""
         return math.isfinite(value) and bool(self.spans(value))
 
     def reached(self, end: float, length: float = 1.0) -> float:
-        """An end, or a value next to it where the range does not hold it, by the length of what is
-        searched.
+        """An end of the range or, if it is open, a value next to it inside; ``length`` is that of
+        the searched range.
         """
         if self.contains(end):
             return end
         return end + INSIDE * length * (1 if end <= self.low else -1)
 
     def inside(self, values: FloatArray) -> BoolArray:
-        """Mask of the numbers that are allowed."""
+        """Mask of the numbers that are finite and in the range."""
         return np.isfinite(values) & self.spans(values)
 
     def __str__(self) -> str:
@@ -69,13 +74,12 @@ class Range:
 
 
 def shown(value: float) -> str:
-    """The shortest decimal that reads back as the same number, whole numbers without a point:
-    ``-0.3``, ``200``.
-    """
+    """The shortest decimal that reads back as the same number, as ``-0.3`` and ``200``."""
     return repr(float(value)).removesuffix(".0")
 
 
 def _bound(value: float) -> str:
+    """An end of a range as text, with multiples of pi by name."""
     named = {math.pi: "pi", math.pi / 2: "pi/2", -math.pi: "-pi", -math.pi / 2: "-pi/2"}
     return named.get(value) or shown(value)
 
@@ -89,14 +93,14 @@ ANGLE = Range(-math.inf, unit="rad")
 def as_numbers(
     name: str, value: ArrayLike, allowed: Range = FINITE, carried: Carried | None = None
 ) -> FloatArray:
-    """``value`` as a float64 array of any shape, or an error that names the argument.
+    """``value`` as a read-only float64 array of any shape.
 
-    Units that its elements carry are converted where they are understood; ``carried`` keeps them.
-    Texts, booleans, complex numbers, objects, ragged lists, masked values, other units, units
-    beside bare numbers and named dimensions are a ParameterTypeError; NaN, infinities and numbers
-    out of range a ParameterError.
+    Elements with units are converted if the units are understood; ``carried`` keeps the units.
+    Raises ParameterTypeError for texts, booleans, complex numbers, objects, ragged lists, masked
+    values, other units, units mixed with bare numbers, and named dimensions. Raises ParameterError
+    for NaN, infinities and numbers outside of ``allowed``. Errors name the argument.
     """
-    if type(value) is float and allowed.contains(value):  # most are
+    if type(value) is float and allowed.contains(value):  # the most frequent case, made fast
         single: FloatArray = np.array(value)
         single.setflags(write=False)
         return single
@@ -114,7 +118,6 @@ def as_numbers(
             f"{name} is not an array of numbers ({error}); give one number or a regular array"
         ) from error
     if array.dtype.kind not in "iuf":
-        # What NumPy's kinds of arrays hold that are no real numbers.
         kinds = {
             "U": "text",
             "S": "bytes",
@@ -142,9 +145,7 @@ def as_numbers(
 
 
 def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:
-    """``value`` as one float; as :func:`as_numbers`, and an error for anything but a single
-    number.
-    """
+    """``value`` as one float, with the errors of :func:`as_numbers`; an array is an error too."""
     array = as_numbers(name, value, allowed)
     if array.ndim:
         raise ParameterTypeError(f"{name} has the shape {array.shape}; one number is needed here")
@@ -152,8 +153,8 @@ def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:
 
 
 def as_range(name: str, value: ArrayLike, allowed: Range = FINITE) -> tuple[float, float]:
-    """``value`` as the lower and the upper end of a range; errors as of :func:`as_numbers`, and one
-    for anything else.
+    """``value`` as lower and upper end of a range, with the errors of :func:`as_numbers`; anything
+    else is a ParameterError.
     """
     ends = as_numbers(name, value, allowed)
     if ends.shape != (2,) or not ends[0] < ends[1]:
@@ -164,7 +165,7 @@ def as_range(name: str, value: ArrayLike, allowed: Range = FINITE) -> tuple[floa
 def as_ranges(
     name: str, given: Ranges | None, allowed: Mapping[str, Range]
 ) -> dict[str, tuple[float, float]]:
-    """``given`` ranges by name, of some of those ``allowed``, each within what it may be."""
+    """Ranges by name, each within the ``allowed`` one; names without one are an error."""
     if not isinstance(given or {}, Mapping):
         raise ParameterTypeError(
             f"{name} = {given!r:.60} is no mapping; give the ends by name, as "
@@ -181,13 +182,13 @@ def as_ranges(
 
 
 def largest(p: ParameterSet, name: str) -> float:
-    """The largest size of a parameter, over all points; 0 where it has no value."""
+    """The largest absolute value of a parameter over all points; 0 if it has no value."""
     value = p[name]
     return 0.0 if value is None else float(np.abs(value).max(initial=0.0))
 
 
 def varied_range(vary: str, between: Ranges | None, allowed: Range) -> Span:
-    """The range of a parameter that varies, which ``between`` must hold, and no other."""
+    """The range of the parameter that varies, the only one that ``between`` may hold."""
     given = as_ranges("between", between, {vary: allowed})
     if not given:
         raise ParameterError(
@@ -198,7 +199,7 @@ def varied_range(vary: str, between: Ranges | None, allowed: Range) -> Span:
 
 
 def as_count(name: str, value: object, least: int = 1, most: float = math.inf) -> int:
-    """``value`` as an integer of at least so much, and no more than ``most``."""
+    """``value`` as an integer between ``least`` and ``most``."""
     if (
         isinstance(value, bool)
         or not isinstance(value, int | np.integer)
@@ -210,13 +211,15 @@ def as_count(name: str, value: object, least: int = 1, most: float = math.inf) -
 
 
 def _short(value: object) -> str:
+    """The representation of a value, cut to 40 characters."""
     text = repr(value)
     return text if len(text) <= 40 else text[:37] + "..."
 
 
 def degrees(angle: float) -> float:
-    """An angle in degrees: the shortest number that is the same in radians, so that what was given
-    in degrees comes back.
+    """An angle in degrees: the shortest number with the same value in radians.
+
+    So an angle that was given in degrees reads back as it was given.
 
     Examples
     --------
@@ -229,8 +232,8 @@ def degrees(angle: float) -> float:
 
 
 def named(cls: type[T]) -> type[T]:
-    """Make a dataclass suggest the name that was meant when it is given one that it does not
-    have.
+    """Class decorator: a dataclass whose error for an unknown field suggests the one that was
+    meant.
     """
     made: Callable[..., None] = cls.__init__
     names = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
@@ -245,7 +248,7 @@ def named(cls: type[T]) -> type[T]:
 
 
 def check_names(given: Iterable[str], allowed: Iterable[str]) -> None:
-    """Raise for a name that is not known, with the one that was meant."""
+    """Raise ParameterTypeError for an unknown name, with a suggestion."""
     allowed = list(allowed)
     for name in given:
         if name not in allowed:
@@ -254,7 +257,7 @@ def check_names(given: Iterable[str], allowed: Iterable[str]) -> None:
 
 
 def common_shape(given: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
-    """The shape that named shapes broadcast to, or an error that lists them."""
+    """The shape to which named shapes broadcast; ParameterError lists them if there is none."""
     try:
         return np.broadcast_shapes(*given.values())
     except ValueError as error:
@@ -298,23 +301,25 @@ class Values(Tabular):
 
 
 class ParameterSet(Values):
-    """Dimensionless parameters of a model, scalars or arrays that broadcast together: items by
-    their names, and attributes where none of a set has that name.
+    """Dimensionless parameters of a model, scalars or arrays that broadcast together.
+
+    A parameter is an item by its name, and also an attribute unless a set has another attribute of
+    that name.
     """
 
     #: Allowed values of each parameter, in the order in which functions take them.
     ranges: ClassVar[Mapping[str, Range]] = {}
-    #: Parameters that may be left out, for functions that span them.
+    #: Parameters that may be missing, for functions that vary them.
     spanned: ClassVar[frozenset[str]] = frozenset()
-    #: Where a set with values for all of them comes from.
+    #: How to make a set with values for all parameters, for messages.
     origin: ClassVar[str] = ""
-    #: What :func:`spragsym.load` takes for the model.
+    #: The argument of :func:`spragsym.load` for the model.
     where: ClassVar[str] = ""
-    #: Coordinates near which the followed state begins; None for the reference state.
+    #: Coordinates; the followed state is the one nearest to them. None for the reference state.
     followed: ClassVar[Mapping[str, float] | None] = None
     _model: ClassVar[Model | None] = None
 
-    #: Values of parameters that are left out.
+    #: Default values.
     base: ClassVar[Mapping[str, float | None]] = {}
 
     def __init__(self, /, *given: ArrayLike | None, **values: ArrayLike | None) -> None:
@@ -331,7 +336,7 @@ class ParameterSet(Values):
         self._set({name: getattr(self, name) for name in self.ranges})
 
     def _set(self, values: Mapping[str, ArrayLike | None]) -> None:
-        """Keep values once they are seen to be allowed."""
+        """Set values in place, after they have been checked."""
         held = self.__dict__["_held"] = dict(self.__dict__.get("_held", {}))
         for name, value in values.items():
             if value is None and name not in self.spanned:
@@ -341,7 +346,7 @@ class ParameterSet(Values):
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
 
     def __setattr__(self, name: str, value: object) -> NoReturn:
-        """Refuse a change, which no question would see."""
+        """Raise AttributeError: a set is immutable."""
         raise AttributeError(
             f"{name} can't be set: a set of parameters stays as it is; use p.replace({name}=...)"
         )
@@ -365,25 +370,22 @@ class ParameterSet(Values):
 
     @property
     def model(self) -> Model:
-        """The :class:`spragsym.Model` that they are parameters of."""
+        """The :class:`spragsym.Model` to which the parameters belong."""
         return type(self).model_of_class()
 
     @classmethod
     def model_of_class(cls) -> Model:
-        """The model of all sets of a class."""
-        if (
-            cls._model is None
-        ):  # a model is loaded when it is asked for, by a room that stands above this one
+        """The model of all sets of this class."""
+        if cls._model is None:  # models are loaded on first use; their module imports this one
             cls._model = importlib.import_module("spragsym.models").load(cls.where)
         return cls._model
 
     def of(self, model: Model) -> Self:
-        """The values as a set of ``model``: of the one without closed forms, ``model.search``, or
-        of the one that has them.
-        """
+        """The same values as a set of ``model``, the model with or without closed forms."""
         return self if model.Parameters is type(self) else self._copied(model.Parameters)
 
     def _copied(self, kind: Any) -> Any:
+        """A copy of the values and of the followed state, as a set of class ``kind``."""
         other = object.__new__(kind)
         kept = {
             name: self.__dict__[name] for name in ("followed", "_held") if name in self.__dict__
@@ -437,16 +439,16 @@ class ParameterSet(Values):
         """A copy with other values."""
         check_names(changes, self.ranges)
         other = self._copied(type(self))
-        other._set(changes)  # what stays as it is need not be looked at again
+        other._set(changes)  # the others have been checked already
         return other
 
     def given(self, /, **changes: ArrayLike | None) -> Self:
-        """A copy with those values that are not None; itself if there are none."""
+        """A copy with those values that are not None; the set itself if all are None."""
         changed = {name: value for name, value in changes.items() if value is not None}
         return self.replace(**changed) if changed else self
 
     def require(self, *names: str) -> None:
-        """Raise unless the named parameters are given."""
+        """Raise ParameterError unless the named parameters have values."""
         for name in names:
             if self[name] is None:
                 raise ParameterError(
@@ -457,21 +459,18 @@ class ParameterSet(Values):
     def scalars(self, *names: str) -> tuple[float, ...]:
         """The named parameters as floats; an error if one is missing or an array."""
         self.require(*names)
-        # Each was seen to be allowed when it was given.
-        kept = ((name, self[name]) for name in names)
-        return tuple(as_number(name, value) if value.ndim else value.item() for name, value in kept)
+        values = ((name, self[name]) for name in names)
+        return tuple(
+            as_number(name, value) if value.ndim else value.item() for name, value in values
+        )
 
     def broadcast(self, *names: str) -> tuple[FloatArray, ...]:
-        """The named parameters, read-only, each of the common shape."""
+        """The named parameters as read-only arrays of the common shape."""
         self.require(*names)
         return tuple(np.broadcast_to(self[name], self.shape) for name in names)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return set_of, (
-            self.model,
-            dict(self._values),
-            self.followed,
-        )
+        return set_of, (self.model, dict(self._values), self.followed)
 
     def __repr__(self) -> str:
         given = self._values
@@ -484,7 +483,7 @@ class ParameterSet(Values):
 def set_of(
     model: Model, values: Mapping[str, Any], followed: Mapping[str, float] | None
 ) -> ParameterSet:
-    """A set of parameters of a model, and what it follows."""
+    """A set of parameters of a model, with the coordinates of the followed state, or None."""
     p = model.Parameters(**values)
     return p if followed is None else p.following(**followed)
 

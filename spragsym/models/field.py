@@ -1,10 +1,11 @@
-"""Vector field of a model for integrators and the search for cycles: of second order, smooth in
-each of its modes.
+"""Vector field of a model: second order in time, smooth in each mode, for integrators and periodic
+orbits.
 
-Generated functions make it, over the modes (pushing…, side…, near…): ``pushing`` of every contact
-is 1 in contact and 0 without, ``side`` of every friction the sign of the sliding speed, 0 where it
-sticks, and ``near`` of every exponential of a friction law 1 where it is felt and 0 where it is
-left out. What a model has not, as a contact that lifts, is no border.
+A mode is a tuple of numbers (pushing…, side…, near…). ``pushing`` is the contact indicator of every
+contact, 1 in contact and 0 without. ``side`` is the sign of every friction's sliding speed, 0 while
+it sticks. ``near`` is, for every exponential of a friction law, 1 where it is evaluated and 0 where
+it is neglected. Generated functions take the numbers of the mode, and :class:`Border` objects say
+where it changes.
 """
 
 from __future__ import annotations
@@ -31,48 +32,47 @@ if TYPE_CHECKING:
     from ..motion.scales import MotionScales
     from .model import Model
 
-#: What is said of an orbit on which the field jumps.
+#: Message for an orbit on which the field jumps.
 JUMPED = (
     "the orbit passes behind the end of a torsion spring, or through the anchor of a spring, "
     "where its force jumps: derivatives "
     "are not carried across a jump; simulate the motion, or look for another orbit"
 )
 
-#: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
+#: Numbers that select a smooth piece of the field, such as (contact, side, near).
 Mode: TypeAlias = tuple[int, ...]
 
 #: State, its derivative, or values of parameters: numbers of any type in order.
 Vector: TypeAlias = Sequence[Any]
 
-#: Values of a field's parameters in order, or of what its functions take for them.
+#: Values of a field's parameters in order, or the arguments that follow from them.
 Values: TypeAlias = tuple[float, ...]
 
 #: ``xp`` of single floats: Python's functions, and the sign function, for derivatives of |p| by a
 #: parameter p.
 FLOATS = SimpleNamespace(**vars(math), sign=np.sign)
 
-#: How far beyond its border a mode is left, in units of the border's level: it ends chatter by
-#: rounding, and costs an error of the order of its square. Motions are carried in units of their
-#: own (``spragsym.motion.scales``), and so are all tolerances that are numbers beside 1.
+#: A mode is left this far beyond its border, in units of the border's level. It prevents chatter
+#: from rounding, at an error of the order of its square. Motions are integrated in their own units
+#: (``spragsym.motion.scales``), so that tolerances are relative to 1.
 OVERSHOOT = 1e-12
 
-#: How far apart an exponential of the friction law is left out and taken in again, in units of its
-#: exponent.
+#: Hysteresis, in the exponent, between neglecting an exponential of the friction law and evaluating
+#: it again.
 HYSTERESIS = 5.0
 
 
-#: A motion has settled when what is left to its limit is this share of its reach; for rest, of its
-#: unit of length, which is 1 for motions of a common size.
+#: A motion has settled at a distance from its limit of this share of its range; at rest, of its
+#: unit of length.
 SETTLED_SHARE = 1e-4
 
-#: Minus the exponent beyond which the search for cycles leaves an exponential of the friction law
-#: out: far below rounding.
+#: Periodic orbits neglect exponentials of the friction law below exp(−this), far below rounding.
 FELT_EXPONENT = 42.0
 
 
 @dataclass(frozen=True)
 class Border:
-    """Border at which a mode ends: at a zero of ``level``.
+    """Border of modes: a mode ends at a zero of ``level``.
 
     Attributes
     ----------
@@ -80,33 +80,32 @@ class Border:
     level : callable
         ``level(state, constants, mode)``, algebra of any number type.
     rate : callable
-        ``rate(state, accelerations, constants, mode)``: the derivative of the level in time.
+        ``rate(state, accelerations, constants, mode)``: the time derivative of the level.
     sign : callable
-        ``sign(mode)``: of the level inside a mode, a polynomial in the mode's numbers: 1 or −1, or
-        0 if it is no border of it.
+        ``sign(mode)``: sign of the level inside a mode, 1 or −1; 0 if the border is none of this
+        mode. It is a polynomial in the mode's numbers.
     beyond : callable
         ``beyond(mode, state, constants)``: the mode on the other side.
     kink : bool
         Whether the field has a kink there; False where two modes differ by less than rounding.
     crossings : tuple of str
-        What crossing it is called, to positive and to negative levels, and to a mode of which it is
-        no border.
+        Names of crossings: to positive levels, to negative levels, and to a mode without this
+        border.
     scale : float
-        What makes the level small beside the state: the error of a Taylor method is relative to the
-        largest of all.
+        Factor that makes the level small beside the state, since the error of a Taylor method is
+        relative to the largest component.
     jumps : callable or None
-        ``jumps(state, constants)``: whether the field jumps where a motion leaves through the
-        border; None where it never does.
+        ``jumps(state, constants)``: whether the field jumps where a motion crosses; None if never.
     slopes : callable or None
         ``slopes(state, constants, mode)``: derivatives of the level by the 2 n numbers of the state
-        and the P parameters, where derivatives of a motion are carried across a jump.
+        and the P parameters, for saltation matrices.
     stays : callable or None
-        ``stays(state, constants, mode)``: not negative where a motion that comes to the border
-        stays on it.
+        ``stays(state, constants, mode)``: not negative where a motion that reaches the border stays
+        on it.
     place : int
-        Which number of a mode it changes.
+        Index of the number of the mode that changes.
     contact : str
-        The name of its contact, of several.
+        The name of its contact, if there are several.
     """
 
     name: str
@@ -126,64 +125,64 @@ class Border:
 
 @dataclass(frozen=True)
 class Field:
-    """A model's motion: n coordinates q, q″ = acceleration(q, q′) in each mode, continuous across
-    the borders between modes but where a border ``jumps``.
+    """The motion of a model: q″ = acceleration(q, q′) for n coordinates, in each mode.
+
+    The field is continuous across borders, except where a border ``jumps``.
 
     Attributes
     ----------
     name : str
-        Unique to the model: compiled integrators are kept by it.
+        Unique to the model: the key of compiled integrators.
     coordinates : tuple of str, length n
     parameters : tuple of str, length P
-        Those that can be varied.
+        Parameters that can be varied.
     constants : callable
-        ``constants(values)``: what the functions below take, from the values of the parameters; of
-        a fixed length. With ``xp`` as a second argument from other numbers than floats.
+        ``constants(values)``: arguments of the functions below, from values of the parameters; of
+        fixed length. With ``xp`` as a second argument, from numbers other than floats.
     acceleration, jacobian, by_parameters : callable
         ``f(state, constants, mode, xp)``: n accelerations; n rows of derivatives by the 2 n numbers
         of the state; n rows of derivatives by the P parameters.
     borders : tuple of Border
     initial_mode : callable
-        ``initial_mode(state, constants)``; on a border either side is right.
+        ``initial_mode(state, constants)``: the mode of a state; on a border either side.
     modes : tuple of Mode
-        All there are.
+        All modes.
     parameter_set : callable
-        ``parameter_set(**values)``: the model's parameters of these values, or an error where one
-        may not have its value.
+        ``parameter_set(**values)``: the model's parameters, or an error for a value out of range.
     exact : callable
-        ``exact(mode)``: the mode without what is left out below rounding, for proofs.
+        ``exact(mode)``: the mode in which nothing is neglected, for proofs.
     forces : tuple of (str, callable)
-        Name and ``f(states, constants)``, arrays: forces whose range over an orbit is told.
+        Name and ``f(states, constants)``, arrays: forces whose range over an orbit is reported.
     where : str
-        What :func:`spragsym.load` takes for its model, by which it is made once more in another
-        process; empty where none does.
+        The argument of :func:`spragsym.load` for the model, by which another process makes the
+        field again; empty if there is none.
     torsion_sides : int
-        How many numbers at the end of a mode go with the place alone.
+        Count of numbers at the end of a mode that depend on the position alone.
     faces : tuple of int
-        Places in a mode that do too: of contacts that press on either of two faces, and of several
-        contacts, any of which may be open at rest, of all.
+        Other indices in a mode that depend on the position alone: of contacts that press on either
+        of two faces, and of all contacts if there are several, any of which may be open at rest.
     nonlinear_levels : bool
-        Whether a level is no linear function of the state.
+        Whether some level is no linear function of the state.
     periodic : mapping of int to mapping of int to int
-        Turns after which all is as before: by the place of an angle that makes one, the turns of
-        each that moves with it.
+        Whole turns under which the field is invariant: by the index of an angle, the turns of each
+        coordinate that go with one turn of it.
     model : Model or None
-        Whose motion it is; None of one that is of no page.
+        The model, or None for a field without a page.
     airborne : callable or None
-        ``airborne(constants, state)``: whether a motion is above the belt for good; None where that
+        ``airborne(constants, state)``: whether a motion stays above the belt forever; None if that
         is not known.
     units : tuple of str, length n
-        Units of the coordinates: those of one unit have one scale, those in rad have the scale 1.
+        Units of the coordinates. Coordinates of one unit share a scale; the scale of rad is 1.
     lengths : callable
         ``lengths(state, constants)``: undeformed lengths of springs.
     sized : callable or None
-        ``sized(levels)``: the field whose borders are resolved in units of their levels.
+        ``sized(levels)``: the field whose borders are resolved in units of these levels.
     natural, scales : Field and Scales, or None
-        Of a field in units of a motion: the field in those of the model, and what they are.
+        For a field in units of a motion: the field in the model's units, and the scales.
     lead : int
-        Place of the coordinate whose maxima mark the rounds of a motion.
+        Index of the coordinate whose maxima separate the rounds of a motion.
     clock : callable or None
-        ``clock(constants)``: the rate of the last coordinate, where that is the phase of a clock.
+        ``clock(constants)``: the rate of the last coordinate, if that is the phase of a clock.
     """
 
     name: str
@@ -215,39 +214,39 @@ class Field:
     clock: Callable[[Values], float] | None = None
 
     def with_lead(self, lead: int) -> Field:
-        """The field with rounds marked by another coordinate."""
+        """The field whose rounds are separated by another coordinate."""
         if lead == self.lead:
             return self
         natural = self.natural.with_lead(lead) if self.natural else None
         return replace(self, lead=lead, natural=natural)
 
     def mode_at_rest(self, state: Vector, constants: Vector) -> Mode:
-        """The first mode, but for the numbers that go with the place, which are as at the state."""
+        """The first mode, with the numbers that depend on the position alone taken from the
+        state.
+        """
         first = self.modes[0]
         if not (self.torsion_sides or self.faces):
             return first
-        here, last = self.initial_mode(state, constants), len(first) - self.torsion_sides
-        with_place = {*self.faces, *range(last, len(first))}
-        return tuple(here[k] if k in with_place else own for k, own in enumerate(first))
+        own, last = self.initial_mode(state, constants), len(first) - self.torsion_sides
+        by_position = {*self.faces, *range(last, len(first))}
+        return tuple(own[k] if k in by_position else number for k, number in enumerate(first))
 
     def at_rest(self, position: Sequence[float], constants: Values) -> tuple[float, ...]:
-        """The state without speeds at a place; that of a clock, which no place has, is at its
-        phase 0 and has its rate.
-        """
+        """The state at a position without speeds; a clock has the phase 0 and its own rate."""
         still = (*position, *(0.0,) * (self.size - len(position)))
         return (*still[:-1], self.clock(constants)) if self.clock else still
 
     @cached_property
     def sticking_borders(self) -> tuple[Border, ...]:
-        """The borders on which a motion may stay, as where friction holds."""
+        """Borders on which a motion may stay, as where friction sticks."""
         return tuple(border for border in self.borders if border.stays)
 
     def stays(self, mode: Mode) -> tuple[Border, ...]:
-        """Borders on which a state stays in a mode."""
+        """Borders on which a state stays in this mode."""
         return tuple(border for border in self.sticking_borders if not border.sign(mode))
 
     def check(self, name: str, value: float) -> None:
-        """An error where a parameter may not have a value."""
+        """Raise ParameterError if a parameter may not have this value."""
         self.parameter_set(**{name: value})
 
     @property
@@ -257,15 +256,15 @@ class Field:
 
     @property
     def time(self) -> float:
-        """The unit of its times, in that of the model."""
+        """The unit of time, in that of the model."""
         return self.scales.time if self.scales else 1.0
 
     def column(self, name: str) -> Column:
-        """The column of a parameter or a coordinate; without a model a plain number."""
+        """The column of a parameter or coordinate; a plain number without a model."""
         return Column(name) if self.model is None else self.model.column(name)
 
     def place(self, state: Sequence[float] | FloatArray, digits: str) -> Remark:
-        """The coordinates of a state less whole turns, in words."""
+        """The coordinates of a state, without whole turns, as text."""
         values = in_one_turn(state, self.periodic)
         parts = [
             At(name, (float(value),), digits, "rad" * self.column(name).is_angle)
@@ -275,44 +274,42 @@ class Field:
 
     @property
     def size(self) -> int:
-        """Numbers in a state."""
+        """Count of numbers in a state, 2 n."""
         return 2 * len(self.coordinates)
 
     @property
     def deviations(self) -> int:
-        """Numbers of a state by which motions may differ, the first ones: the last is the rate of a
-        clock, which is given.
+        """Count of numbers, the first ones of a state, in which motions may differ; the rate of a
+        clock is given.
         """
         return self.size - bool(self.clock)
 
     def rates(
         self, state: Vector, constants: Vector, mode: Mode, xp: object = FLOATS
     ) -> FloatArray:
-        """The rates of all numbers of a state."""
+        """The time derivative of a state."""
         speeds = state[len(self.coordinates) :]
         return np.array([*speeds, *self.acceleration(state, constants, mode, xp)], dtype=float)
 
     def level_rate(self, border: Border, state: Vector, constants: Vector, mode: Mode) -> float:
-        """The rate of a border's level in a mode."""
+        """The time derivative of a border's level in a mode."""
         pulls = self.acceleration(state, constants, mode, FLOATS)
         return float(border.rate(state, pulls, constants, mode))
 
     def matrix(
         self, state: Vector, constants: Vector, mode: Mode, xp: object = FLOATS
     ) -> FloatArray:
-        """The derivative of the rates of all numbers of a state by these: the linearized motion at
-        an equilibrium.
-        """
+        """The Jacobian of the rates by the state, shape (2 n, 2 n)."""
         n = len(self.coordinates)
-        return np.vstack(
-            [np.eye(n, 2 * n, n), np.array(self.jacobian(state, constants, mode, xp), dtype=float)]
-        )
+        by_state = np.array(self.jacobian(state, constants, mode, xp), dtype=float)
+        return np.vstack([np.eye(n, 2 * n, n), by_state])
 
 
 @cache
 def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Field:
-    """The field whose exponentials are left out where they are below exp(−reach), and whose borders
-    are resolved in units of their ``levels``, by default 1.
+    """The field of a model that neglects exponentials below exp(−reach).
+
+    Its borders are resolved in units of their ``levels``, by default 1.
     """
     motion = _Motion(model, reach, levels)
     return Field(
@@ -353,8 +350,8 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
 
 
 def exact_field(where: str) -> Field:
-    """The field of a model by the name that loads it, for proofs: its contact laws have to be
-    polynomials.
+    """The field of a model by its name, for proofs; ParameterError if proofs do not cover the
+    model.
     """
     from .load import load
 
@@ -384,49 +381,49 @@ def exact_field(where: str) -> Field:
 
 
 class _Motion:
-    """The functions of a field, from those that were generated for a model.
+    """The functions of a field, from the generated functions of a model.
 
-    Where the law of contact has a root, as Hertz's, and a coordinate is the gap, a motion is
-    stopped at each turn of it. Where the mass only just touches, the depth goes with (t − t_0)² and
-    its power 3/2 with |t − t_0|³. Before t_0 the series is that of −(t − t_0)³, which nothing shows
-    to be wrong beyond: so a step ends at t_0.
+    If a contact law has a root, as Hertz's, and a coordinate is the gap, a motion is stopped at
+    each extremum of it. Where the mass just touches, the depth is like (t − t_0)² and its power 3/2
+    like |t − t_0|³. The Taylor series from t < t_0 is that of −(t − t_0)³, and beyond t_0 nothing
+    shows that it is wrong. So a step ends at t_0.
     """
 
     def __init__(self, model: Model, reach: float, levels: tuple[float, ...] = ()) -> None:
         about = model.about
         self.model, self.reach, self.contacts = model, reach, model.contacts
         self.layers, self.torsions = about["layers"], len(about["torsions"])
-        #: Of each friction whether it holds; of a model without any one number of the mode is left.
+        #: For each friction, whether it can stick; a model without friction has one entry.
         self.holds = [entry["holds"] for entry in model.frictions] or [False]
         self.sides = [(1, -1, 0) if holds else (1, -1) for holds in self.holds]
-        #: Frictions that hold, in the order of what is generated of them.
+        #: Frictions that can stick, in the order of the rows of generated functions.
         self.holding = [index for index, holds in enumerate(self.holds) if holds]
         self.rooted = [not entry["polynomial"] for entry in self.contacts]
-        #: Contacts whose gap is a coordinate, at each turn of which a motion is stopped.
+        #: Contacts whose gap is a coordinate, at each extremum of which a motion is stopped.
         self.turns = [
             contact
             for contact, entry in enumerate(self.contacts)
             if self.rooted[contact] and entry["unilateral"] and entry["gap"] in model.coordinates
         ]
-        #: Contacts that press on either of two faces: places of what goes with the place alone.
+        #: Contacts that press on either of two faces: indices of numbers of the mode that depend on
+        #: the position alone.
         self.faces = tuple(
             contact for contact, entry in enumerate(self.contacts) if presses_either(entry)
         )
         rows = itertools.chain(levels, itertools.repeat(1.0))
         sizes = [1.0 if entry["border"] is None else next(rows) for entry in self.contacts]
-        #: How far before its border a law that is no polynomial is left, for it may have no
-        #: continuation beyond; and up to which sliding speeds nothing slides.
+        #: A law that is no polynomial is left this far before its border, beyond which it may have
+        #: no value.
         self.shifts = [
             2 * OVERSHOOT * size * rooted for size, rooted in zip(sizes, self.rooted, strict=True)
         ]
+        #: Sliding speeds up to this count as 0 where friction sticks.
         self.still = list[float]()
         for holds in self.holds:
             size, *_ = itertools.islice(rows, 3 if holds else 1)
-            # Sliding speeds up to this are 0 where friction holds.
-            standstill = 2 * OVERSHOOT
-            self.still.append(standstill * size)
-        #: Places in a mode of the first side, the first exponential of a friction law, the first
-        #: turn of a gap, and the first torsion spring.
+            self.still.append(2 * OVERSHOOT * size)
+        #: Indices in a mode of the first side, the first exponential of a friction law, the first
+        #: extremum of a gap, and the first torsion spring.
         self.side = len(self.contacts)
         self.near = self.side + len(self.holds)
         self.turn = self.near + self.layers
@@ -434,7 +431,7 @@ class _Motion:
 
     def constants(self, values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
         """Arguments of the functions, from values of the parameters."""
-        # Of NumPy by one number at a time, so that no bit depends on where it stands in an array.
+        # NumPy on single numbers: in arrays the last bit depends on the position.
         cos, sin = (
             (xp.cos, xp.sin)
             if xp is not None
@@ -446,8 +443,8 @@ class _Motion:
         return tuple(arguments[name] for name in self.model.about["arguments"]["motion"])
 
     def in_mode(self, name: str) -> Callable[..., Any]:
-        """A generated function of the state, the constants and the numbers of the mode that it
-        takes.
+        """A generated function as ``f(state, constants, mode, xp)``; it gets the numbers of the
+        mode that it takes.
         """
         plain = undecorated(getattr(self.model.algebra, name))
         turn, way, rooted = self.turn, self.way, any(self.rooted)
@@ -471,7 +468,7 @@ class _Motion:
         )
         turn = [2 * (state[n + self._gap(contact)] >= 0) - 1 for contact in self.turns]
         torsion_sides = (2 * (sine >= 0) - 1 for sine, _ in self._turning_waves(state, constants))
-        # A law that is no polynomial begins without contact on the border itself.
+        # With a law that is no polynomial, the border itself is without contact.
         pushing = (
             1 * (gap <= -shift) if entry["border"] else 1
             for gap, shift, entry in zip(gaps, self.shifts, self.contacts, strict=True)
@@ -481,8 +478,9 @@ class _Motion:
         return self._settled(mode, state, constants, still) if still else mode
 
     def held(self, mode: Mode, state: Vector, constants: Vector, come: Sequence[int] = ()) -> Mode:
-        """The mode in which a motion goes on where frictions have ``come`` to a border: what sticks
-        and what hardly slides may begin and end to stick with them.
+        """The mode after frictions have ``come`` to a border.
+
+        Frictions that stick or hardly slide may start or stop sticking together with them.
         """
         slips = undecorated(self.model.algebra.borders)(*state, *constants)[self.side :]
         chosen = [
@@ -495,9 +493,11 @@ class _Motion:
         return self._settled(mode, state, constants, chosen)
 
     def _settled(self, mode: Mode, state: Vector, constants: Vector, chosen: Sequence[int]) -> Mode:
-        """The mode, over sides of the chosen frictions, that agrees with its own accelerations; of
-        those that do the one in which most stick. An error where none does, or several that are no
-        part of one.
+        """The mode consistent with its own accelerations, among all sides of the chosen frictions.
+
+        If several are consistent, the one with the most sticking frictions is taken. Raises
+        ConvergenceError if there is none, or if none of them includes all others (Painlevé's
+        paradox).
         """
         found: list[tuple[set[int], Mode]] = []
         every = itertools.product((0, 1, -1), repeat=len(chosen))
@@ -522,35 +522,40 @@ class _Motion:
         )
 
     def _agrees(self, mode: Mode, state: Vector, constants: Vector, chosen: Sequence[int]) -> bool:
-        """Whether each chosen friction that sticks is within its limits, and each that slips can't
-        stick, or is driven the way it slips.
+        """Whether a mode is consistent for each chosen friction.
+
+        A sticking friction must be within its limits. A slipping one must be unable to stick, or be
+        accelerated in the direction of its slip.
         """
         margins = self.in_mode("grip")(state, constants, mode, FLOATS)
         for index in chosen:
             side, row = mode[self.side + index], 2 * self.holding.index(index)
             ahead, behind = margins[row : row + 2]
             sticks = min(ahead, behind) >= 0 < max(ahead, behind)  # in lift-off these are −F and F
-            if side == (0 if sticks else 1 if ahead < behind else -1):
+            slip_side = 1 if ahead < behind else -1
+            if side == (0 if sticks else slip_side):
                 continue
             if not (sticks and side * self._slip_rate(index, mode, state, constants) > 0):
                 return False
         return True
 
     def _slip_rate(self, index: int, mode: Mode, state: Vector, constants: Vector) -> float:
-        """Rate of change of a sliding speed in a mode."""
+        """Time derivative of a sliding speed in a mode."""
         pulls = self.in_mode("regime_rhs")(state, constants, mode, FLOATS)
         rates = undecorated(self.model.algebra.border_rates)(*state, *pulls, *constants)
         return float(rates[self.side + index])
 
     def _grips(self, index: int) -> Callable[..., float]:
-        """Distance of the force of a friction that would hold the mass from its limits."""
+        """The function that gives the distance of a sticking friction's force from its nearer
+        limit.
+        """
         row, grip = 2 * self.holding.index(index), self.in_mode("grip")
         return lambda state, constants, mode: float(
             min(grip(state, constants, mode, FLOATS)[row : row + 2])
         )
 
     def _slips(self, row: int) -> Callable[..., Any]:
-        """Derivatives of a sliding speed, or of how far its force is from a limit."""
+        """The function that gives derivatives of a sliding speed, or of the distance to a limit."""
         slopes = self.in_mode("grip_slopes")
         return lambda state, constants, mode: slopes(state, constants, mode, _namespace(state))[row]
 
@@ -559,7 +564,7 @@ class _Motion:
         return float(undecorated(self.model.algebra.clock)(*constants))
 
     def lengths(self, state: Vector, constants: Values) -> list[float]:
-        """Undeformed lengths of the springs along lines."""
+        """Undeformed lengths of the springs; empty where the geometry has no value."""
         position = state[: len(self.model.coordinates)]
         geometry = undecorated(self.model.algebra.geometry)
         try:
@@ -569,12 +574,13 @@ class _Motion:
         return [float(rest) for *_, rest in lines if rest]
 
     def _gap(self, contact: int) -> int:
+        """Index of the coordinate that is the gap of a contact."""
         return self.model.coordinates.index(self.contacts[contact]["gap"])
 
     def _turning_waves(
         self, state: Vector, constants: Sequence[float]
     ) -> list[tuple[float, float]]:
-        """Sine and cosine of every turning."""
+        """Sine and cosine of the angle of every torsion spring."""
         if not self.torsions:
             return []
         level = undecorated(self.model.algebra.turning_borders)
@@ -592,9 +598,7 @@ class _Motion:
         for index, entry in enumerate(self.model.frictions):
             yield from self._sliding(index, entry)
         reach = self.reach
-        for k in range(
-            self.layers
-        ):  # exponentials of the sliding speed, where they are about to be felt
+        for k in range(self.layers):  # an exponential of the friction law becomes negligible
 
             def shift(mode: Mode, index: int = self.near + k) -> Number:
                 return -reach - HYSTERESIS * mode[index]
@@ -620,9 +624,9 @@ class _Motion:
                 place=self.turn + k,
             )
         for k in range(self.torsions):
-            # Where a turning comes to π times its way, or to −0.93 times it: from there the other
-            # way counts it. Each way is smooth beyond its ends. At ±π the least turning jumps, and
-            # so does the torque; a motion goes on the other way.
+            # The angle leaves its branch at π times the branch's sign, or at −0.93 times it, for
+            # the other branch. Each branch is smooth beyond its ends. At ±π the least angle jumps,
+            # and so does the torque.
             levels = self._generated("turning_borders", "turning_rates", k, slice(self.way, None))
             _, beyond = _side(self.way + k, 0)
 
@@ -633,7 +637,7 @@ class _Motion:
             yield Border(f"turning {k + 1}", *levels, lambda _: 1, beyond, jumps=jumps, place=index)
 
     def _lifting(self, contact: int, entry: Mapping[str, Any]) -> Border:
-        """The border of a contact between its two regimes."""
+        """The border at which a contact opens and closes."""
         shift = self.shifts[contact]
         levels = self._generated("borders", "border_rates", contact, shift=lambda _: shift)
         sign, opened = _side(contact, 1)
@@ -726,8 +730,9 @@ class _Motion:
         taken: slice = slice(0),
         shift: Callable[[Any], Any] | None = None,
     ) -> tuple[Callable[..., Any], Callable[..., Any]]:
-        """Level and rate of a border: a row of two generated functions, which may take numbers of
-        the mode too.
+        """Level and rate of a border, as one row of two generated functions.
+
+        ``taken`` are the numbers of the mode that these take, and ``shift`` is added to the level.
         """
         of_level, of_rate = (
             undecorated(getattr(self.model.algebra, name)) for name in (level, rate)
@@ -746,18 +751,18 @@ class _Motion:
 
 
 def _said(entry: Mapping[str, Any]) -> str:
-    """The contact before what is said of it, of several."""
+    """The name of a contact as a prefix, if it has one."""
     return f"{entry['name']}: " if entry["name"] else ""
 
 
 def always(*_: Any) -> bool:
-    """Of a border at which the field always jumps."""
+    """True: at some borders the field always jumps."""
     return True
 
 
 def _side(index: int, both: int) -> tuple[Callable[[Any], Any], Callable[..., Mode]]:
-    """Sign and other side of a border at which a number of the mode becomes the other one of two
-    that add up to ``both``.
+    """``sign`` and ``beyond`` of a border at which number ``index`` of the mode changes to ``both``
+    minus itself.
     """
     return (
         lambda mode: 1 - 2 * mode[index] if both else mode[index],
@@ -766,8 +771,9 @@ def _side(index: int, both: int) -> tuple[Callable[[Any], Any], Callable[..., Mo
 
 
 class _Rooted:
-    """A namespace whose root of a negative number is 0: trial steps leave the contact, and are
-    rejected.
+    """A namespace whose root of a negative number is 0.
+
+    Trial steps of integrators leave the contact and are rejected later.
     """
 
     def __init__(self, xp: Any) -> None:
@@ -777,7 +783,7 @@ class _Rooted:
         return getattr(self._xp, name)
 
     def log(self, value: Number) -> Number:
-        """Logarithm, −∞ of 0, whose exponential is 0."""
+        """Logarithm; −∞ of 0 and negative numbers, whose exponential is 0."""
         if isinstance(value, float):
             return math.log(value) if value > 0 else -math.inf
         if isinstance(value, np.ndarray):
@@ -786,12 +792,16 @@ class _Rooted:
         return self._xp.log(value)
 
     def sqrt(self, value: Number) -> Number:
-        """Square root of a float or an array; an expression of heyoka's is taken as it is."""
+        """Square root of a float or an array, clipped at 0; expressions of heyoka are not
+        clipped.
+        """
         if isinstance(value, float | np.ndarray | np.floating):
             return self._xp.sqrt(np.maximum(value, 0.0))
         return self._xp.sqrt(value)
 
 
 def _namespace(state: Vector) -> Any:
-    """Namespace of functions of a state's numbers: in NumPy, unless they say another namespace."""
+    """The namespace of functions for a state's numbers: that of the numbers themselves, or
+    NumPy.
+    """
     return getattr(state[0], "namespace", np)

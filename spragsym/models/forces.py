@@ -1,5 +1,5 @@
-"""Quantities of a state: directions, lengths and forces of springs, and the force of the contact;
-how generated functions are named and called.
+"""Derived quantities of a state: directions, lengths and tensions of springs, forces of contacts;
+and the naming and calling of generated functions.
 """
 
 from __future__ import annotations
@@ -21,47 +21,41 @@ if TYPE_CHECKING:
 
 
 def presses_either(contact: Mapping[str, Any]) -> bool:
-    """Whether a contact presses on either of two faces, and rubs on both."""
+    """Whether a contact presses on either of two faces, with friction on both."""
     return contact["border"] is not None and not contact["unilateral"]
 
 
 def columns_of(model: Model) -> tuple[str, ...]:
-    """Names of what says where a state of a model is: direction and length of each inclined spring,
-    and the coordinates.
+    """Names of the columns that locate a state: direction and length of each inclined spring, and
+    the coordinates.
     """
-    return tuple(
-        dict.fromkeys(
-            [
-                *(f"{name}{end}" for end in _ends(model) for name in ("theta", "L")),
-                *model.coordinates,
-            ]
-        )
-    )
+    springs = [f"{name}{end}" for end in _ends(model) for name in ("theta", "L")]
+    return tuple(dict.fromkeys([*springs, *model.coordinates]))
 
 
 def _ends(model: Model) -> list[str]:
-    """Endings of the names of what is told of each inclined spring: a number where there are
-    several.
+    """Suffixes of names, one for each inclined spring: empty for a single one, else ``_1``, ``_2``,
+    ….
     """
     count = len(model.about["springs"])
     return [""] if count == 1 else [f"_{index + 1}" for index in range(count)]
 
 
 def named(function: str, contact: str) -> str:
-    """Generated functions and facts of one contact; of the only one, which has no name."""
+    """Name of a generated function of one contact; the only contact has no name and no suffix."""
     return f"{function}_{contact}" if contact else function
 
 
 def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The algebra of a generated function, without the common shape of results; it takes a
-    namespace even where it needs none.
+    """The generated function without broadcasting of its results; it accepts ``xp`` even if it
+    needs none.
     """
     algebra: Callable[..., Any] = inspect.unwrap(function)
     return algebra if algebra.__kwdefaults__ else lambda *given, xp=None: algebra(*given)
 
 
 def columns(model: Model) -> list[Column]:
-    """Columns of springs and contact: directions, lengths, tensions, and the normal force."""
+    """Columns of springs and contacts: directions, lengths, tensions and normal forces."""
     found = []
     for end, entry in zip(_ends(model), model.about["springs"], strict=True):
         found += [
@@ -76,19 +70,19 @@ def columns(model: Model) -> list[Column]:
 
 
 def derived_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, FloatArray]:
-    """Quantities that follow from where states are, their coordinates on one more axis than ``p``:
-    of each inclined spring the direction in (−π, π], the length and the tension, and the contact's
-    force.
+    """Quantities that follow from coordinates, by name.
+
+    These are the direction in (−π, π], the length and the tension of each inclined spring, and the
+    forces of contacts. ``q`` has the shape of ``p`` and one more axis.
     """
     model = p.model
     statics, motion = (
         [value[..., None] for value in model.arguments(p, kind)] for kind in ("statics", "motion")
     )
-    with np.errstate(all="ignore"):  # where there is no state there are no numbers
-        lines = model.algebra.geometry(*q, *statics)
-        places = [
-            of(dx, dy) for dx, dy, _ in lines for of in (lambda x, y: np.arctan2(y, x), np.hypot)
-        ]
+    places = list[FloatArray]()
+    with np.errstate(all="ignore"):  # empty slots are NaN
+        for dx, dy, _ in model.algebra.geometry(*q, *statics):
+            places += [np.arctan2(dy, dx), np.hypot(dx, dy)]
         forces = {
             name: np.where(np.isnan(q[0]), np.nan, force(q, motion))
             for name, force in forces_of(model).items()
@@ -99,8 +93,9 @@ def derived_of_states(p: ParameterSet, q: Sequence[FloatArray]) -> dict[str, Flo
 def contact_force(
     model: Model, states: Sequence[ArrayLike] | FloatArray, constants: Sequence[Any], index: int = 0
 ) -> FloatArray:
-    """The normal force of a contact, by its number: 0 where the gap is open; ``states`` begin with
-    the coordinates.
+    """The normal force of contact number ``index``, 0 where its gap is open.
+
+    ``states`` begin with the coordinates; ``constants`` are the arguments of the motion.
     """
     q, contact = states[: len(model.coordinates)], model.contacts[index]
     gap, force = (
@@ -109,12 +104,14 @@ def contact_force(
     )
     at = gap(*q, *of_statics(model, constants))
     closed = np.less_equal(at, 0).astype(int) if contact["unilateral"] else 1
-    return np.add(force(*q, *constants, closed), 0.0)  # without the sign of a zero
+    return np.add(force(*q, *constants, closed), 0.0)  # −0 becomes 0
 
 
 def forces_of(model: Model) -> dict[str, partial[FloatArray]]:
-    """Forces by their names: tension k (L − L_0), negative where it pushes, as ``spring_force`` of
-    the only inclined spring, or ``spring_force_1``, …; ``contact_force``.
+    """Functions of states and constants that give forces, by name.
+
+    ``spring_force`` of the only inclined spring, or ``spring_force_1``, …, is the tension k (L −
+    L_0), negative where the spring pushes. ``contact_force`` is the normal force of a contact.
     """
 
     def tension(spring: int, states: FloatArray, constants: Sequence[Any]) -> FloatArray:
@@ -134,7 +131,7 @@ def forces_of(model: Model) -> dict[str, partial[FloatArray]]:
 
 
 def contact_named(model: Model, contact: str | None, names: Sequence[str]) -> int:
-    """The place of the contact of a name among ``names``, or of the only one."""
+    """Index in ``names`` of the named contact; None means the only one."""
     contact = names[0] if contact is None and len(names) == 1 else contact
     if contact not in names:
         offered = ", ".join(map(repr, names))
@@ -143,20 +140,18 @@ def contact_named(model: Model, contact: str | None, names: Sequence[str]) -> in
 
 
 def spring_named(model: Model, spring: str | None) -> str:
-    """The name of the force of a spring: of the only one, or of the one that is named."""
+    """Name of the force of the named spring; None means the only one."""
     springs = [entry["name"] for entry in model.about["springs"]]
     spring = springs[0] if spring is None and len(springs) == 1 else spring
     if spring not in springs:
-        offered = (
-            f"one of {', '.join(map(repr, springs))}"
-            if springs
-            else "nothing: there is no inclined spring"
-        )
+        offered = f"one of {', '.join(map(repr, springs))}"
+        if not springs:
+            offered = "nothing: there is no inclined spring"
         raise ParameterError(f"spring = {spring!r} of {model.name} is {offered}")
     return list(forces_of(model))[springs.index(spring)]
 
 
 def of_statics(model: Model, constants: Sequence[Any]) -> list[Any]:
-    """Arguments of the motion that functions of the statics take."""
+    """Arguments of the functions of statics, selected from those of the motion."""
     arguments = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
     return [arguments[name] for name in model.about["arguments"]["statics"]]

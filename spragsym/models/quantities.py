@@ -1,5 +1,5 @@
-"""The quantities that a brake with a model is given by: units, ranges, and the dimensionless
-parameters that follow from them.
+"""Dimensional quantities of a brake: their units and ranges, and the dimensionless parameters that
+follow from them.
 """
 
 from __future__ import annotations
@@ -31,10 +31,11 @@ from .units import factor as factor
 
 
 class Quantities:
-    """The quantities of a model's page; ``values`` of them are in SI, of many brakes arrays.
+    """The quantities of a model's page.
 
-    ``bases`` are the units of all others; ``units`` the SI units of all, ``coordinates`` those of
-    coordinates, and ``parameters`` what each is called in the model.
+    ``bases`` are the SI units of the page's units of measure, by name, and ``units`` those of all
+    quantities. ``coordinates`` are the units of coordinates. ``parameters`` are the names of the
+    model's parameters, by quantity. Methods take ``values`` in SI by name, arrays for many brakes.
     """
 
     def __init__(self, model: Model) -> None:
@@ -48,8 +49,8 @@ class Quantities:
         self.parameters = by("quantity", "parameters", "name")
         self.units = self.bases | by("quantity", "parameters", "quantity_unit")
         self.meanings = by("name", "units", "meaning") | by("quantity", "parameters", "meaning")
-        #: The law of friction that is told: of several the first that is in full slip the
-        #: coefficient.
+        #: The friction law that reports describe: the first that is the coefficient in full slip,
+        #: else the first of all.
         self.law: Mapping[str, Any] = min(
             self.about["frictions"],
             key=lambda law: law["at_rest"] != "full",
@@ -62,17 +63,17 @@ class Quantities:
         return any(contact["unilateral"] for contact in self.about["contacts"])
 
     def _quantity(self, name: str | None) -> str | None:
-        """The quantity of a file that is a parameter."""
+        """The quantity that is the named parameter, or None."""
         return next((quantity for quantity, one in self.parameters.items() if one == name), None)
 
     @property
     def friction(self) -> str | None:
-        """The quantity that is the friction coefficient, if any."""
+        """The quantity that is the friction coefficient, or None."""
         return self._quantity(self.model.coefficient)
 
     @property
     def inclination(self) -> str | None:
-        """The quantity that is the inclination, if any."""
+        """The quantity that is the inclination, or None."""
         return self._quantity(self.model.inclination)
 
     @property
@@ -81,15 +82,14 @@ class Quantities:
         return self.law["at_rest"] == "full" or self.friction in self.law["quantities"]
 
     def powers(self, unit: str) -> dict[str, float]:
-        """Powers of the model's units whose product has the dimension of an SI unit."""
+        """Exponents of the page's units whose product has the dimension of an SI unit."""
         return dict(zip(self.bases, _powers(unit, tuple(self.bases.values())), strict=True))
 
     def scale(self, unit: str, values: Mapping[str, Any]) -> float:
-        """Size of one dimensionless unit of a quantity in SI: the product of powers of the model's
-        units that has its dimension.
+        """Size in SI of the dimensionless unit of a quantity whose SI unit is ``unit``.
 
-        Source: dimensional analysis; the model's page makes three quantities of independent
-        dimensions 1.
+        It is the product of powers of the page's units that has this dimension. Source: dimensional
+        analysis; the page sets three quantities of independent dimensions to 1.
 
         >>> brake = {"m": 4.0, "k_c": 100.0, "L_0": 0.5}
         >>> found = quantities("kang_nam")
@@ -98,12 +98,12 @@ class Quantities:
         """
         result = 1.0
         for name, power in self.powers(unit).items():
-            # Exactly 1 for an angle or a number.
-            result = result * values[name] ** power if power else result
+            if power:  # so that the scale of an angle or a number is exactly 1
+                result = result * values[name] ** power
         return result
 
     def scales(self, values: Mapping[str, Any]) -> Scales:
-        """Scales of length, time and force."""
+        """The scales of length, time and force."""
         return Scales(*(self.scale(unit, values) for unit in ("m", "s", "N")))
 
     def groups(self, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -117,14 +117,15 @@ class Quantities:
         }
 
     def parameter_set(self, values: Mapping[str, Any]) -> ParameterSet:
-        """The values as the model's parameters."""
+        """The dimensionless parameters as a set."""
         return self.model.Parameters(**self.groups(values))
 
     def ranges(self, values: Mapping[str, Any] | None = None) -> dict[str, Range]:
-        """Ranges of quantities: units of measure are positive, others as their parameters, at units
-        of these values.
+        """Allowed ranges of quantities, in SI: positive for the page's units, for others those of
+        the parameters times their scales.
 
-        Without values an end other than 0 of one with a dimension is not known but for its sign.
+        Without ``values`` scales are unknown. Then a range with a dimension keeps only its ends 0,
+        and other ends become 0 or infinite.
         """
         found = {name: replace(POSITIVE, unit=unit) for name, unit in self.bases.items()}
         for quantity, name in self.parameters.items():
@@ -141,20 +142,20 @@ class Quantities:
 
     @cached_property
     def balanced(self) -> tuple[str, ...]:
-        """Quantities on which the balance of forces depends besides its friction, in the order of
-        the model.
+        """Quantities on which the balance of forces depends, without those of friction, in the
+        order of the model.
         """
-        taken, found = set(self.about["arguments"]["statics"]), set[str]()
+        arguments, found = set(self.about["arguments"]["statics"]), set[str]()
         for quantity, name in self.parameters.items():
-            if taken & {name, *self.about["angles"].get(name, ())}:
+            if arguments & {name, *self.about["angles"].get(name, ())}:
                 scale = re.findall(r"\w+", self.model.unit(self.units[quantity]))
                 found |= {quantity, *self.bases.keys() & set(scale)}
         return self._ordered(found)
 
     @cached_property
     def of_statics(self) -> tuple[str, ...]:
-        """Quantities on which the states depend: those of the balance and of the friction that
-        works at rest.
+        """Quantities on which equilibria depend: those of the balance and of friction in
+        statics.
         """
         frictions = (
             (self.friction,) if law["at_rest"] == "full" else law["quantities"]
@@ -164,20 +165,20 @@ class Quantities:
 
     @cached_property
     def of_the_law(self) -> tuple[str, ...]:
-        """Quantities that a brake may be given without: those of friction laws alone; then friction
-        is the coefficient, at full slip.
+        """Quantities that may be omitted: those of friction laws alone. Friction is then the
+        coefficient at full slip.
 
-        Of a law that is not proportional to that, or not that at full slip, there are none.
+        Only laws proportional to the coefficient at full slip have such quantities.
         """
         laws = self.about["frictions"]
-        mine = dict.fromkeys(
+        names = dict.fromkeys(
             name for law in laws if law["at_rest"] == "full" for name in law["quantities"]
         )
-        return tuple(name for name in mine if name not in (*self.of_statics, self.friction))
+        return tuple(name for name in names if name not in (*self.of_statics, self.friction))
 
     @cached_property
     def dampers(self) -> tuple[str, ...]:
-        """Quantities that are coefficients of dampers, along a line or about a pivot."""
+        """Quantities that are damping coefficients, by their units N s/m and N m s."""
         return tuple(
             name
             for name, unit in self.units.items()
@@ -186,31 +187,34 @@ class Quantities:
 
     @property
     def may_rise(self) -> tuple[str, ...]:
-        """Quantities on which the states of a model depend, without those that are the units of the
-        others.
+        """Quantities that may be the loading parameter: equilibria depend on them, and they are no
+        unit.
         """
         return tuple(quantity for quantity in self.parameters if quantity in self.of_statics)
 
     @property
     def drawing(self) -> str:
-        """The mechanism as its page draws it, in characters."""
+        """The page's drawing of the mechanism, in characters."""
         return title_drawing_words(self.about)[1]
 
     @property
     def rises(self) -> str | None:
-        """The quantity to choose for the loading parameter of a model without a friction
-        coefficient: no one of the friction law, which may fall.
+        """The default loading parameter of a model without a friction coefficient, or None.
+
+        Quantities of the friction law come last, since they may fall.
         """
         choice = () if self.friction else self.may_rise
         return min(choice, key=lambda name: name in self.law["quantities"], default=None)
 
     def _ordered(self, names: set[str]) -> tuple[str, ...]:
+        """The names in the order of the model."""
         return tuple(quantity for quantity in self.units if quantity in names)
 
 
 @cache
 def _powers(unit: str, bases: tuple[str, ...]) -> tuple[float, ...]:
-    if unit in ("1", "rad"):  # which pint need not say
+    """Exponents of the ``bases`` whose product has the dimension of ``unit``."""
+    if unit in ("1", "rad"):  # without loading pint
         return (0.0,) * len(bases)
 
     def powers(text: str) -> list[float]:
@@ -218,13 +222,12 @@ def _powers(unit: str, bases: tuple[str, ...]) -> tuple[float, ...]:
         return [float(exponents.get(axis, 0)) for axis in ("[mass]", "[length]", "[time]")]
 
     matrix = np.array([powers(base) for base in bases]).T
-    return tuple(
-        round(float(power), 9) for power in np.linalg.solve(matrix, np.array(powers(unit)))
-    )
+    solution = np.linalg.solve(matrix, np.array(powers(unit)))
+    return tuple(round(float(power), 9) for power in solution)
 
 
 def quantities(name: str) -> Quantities:
-    """Quantities of a model by its name, or its folder."""
+    """The quantities of a model, by its name or folder."""
     return _of(load(name))
 
 
@@ -232,16 +235,17 @@ _of = cache(Quantities)
 
 
 def _share_of(model: Model, p: ParameterSet, contact: str) -> FloatArray:
+    """The share of full-slip friction that one contact has at the speed of the belt."""
     full = model.friction(p, "friction_at_rest", contact)
     works = model.friction(p, "friction_at_speed", contact)
     return np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]
 
 
 def share(model: Model, p: ParameterSet) -> FloatArray | float:
-    """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of
-    the shape of ``p``.
+    """The share of μ₀ that friction has at the speed of the belt, by the model's law; of the shape
+    of ``p``.
     """
-    # Of other laws at rest statics takes the law as it is.
+    # Statics takes other laws as they are: their share is 1.
     full = [entry["name"] for entry in model.frictions if entry["at_rest"] == "full"]
     shares = [_share_of(model, p, contact) for contact in full]
     if any(np.any(one != shares[0]) for one in shares):
@@ -254,8 +258,9 @@ def share(model: Model, p: ParameterSet) -> FloatArray | float:
 
 @dataclass(frozen=True)
 class Scales(Tabular):
-    """Units of a dimensionless model, in the units of the data, and of their shape: L_0,
-    sqrt(m/k_c) and k_c L_0.
+    """Sizes of a dimensionless model's units of length, time and force, in the units of the data.
+
+    For the article's model they are L_0, sqrt(m/k_c) and k_c L_0. They have the shape of the data.
 
     Examples
     --------
@@ -269,11 +274,11 @@ class Scales(Tabular):
 
     @property
     def scales(self) -> Self:
-        """Itself: a study has scales besides."""
+        """Itself, so that scales and studies are used alike."""
         return self
 
     def unit_of(self, si: str, _: str = "") -> tuple[str, float]:
-        """The unit itself, and what one of the model's is in it."""
+        """The unit ``si``, and the size in it of the model's unit of the same dimension."""
         sizes = (self.length, self.time, self.force)
         powers = _powers(si, ("m", "s", "N"))
         return si, float(math.prod(size**power for size, power in zip(sizes, powers, strict=True)))
@@ -282,13 +287,14 @@ class Scales(Tabular):
 @dataclass(frozen=True, eq=False)
 class QuantityValues(Values):
     """The quantities of a model in SI or any consistent system of units, scalars or arrays that
-    broadcast; subclasses have a field for each, None where one may be left out.
+    broadcast.
 
-    Quantities of pint, astropy, unyt and quantities are converted to SI; then all have units that
-    have a dimension.
+    Subclasses have a field for each quantity; one that may be omitted can be None. Quantities of
+    pint, astropy, unyt and quantities are converted to SI; then all quantities with a dimension
+    must have a unit.
     """
 
-    #: The class of what they are without dimension.
+    #: Class of the dimensionless parameters.
     of_model: ClassVar[type[ParameterSet]]
 
     @property
@@ -312,7 +318,7 @@ class QuantityValues(Values):
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
 
     def __getattr__(self, name: str) -> Any:
-        # Every function of the model first asks its parameters for one of these.
+        # A question that gets quantities instead of parameters asks for such an attribute first.
         if not name.startswith("_") and hasattr(self.of_model, name):
             raise NotDimensionlessError(
                 f"dimensionless Parameters are needed here, and these are {type(self).__name__}; "
@@ -324,35 +330,35 @@ class QuantityValues(Values):
 
     @property
     def kind(self) -> Quantities:
-        """The quantities of the model: units, ranges, and what they are without dimension."""
+        """The quantities of the model: units, ranges and dimensionless parameters."""
         return quantities(self.of_model.where)
 
     @property
     def known(self) -> dict[str, Any]:
-        """The quantities that were given, by name."""
+        """The values that were given, by quantity."""
         return {
             name: value for name in self.kind.units if (value := getattr(self, name)) is not None
         }
 
     @property
     def scales(self) -> Scales:
-        """Scales of length, time and force: multiply a dimensionless result by its scale."""
+        """Scales of length, time and force: a dimensionless result times its scale is in the unit
+        of the data.
+        """
         return self.kind.scales(self.known)
 
     def dimensionless(self) -> ParameterSet:
-        """The system without dimension; without what is of the friction law alone if that was not
-        given.
-        """
+        """The dimensionless parameters; those of the friction law alone may be missing."""
         left_out = {self.kind.parameters[name]: None for name in self.kind.of_the_law}
         return self.of_model(**left_out | self.kind.groups(self.known))
 
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit of measure that has a range too: its ends over its base value, and the power of it in
-    each parameter.
+    """A unit of measure that varies: its range over its base value, and its exponent in each
+    parameter.
 
-    A parameter is P u₁^e₁ u₂^e₂ …, where P is what it is at the base values.
+    A parameter is P u₁^e₁ u₂^e₂ …, where P is its value at the base values of the units.
     """
 
     low: float
@@ -363,8 +369,9 @@ class Unit:
 def checked_units(
     units: Mapping[str, Unit] | None, parameters: Collection[str], angles: Collection[str]
 ) -> dict[str, Unit]:
-    """Units by name, without powers that are 0, for a model with these parameters, of which some
-    are angles; or an error.
+    """Units by name, without exponents that are 0; an error for one that does not fit the model.
+
+    ``angles`` are those of the ``parameters`` that are angles.
     """
     if not isinstance(units or {}, Mapping):
         raise ParameterTypeError(f"units = {units!r:.60} is no mapping; give units by name")

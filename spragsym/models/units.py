@@ -1,6 +1,4 @@
-"""Units of measure: those that are read, what one is in SI, and numbers of objects that carry
-one.
-"""
+"""Units of measure: the words that are read, their size in SI, and numbers that carry a unit."""
 
 from __future__ import annotations
 
@@ -36,7 +34,7 @@ _PREFIXES = {
     "M": ("mega", "1e6"),
     "G": ("giga", "1e9"),
 }
-#: Units that take them: symbol, definition, and long names.
+#: Units that take a prefix: symbol, definition, and long names.
 _WITH_PREFIX: dict[str, tuple[str, tuple[str, ...]]] = {
     "m": ("[length]", ("meter", "metre")),
     "g": ("[mass]", ("gram",)),
@@ -49,7 +47,7 @@ _WITH_PREFIX: dict[str, tuple[str, tuple[str, ...]]] = {
     "Hz": ("1 / second", ("hertz",)),
 }
 #: Units without a prefix: name, definition, and the words that mean it. The inch and the pound are
-#: those of 1959, the standard gravity that of 1901.
+#: those of 1959; standard gravity is that of 1901.
 _ALONE: dict[str, tuple[str, tuple[str, ...]]] = {
     "metric_ton": ("1000 kilogram", ("t", "tonne", "metric_ton")),
     "pound": ("0.45359237 kilogram", ("lb", "lbs", "pound", "pounds", "lbm", "pound_mass")),
@@ -79,7 +77,7 @@ _ALONE: dict[str, tuple[str, tuple[str, ...]]] = {
     "minute": ("60 second", ("min", "minute", "minutes")),
     "hour": ("3600 second", ("h", "hr", "hour", "hours")),
 }
-#: Words with several meanings, none of which is taken, and what says each of them.
+#: Ambiguous words, which are refused, and the words to use instead.
 _TWO_MEANINGS = {
     "grad": "deg and gon",
     "Grad": "deg and gon",
@@ -93,7 +91,7 @@ _TWO_MEANINGS = {
 
 @cache
 def _words() -> dict[str, str]:
-    """Long names of units by the words that are read."""
+    """Long names of units, by the words that are read."""
     long_names = {word: name for name, (_, words) in _ALONE.items() for word in words}
     for symbol, (_, names) in _WITH_PREFIX.items():
         long = [form for one in names for form in (one, f"{one}s")]
@@ -106,7 +104,7 @@ def _words() -> dict[str, str]:
 
 @cache
 def _registry() -> pint.UnitRegistry[Any]:
-    """Registry of pint with the units that are defined above; its own thousand are not loaded."""
+    """A pint registry of the units defined above alone."""
     from pint import UnitRegistry
 
     registry: pint.UnitRegistry[Any] = UnitRegistry(None, non_int_type=Fraction)
@@ -120,8 +118,9 @@ def _registry() -> pint.UnitRegistry[Any]:
 
 @lru_cache(maxsize=256)
 def factor(unit: str, si: str) -> float:
-    """Size of one ``unit`` in the SI unit ``si``; an error if it is unknown, or of another
-    quantity.
+    """Size of one ``unit`` in the SI unit ``si``.
+
+    Raises ParameterError if the unit is unknown or measures another quantity.
 
     >>> import math
     >>> factor("N/mm", "N/m"), factor("deg", "rad") == math.pi / 180
@@ -131,13 +130,14 @@ def factor(unit: str, si: str) -> float:
         if unit not in ("", "1", "%"):
             raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
         return 0.01 if unit == "%" else 1.0
-    given, wanted = dimension(unit), dimension(si)
-    off = {axis for axis in {*wanted, *given} if wanted.get(axis, 0) != given.get(axis, 0)}
+    given, expected = dimension(unit), dimension(si)
+    axes = {*expected, *given}
+    different = {axis for axis in axes if expected.get(axis, 0) != given.get(axis, 0)}
     torque = {"[length]": 2, "[mass]": 1, "[time]": -2}
-    # A torque is N m, and its stiffness N m or N m/rad: the radian is 1.
-    if all(wanted.get(axis, 0) == power for axis, power in torque.items()):
-        off.discard("[angle]")
-    if off:
+    # The stiffness of a torsion spring may be in N m or N m/rad: the radian is 1.
+    if all(expected.get(axis, 0) == power for axis, power in torque.items()):
+        different.discard("[angle]")
+    if different:
         long = re.sub(r"\s*([*/])\s*", r" \1 ", spelled(unit))
         raise ParameterError(f"the unit {unit!r} ({long}) does not measure what {si} does")
     return float(_size(unit) / _size(si))
@@ -145,7 +145,7 @@ def factor(unit: str, si: str) -> float:
 
 @lru_cache(maxsize=256)
 def parsed(unit: str) -> pint.Unit:
-    """A unit from its text: SI with prefixes and engineers' units, each word with one meaning."""
+    """The pint unit of a text; ParameterError if it is unknown."""
     named, registry = spelled(unit).replace("·", "*").replace("⋅", "*"), _registry()
     try:
         return registry.parse_units(named)
@@ -154,42 +154,40 @@ def parsed(unit: str) -> pint.Unit:
 
 
 def _size(unit: str) -> Fraction | float:
-    """Size of one unit in metres, grams, seconds and radians."""
-    one = _registry().Quantity(Fraction(1), parsed(unit))
-    size = one.to_root_units().magnitude
+    """Size of one unit in the base units metre, gram, second and radian."""
+    quantity = _registry().Quantity(Fraction(1), parsed(unit))
+    size = quantity.to_root_units().magnitude
     return size
 
 
 def dimension(unit: str) -> Mapping[str, Any]:
-    """Powers of length, mass, time and angle in a unit, where they are not 0."""
+    """Exponents of length, mass, time and angle in a unit, without those that are 0."""
     return parsed(unit).dimensionality
 
 
 def spelled(unit: str) -> str:
-    """A unit with the long names of its words; an error for one that is not known.
+    """A unit with each word replaced by its long name; ParameterError for an unknown word.
 
-    pint is not loaded, which takes longer than all else that a mistake costs.
+    Works without pint, whose import takes longer than everything else that leads to the error.
     """
-    # A power of a power may be larger than any number: of several each is of a word.
-    of_words = re.sub(r"(?<=[^\W\d])\s*(\^|\*\*)\s*-?\d+", "", unit)
-    powers = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", of_words)
-    # What a unit may be written with; pint's parser sees nothing else.
-    letters = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,60}")
-    if (
-        not letters.fullmatch(unit)
-        or powers
-        or any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
-    ):
+    # A power of a power could be astronomically large: only words may have powers.
+    without_powers = re.sub(r"(?<=[^\W\d])\s*(\^|\*\*)\s*-?\d+", "", unit)
+    nested = re.search(r"(\^|\*\*)[^*/·⋅]*(\^|\*\*)", without_powers)
+    # Pint's parser sees no other characters.
+    characters = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,60}")
+    long_number = any(len(digits) > 2 for digits in re.findall(r"\d+", unit))
+    if not characters.fullmatch(unit) or nested or long_number:
         raise ParameterError(f"the unit {unit!r} can't be read")
     word = re.compile(r"(?:(?![²³¹])[^\W\d])+|[%°]")
     return word.sub(lambda found: _named(found[0], unit), unit)
 
 
 def _named(word: str, unit: str) -> str:
-    """Long name of a word of a unit; an error that says what else it may be."""
+    """Long name of one word of a unit; ParameterError, with advice, for an unknown or ambiguous
+    word.
+    """
     if word in _TWO_MEANINGS:
         raise ParameterError(f"the unit {word!r} has two meanings, {_TWO_MEANINGS[word]}")
-    # Words of no unit.
     factors = {"%": "percent", "percent": "percent", "ppm": "ppm"}
     if word in factors:
         raise ParameterError(
@@ -207,7 +205,7 @@ def _named(word: str, unit: str) -> str:
 
 # ---------------------------------------------------------------------- numbers that carry a unit
 
-#: Libraries whose units are understood: where their objects have text of the unit, and numbers.
+#: Libraries whose units are understood: names of the attributes that hold the unit and the numbers.
 _UNDERSTOOD = {
     "pint": ("units", "magnitude"),
     "astropy": ("unit", "value"),
@@ -216,19 +214,19 @@ _UNDERSTOOD = {
 }
 #: Texts of no unit, and of percent.
 _NO_UNIT = ("", "1", "dimensionless", "None", "()")
-#: Parts of names of attributes by which an object of any other library is known to have a unit.
+#: An attribute with such a name shows that an object of another library has a unit.
 _HINTS = re.compile("unit|dimensionality", re.IGNORECASE)
 
 
 class Carried:
-    """Units that the elements of one argument carried; ``""`` where there was none."""
+    """The units found in the elements of one argument; ``""`` for an element without one."""
 
     def __init__(self, name: str, si: str) -> None:
         self.name, self.si = name, si
         self.units: set[str] = set()
 
     def numbers(self, value: Any) -> Any:
-        """``value`` without units, converted to SI: numbers, an array, or lists of these."""
+        """``value`` in SI without units: a number, an array, or lists of these."""
         kind = type(value)
         if kind in (float, int):
             self.units.add("")
@@ -250,6 +248,7 @@ class Carried:
         return self._of_library(value)
 
     def _elements(self, array: NDArray[Any]) -> object:
+        """The elements of an array, each converted if they are objects."""
         if array.dtype != object:
             if array.size:
                 self.units.add("")
@@ -257,7 +256,7 @@ class Carried:
         return [self.numbers(one) for one in array] if array.ndim else self.numbers(array.item())
 
     def _unmasked(self, value: Any) -> Any:
-        """A masked array as a plain one; an error if something is masked."""
+        """A masked array as a plain one; ParameterTypeError if an element is masked."""
         mask = value.mask
         if callable(mask):  # as of pandas
             return value
@@ -268,12 +267,12 @@ class Carried:
                 "number"
             )
         if isinstance(value, np.ma.MaskedArray):
-            # Of another library it may have a unit.
+            # A subclass from another library may carry a unit, which filled() keeps.
             return value.data if type(value) is np.ma.MaskedArray else value.filled()
         return getattr(value, "unmasked", value)
 
     def _of_library(self, value: Any) -> Any:
-        """Numbers of an object of some library, a container or one that carries a unit."""
+        """Numbers in SI of an object of some library: a container, or a quantity with a unit."""
         root = _root(type(value))
         if root in _UNDERSTOOD and hasattr(value, _UNDERSTOOD[root][0]):
             unit, numbers = (getattr(value, one) for one in _UNDERSTOOD[root])
@@ -309,11 +308,11 @@ class Carried:
         if type(array) is type(value) or not isinstance(array, np.ndarray):
             array = np.asarray(array)  # a subclass without a unit
         if array.dtype == object and not array.ndim:
-            return value  # no number, which is told by whoever asks
+            return value  # no number: the caller raises the error
         return self.numbers(array)
 
     def _converted(self, unit: str, numbers: object) -> ArrayLike:
-        """Numbers of a unit in SI."""
+        """Numbers with a unit, in SI."""
         plain = "" if unit.strip() in _NO_UNIT else unit.strip()
         inner = Carried(self.name, self.si)
         given = np.asarray(inner.numbers(numbers))
@@ -332,17 +331,18 @@ class Carried:
             ) from error
 
     def _wanted(self) -> str:
+        """The expected unit, for messages."""
         return {"1": "without unit", "rad": "in radians"}.get(self.si, f"in {self.si}")
 
 
 def _root(kind: type) -> str:
-    """The library of a class: one that is understood if any of its bases is of it."""
+    """Name of the library of a class; of any of its bases if that library is understood."""
     roots = [base.__module__.partition(".")[0] for base in kind.__mro__]
     return next((root for root in roots if root in _UNDERSTOOD), roots[0])
 
 
 def _signs(value: object) -> Iterator[str]:
-    """Signs that an object has a unit, in words."""
+    """Texts on attributes that show that an object has a unit."""
     for name in ("units", "unit"):
         text = getattr(value, name, None)
         if text is not None and not callable(text) and str(text) not in _NO_UNIT:

@@ -1,11 +1,12 @@
 """Certificates of claims about every point of a box of parameters: proved, refuted by a point, or
-undecided, by halving parts.
+undecided.
 
-Claims about all states in contact, of any model: a box of parameters is searched for equilibria as
-one point is, see :mod:`spragsym.numerics.boxes`: a box of coordinates in which interval Newton
-proves one root holds one for every point of it. What a claim asks is decided over these boxes, and
-over those that are left. A part of the box that stays open is halved across the parameter that
-moves the states most; its states lie where those of the whole do.
+The box is halved into parts (branch and bound). Claims about all states in contact, of any model,
+are decided by a search for equilibria over a part, as over one point, see
+:mod:`spragsym.numerics.boxes`: a box of coordinates in which interval Newton proves one root holds
+one state for every point of the part. The claim is decided over these boxes and the undecided ones.
+A part that stays open is halved across the parameter that moves the states most; the states of its
+halves lie in the boxes of its own.
 """
 
 from __future__ import annotations
@@ -15,7 +16,6 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import IntEnum
-from operator import attrgetter
 from types import MappingProxyType
 from typing import Any, ClassVar, Self, TypeAlias
 
@@ -85,9 +85,9 @@ class Certificate(Result):
 
 @dataclass(frozen=True)
 class BoxParts(ByColumn, ABC):
-    """Parts of a box, one a column: their ends, shape (sides, N)."""
+    """Parts of a box, one in each column, by their ends of shape (sides, N)."""
 
-    #: Fewer parts than this take as long as so many.
+    #: So many parts take no longer to decide than fewer.
     few: ClassVar[int] = 0
 
     low: FloatArray
@@ -99,7 +99,7 @@ class BoxParts(ByColumn, ABC):
     @property
     @abstractmethod
     def outcome(self) -> IntArray:
-        """Whether a claim holds for all of a part, or is false for all of it."""
+        """The :class:`Decision` for each part: proved or refuted for all of it, or open."""
 
     @property
     def volume(self) -> FloatArray:
@@ -109,23 +109,26 @@ class BoxParts(ByColumn, ABC):
 
     @property
     def open_volume(self) -> FloatArray:
-        """The volume of parts that are undecided, 0 for the others."""
+        """The volume of each open part, 0 for others."""
         return np.where(self.outcome == Decision.OPEN, self.volume, 0.0)
 
     @property
     def slight(self) -> FloatArray:
-        """Weight of the relative width of each side beside its effect on the states."""
+        """A small weight of each side by its relative width, which decides where states give no
+        weight.
+        """
         return (
             1e-6 * (self.high - self.low) / np.maximum(np.abs(self.high) + np.abs(self.low), 1e-300)
         )
 
     def divisible(self) -> BoolArray:
-        """Sides that have floats between their ends."""
+        """Mask of the sides with floats between their ends."""
         return np.nextafter(self.low, np.inf) < self.high
 
     def divided(self, weight: FloatArray, most: int) -> Self:
-        """Each cut across the side that matters most, and few of them again and again, as often as
-        one step takes them all.
+        """The parts, each halved across the side of largest ``weight``.
+
+        Fewer parts than :attr:`few` are halved again, up to ``most`` parts.
         """
         parts, weight = self._halved(weight)
         while (
@@ -137,43 +140,40 @@ class BoxParts(ByColumn, ABC):
         return parts
 
     def _halved(self, weight: FloatArray) -> tuple[Self, FloatArray]:
+        """Both halves of each part, and their weights: half of it for the side that was cut."""
         side, high, low = halves(self.low, self.high, weight)
         weight = weight.copy()
         weight[side, np.arange(side.size)] *= 0.5
-        return replace(self, high=high).concatenated(replace(self, low=low)), np.concatenate(
-            [weight, weight], axis=1
-        )
+        parts = replace(self, high=high).concatenated(replace(self, low=low))
+        return parts, np.concatenate([weight, weight], axis=1)
 
 
 @dataclass(frozen=True)
 class ProvedParts(BoxParts):
-    """Parts of which it is known for some that a claim holds."""
+    """Parts with a mask of those for which a claim is proved."""
 
     holds: BoolArray
 
     @property
     def outcome(self) -> IntArray:
-        """Whether a claim holds."""
+        """Proved or open; no part is refuted as a whole."""
         return np.where(self.holds, Decision.PROVED, Decision.OPEN)
 
 
 class Claim(ABC):
-    """A claim about a box of parameters: what is proved of parts of it, and at which points it is
-    false.
-    """
+    """A claim about a box of parameters: how parts are decided, and at which points it is false."""
 
-    #: Parts at a time, all parts unless told otherwise, and corners at which the claim may be
-    #: refuted.
+    #: Parts in one batch, default limit of all parts, and most corners to try for a refutation.
     batch, most, corners = 64, 2000, 64
-    #: Whether a counterexample is looked for in parts that are halved, too.
+    #: Whether to look for a counterexample also in parts that will be halved.
     early = True
-    #: What the sides of the parts are.
+    #: Names of the sides of the parts.
     sides: tuple[str, ...]
     whole: BoxParts
 
     @abstractmethod
     def settled(self, parts: Any) -> tuple[Any, FloatArray]:
-        """The parts with what is proved of them, and how much each side matters."""
+        """The parts with what is proved of them, and the weight of each side for halving."""
 
     @abstractmethod
     def point(self, values: FloatArray) -> ParameterSet:
@@ -184,8 +184,8 @@ class Claim(ABC):
         """Points of the box, shape (sides, N), at which the claim is proved to be false."""
 
     def refuted(self, points: FloatArray) -> ParameterSet | None:
-        """The parameters at the first of some points at which the claim is proved to be false; None
-        without one.
+        """The parameters at the first of the points at which the claim is proved to be false, or
+        None.
         """
         fails = np.flatnonzero(self.fails(points))
         return self.point(points[:, fails[0]]) if fails.size else None
@@ -196,59 +196,54 @@ class Claim(ABC):
         most: int,
         kept: Callable[[Any], Any] = lambda parts: parts,
     ) -> Iterator[tuple[Any, BoolArray, int]]:
-        """Parts in turn, those of which most is open first: which of them are not halved any more,
-        and how many were looked at.
+        """Decide parts in batches, those with the largest open share first.
 
-        ``share`` is how much of a part is open, ``kept`` what of parts matters. What is open is
-        halved, unless it is as thin as floats are or ``most`` parts were looked at: those that are
-        left then come last.
+        Yields the parts, a mask of those that will not be halved, and the count of parts just
+        decided. ``share`` gives the open share of a part, and ``kept`` drops parts that do not
+        matter. An open part is halved unless no float lies between its ends or ``most`` parts have
+        been decided; parts left over come last.
         """
         pending, seen = self.whole, 0
         while len(pending) and seen < most:
             order = np.argsort(-share(pending), kind="stable")
-            taken = order[: min(self.batch, most - seen)]
-            some = kept(pending[taken])
+            chosen = order[: min(self.batch, most - seen)]
+            parts = kept(pending[chosen])
             with doing(
                 "{} of at most {} parts of the box looked at, {} open", seen, most, len(pending)
             ):
-                some, weight = self.settled(some) if len(some) else (some, some.low)
-            seen += taken.size
-            last = (share(some) <= 0) | ~some.divisible().any(axis=0)
-            yield some, last, int(taken.size)
-            pending = pending[order[taken.size :]]
+                parts, weight = self.settled(parts) if len(parts) else (parts, parts.low)
+            seen += chosen.size
+            last = (share(parts) <= 0) | ~parts.divisible().any(axis=0)
+            yield parts, last, int(chosen.size)
+            pending = pending[order[chosen.size :]]
             if not last.all():
-                pending = pending.concatenated(some[~last].divided(weight[:, ~last], most - seen))
+                pending = pending.concatenated(parts[~last].divided(weight[:, ~last], most - seen))
         if len(pending):
             yield pending, np.ones(len(pending), dtype=bool), 0
 
     def at_corners(self) -> FloatArray:
-        """Points at which a counterexample is looked for first: the middle and corners of the box,
-        shape (sides, N).
+        """Points to try first for a refutation: the middle and corners of the box, shape (sides,
+        N).
         """
         low, high = self.whole.low[:, 0], self.whole.high[:, 0]
-        ends = [
-            (one,) if one == other else (one, other) for one, other in zip(low, high, strict=True)
-        ]
-        return np.array(
-            [0.5 * (low + high), *itertools.islice(itertools.product(*ends), self.corners)]
-        ).T
+        ends = [dict.fromkeys(pair) for pair in zip(low, high, strict=True)]
+        corners = itertools.islice(itertools.product(*ends), self.corners)
+        return np.array([0.5 * (low + high), *corners]).T
 
     def certificate(self, claim: str, most: int, refute: bool) -> Certificate:
-        """Whether it holds for all of the box."""
+        """The certificate of the claim over the whole box."""
         volume = self.whole.volume[0]
-        if (
-            refute
-            and self.whole.outcome[0] != Decision.PROVED
-            and (found := self.refuted(self.at_corners())) is not None
-        ):
-            return Certificate(claim, "refuted", found, 1.0, 1)
-        seen, proved, left, decided = 0, 0.0, 0.0, True
+        if refute and self.whole.outcome[0] != Decision.PROVED:
+            found = self.refuted(self.at_corners())
+            if found is not None:
+                return Certificate(claim, "refuted", found, 1.0, 1)
+        seen, proved, undecided, decided = 0, 0.0, 0.0, True
         for parts, last, looked in self.run(lambda parts: parts.open_volume / volume, most):
             seen += looked
             outcome, share = parts.outcome, parts.volume / volume
             open_ = outcome == Decision.OPEN
             proved += float(share[outcome == Decision.PROVED].sum())
-            left += float(share[last & open_].sum())
+            undecided += float(share[last & open_].sum())
             decided &= not (last & open_).any()
             false = np.flatnonzero(outcome == Decision.REFUTED)
             points = 0.5 * (parts.low + parts.high)[:, open_ & (last | self.early)][:, : self.batch]
@@ -257,7 +252,7 @@ class Claim(ABC):
                 found = self.refuted(points)
             if found is not None:
                 return Certificate(claim, "refuted", found, max(1.0 - proved, 0.0), seen)
-        return Certificate(claim, "proved" if decided else "undecided", None, left, seen)
+        return Certificate(claim, "proved" if decided else "undecided", None, undecided, seen)
 
 
 def corner_values(
@@ -266,7 +261,7 @@ def corner_values(
     high: ParameterSet,
     units: Mapping[str, Unit] = MappingProxyType({}),
 ) -> tuple[FloatArray, FloatArray]:
-    """Parameters of two corners of a box, and ends of units, each of shape (P, 1)."""
+    """Parameters and units at both corners of a box, each of shape (P, 1)."""
     for what, corner in (("low", low), ("high", high)):
         if corner.shape:
             raise ParameterError(
@@ -282,26 +277,23 @@ def corner_values(
     return one[:, None], other[:, None]
 
 
-#: Of each combination of contacts that touch: its balance, bounds of some parts, and as roots, with
-#: the parts as points, the states that have this combination all over a part, and as what is left
-#: the boxes of which that, or whether they hold a state, is not known.
+#: For each combination of touching contacts: its balance, the bounds of parts, and roots whose
+#: points are the parts. The roots are states in this combination all over the part. Undecided boxes
+#: may hold a state, or its combination is not known.
 OfCombinations: TypeAlias = Sequence[tuple[Balance, Intervals, Roots]]
 
 
 def _one(combinations: OfCombinations) -> BoolArray:
-    """Parts with one state at each point."""
-    proved, left = (
-        sum(
-            np.bincount(points(roots), minlength=bounds.shape[-1])
-            for _, bounds, roots in combinations
-        )
-        for points in (attrgetter("point"), attrgetter("undecided_point"))
-    )
-    return np.asarray((proved == 1) & (left == 0))
+    """Parts with exactly one state at each point."""
+    (_, bounds, _), *_ = combinations
+    count = bounds.shape[-1]
+    proved = sum(np.bincount(roots.point, minlength=count) for *_, roots in combinations)
+    open_ = sum(np.bincount(roots.undecided_point, minlength=count) for *_, roots in combinations)
+    return np.asarray((proved == 1) & (open_ == 0))
 
 
 def _none_flutters(combinations: OfCombinations) -> BoolArray:
-    """Parts all of whose states have real κ only, those in boxes that are left included."""
+    """Parts whose states all have real κ, those in undecided boxes included."""
     holds = []
     for balance, bounds, roots in combinations:
         every, point = roots.every
@@ -310,8 +302,8 @@ def _none_flutters(combinations: OfCombinations) -> BoolArray:
     return np.all(holds, axis=0)
 
 
-#: For each claim where it holds, and at which points it is refuted: several states, or proved to be
-#: none; one proved to flutter.
+#: For each claim, the function that says for which parts it is proved, and the one that says at
+#: which points it is false.
 STATES: dict[
     str, tuple[Callable[[OfCombinations], BoolArray], Callable[[Equilibria], BoolArray]]
 ] = {
@@ -328,15 +320,15 @@ STATES: dict[
 
 @dataclass(frozen=True)
 class LocatedParts(ProvedParts):
-    """Parts, and where their states of each combination of contacts are: ``around``, shape (2,
-    combinations, n, N), is infinite where nothing is known of that.
+    """Parts with boxes around their states: ``around``, shape (2, combinations, n, N), is infinite
+    where nothing is known.
     """
 
     around: FloatArray
 
 
 class ClaimOfStates(Claim):
-    """One of the claims of :data:`STATES`."""
+    """One of the claims of :data:`STATES`, about all equilibria in contact."""
 
     def __init__(self, low: ParameterSet, high: ParameterSet, claim: str) -> None:
         self.model = low.model
@@ -346,7 +338,7 @@ class ClaimOfStates(Claim):
         nowhere = np.full((2, len(self.balances), self.balances[0].n, 1), np.inf)
         corners = corner_values(self.sides, low, high)
         box = Intervals.between(*corners)
-        # None flutters, wherever a state is.
+        # With a symmetric K no state flutters, wherever it is.
         never = claim == "no flutter" and all(
             stability.is_conservative(balance, box) for balance in self.balances
         )
@@ -359,8 +351,10 @@ class ClaimOfStates(Claim):
         return self.false(equilibria(self.point(points)))
 
     def certificate(self, claim: str, most: int, refute: bool) -> Certificate:
-        """Whether it holds for all of the box; of few parts where no region is proved to hold all
-        states of its middle, so that it may be refuted at most.
+        """The certificate over the whole box.
+
+        If no region is proved to hold all states at the middle, the claim can't be proved, and only
+        one batch is tried for a refutation.
         """
         middle = Intervals.point(self.at_corners()[:, :1])
         unproved = (not region(balance, middle)[1].all() for balance in self.balances)
@@ -371,35 +365,32 @@ class ClaimOfStates(Claim):
     def settled(self, parts: Any) -> tuple[LocatedParts, FloatArray]:
         if parts.holds.all():
             return parts, parts.low
-        located = [
-            self._located(balance, parts, searched)
-            for balance, searched in zip(
-                self.balances, np.moveaxis(parts.around, 1, 0), strict=True
-            )
-        ]
-        states, where = zip(*located, strict=True)
-        searched = np.stack(where, axis=1)
-        whole = np.isfinite(searched).all(axis=(0, 1, 2))
         bounds = Intervals.between(parts.low, parts.high)
-        with quiet():
-            holds = whole & self.true(
-                [(one, bounds, roots) for one, roots in zip(self.balances, states, strict=True)]
-            )
-        weight = parts.slight
-        for balance, roots in zip(self.balances, states, strict=True):
+        weight, around, combinations = parts.slight, list[FloatArray](), list[Any]()
+        for k, balance in enumerate(self.balances):
+            roots, box = self._located(balance, parts, parts.around[:, k])
             self._weigh(weight, balance, parts, roots)
-        return replace(parts, holds=holds, around=searched), weight
+            around.append(box)
+            combinations.append((balance, bounds, roots))
+        boxes = np.stack(around, axis=1)
+        complete = np.isfinite(boxes).all(axis=(0, 1, 2))
+        with quiet():
+            holds = complete & self.true(combinations)
+        return replace(parts, holds=holds, around=boxes), weight
 
     def _located(
         self, balance: Balance, parts: LocatedParts, box: FloatArray
     ) -> tuple[Roots, FloatArray]:
-        """States of one combination in parts, and boxes with all of them, shape (2, n, N)."""
+        """States of one combination in parts, and boxes that hold all of them, shape (2, n, N).
+
+        ``box`` are the boxes to search; where infinite, the region is computed first.
+        """
         bounds = Intervals.between(parts.low, parts.high)
-        whole = np.asarray(np.isfinite(box).all(axis=(0, 1)))
-        new = np.flatnonzero(~whole)
-        if new.size:
+        complete = np.asarray(np.isfinite(box).all(axis=(0, 1)))
+        unknown = np.flatnonzero(~complete)
+        if unknown.size:
             box = box.copy()
-            box[:, :, new], whole[new] = region(balance, bounds[:, new])
+            box[:, :, unknown], complete[unknown] = region(balance, bounds[:, unknown])
         found = reduced_by_turns(
             balance.periodic,
             certified_roots.search(
@@ -408,30 +399,32 @@ class ClaimOfStates(Claim):
         )
         ends, point = found.every
         in_contact, beyond = on_side(balance, balance.prepared(bounds[:, point]), ends)
-        # Only those whose root is proved.
-        kept = in_contact & (np.arange(point.size) < found.point.size)
-        left = ~(beyond | kept)
-        states = Roots.at(ends, point=point).reopened(kept, left)
-        where = hulls_of(ends[:, :, ~beyond], point[~beyond], len(parts))
-        room = 1e-6 + balance.options.margin * np.maximum(width_of(where), 0.0)
-        with quiet():  # where there is no state it stays as it is
-            where = np.fmin(rounded_outward(where + room), box)
-        return states, np.where(whole, where, np.inf)
+        # The first boxes are those with a proved root; undecided ones follow.
+        proved = in_contact & (np.arange(point.size) < found.point.size)
+        states = Roots.at(ends, point=point).reopened(proved, ~(beyond | proved))
+        hulls = hulls_of(ends[:, :, ~beyond], point[~beyond], len(parts))
+        margin = 1e-6 + balance.options.margin * np.maximum(width_of(hulls), 0.0)
+        with quiet():  # a part without states keeps an empty hull
+            hulls = np.fmin(rounded_outward(hulls + margin), box)
+        return states, np.where(complete, hulls, np.inf)
 
     @staticmethod
     def _weigh(out: FloatArray, balance: Balance, parts: LocatedParts, states: Roots) -> None:
-        """Raise ``out``, shape (P, N), to how far each parameter moves the states of each part."""
+        """Raise ``out``, shape (P, N), to the largest move of the states of each part by each
+        parameter.
+
+        Moves are relative to the states' size, to first order.
+        """
         middle = 0.5 * (parts.low + parts.high)
         ends, point = states.every
         with quiet():
             q = Intervals(ends).middle
             K = balance.jacobian(Intervals.point(q), balance.prepared_at(middle[:, point])).middle
-            back = np.abs(np.linalg.pinv(np.nan_to_num(np.moveaxis(K, -1, 0))))
+            inverse = np.abs(np.linalg.pinv(np.nan_to_num(np.moveaxis(K, -1, 0))))
             for row in np.flatnonzero((parts.low != parts.high).any(axis=1)):
                 low, high = middle[:, point], middle[:, point]
                 low[row], high[row] = parts.low[row, point], parts.high[row, point]
-                pushed = balance.residuals(
-                    Intervals.point(q), balance.prepared(Intervals.between(low, high))
-                ).width
-                moved = np.einsum("Nij,jN->iN", back, pushed) / scale_of(q)
+                over = balance.prepared(Intervals.between(low, high))
+                forces = balance.residuals(Intervals.point(q), over).width
+                moved = np.einsum("Nij,jN->iN", inverse, forces) / scale_of(q)
                 np.maximum.at(out[row], point, np.nan_to_num(moved).max(axis=0))

@@ -1,5 +1,5 @@
-"""Probability that the followed state ends within tolerances, for any model: by sampling, and
-between proved bounds.
+"""Probability that the followed state ends within tolerances, for any model: sampled, and with
+proved bounds.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from .proved_jumps import ProvedJumps, proved_jumps
 from .sampling import Chunk, Correlation, Dependence, chunks, dependence, sums
 from .tube_certificates import Pieces, Splitting
 
-#: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or
+#: Quantities by name, each a number, a uniform range or a frozen distribution of SciPy; or two
 #: corners of a box.
 Distribution: TypeAlias = (
     Mapping[str, Any] | tuple[ParameterSet, ParameterSet] | tuple[QuantityValues, QuantityValues]
@@ -41,46 +41,43 @@ Distribution: TypeAlias = (
 
 
 class Quantiles(Protocol):
-    """A distribution, by its values below which a share of it lies."""
+    """A distribution given by its quantile function."""
 
     def ppf(self, share: ArrayLike, /) -> Any:
-        """Values, at a share or an array of these."""
+        """Quantiles of one share or of an array of shares."""
 
 
-#: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
+#: An event at many points: from arrays of quantities by name, 1 or 0, or NaN where undecided.
 Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
 
 
-#: Points from which on parts of the box are asked first.
+#: With at least so many points, proved parts of the box are computed first.
 MANY = 1 << 12
 
 
 @dataclass(frozen=True)
 class JumpProbability(Result):
-    """The probability that the reference state jumps as the friction, or another parameter, rises
-    to its value.
+    """The probability that the followed state jumps as the loading parameter rises to its value.
 
     Attributes
     ----------
     probability, low, high : float
-        The estimate and its interval.
+        The estimate and its confidence interval.
     confidence : float
-        Of the interval.
+        Confidence level of the interval.
     n : int
-        Points that it was estimated from.
+        Number of sample points.
     undecided : float
-        Share of the points without an answer, which the interval takes in.
+        Share of the points without an answer, which widens the interval.
     first, total : dict of str to float
-        Sobol' indices of every quantity that varies, or of several that are correlated, together:
-        the share of the variance of "it jumps" that goes with it alone, and with it and all that it
-        does together with others. NaN where everything jumps, or nothing, and empty if not asked
-        for.
+        Sobol' indices of the event "it jumps", for each quantity that varies or each group of
+        correlated ones: the share of the variance by it alone, and by it together with all its
+        interactions. NaN if all points jump or none does; empty if not asked for.
     first_error, total_error : dict of str to float
-        Half-widths of their intervals.
+        Half-widths of their confidence intervals.
     proved : tuple of float
-        Bracket of the probability by proof, not by samples: the probability of what is proved to
-        jump, and one minus that of what is proved not to; (0, 1) where nothing was asked to be
-        proved.
+        Proved bounds of the probability: that of the parts of the box where the state is proved to
+        jump, and one minus that of the parts where it is proved not to. (0, 1) without a proof.
     """
 
     probability: float
@@ -97,8 +94,8 @@ class JumpProbability(Result):
 
     @property
     def sobol(self) -> dict[str, tuple[float, float, float]]:
-        """Of each quantity the index of first order, the total one and its half-width; that with
-        the largest total first.
+        """For each quantity the first-order index, the total index and its half-width, sorted by
+        falling total index.
         """
         names = sorted(self.total, key=lambda name: -np.nan_to_num(self.total[name]))
         return {
@@ -135,7 +132,7 @@ class JumpProbability(Result):
 
 @dataclass(frozen=True)
 class Sampling:
-    """Points at which an event is asked for, as arguments of :func:`jump_probability`."""
+    """Options of the sampling, as arguments of :func:`jump_probability`."""
 
     correlation: Correlation | None
     n: int
@@ -148,7 +145,7 @@ class Sampling:
 
 
 def estimated(variables: Mapping[str, Any], event: Event, sampling: Sampling) -> JumpProbability:
-    """The probability of any event, 1 or 0 of many points or NaN."""
+    """The probability of an event, by quasi-Monte Carlo."""
     varied = tuple(name for name, one in variables.items() if not isinstance(one, float))
     if not varied:
         raise ParameterError(
@@ -172,9 +169,9 @@ def estimated(variables: Mapping[str, Any], event: Event, sampling: Sampling) ->
     work = partial(
         sums, partial(_at_points, variables, together, event), [*together.factors], sampling.sobol
     )
-    # Points that a process asks together where it is alone: many chunks at once.
-    together_at_most = 2**16
-    most = max(1, together_at_most // parts[0].size) if sampling.workers == 1 else 1
+    # A single process asks for several chunks at once, up to so many points.
+    most_points = 2**16
+    most = max(1, most_points // parts[0].size) if sampling.workers == 1 else 1
     tasks = [parts[first : first + most] for first in range(0, len(parts), most)]
     done: dict[int, list[list[float]]] = {}
     results = processes.results(sampling.workers, work, dict(enumerate(tasks)), _chunk_text)
@@ -193,12 +190,12 @@ def estimate(
     confidence: float,
     titles: Sequence[str],
 ) -> JumpProbability:
-    """From the sums of all chunks, of a function that is 0 or 1; ``titles`` are what indices are
-    of.
+    """The result from the sums of all chunks, of a function that is 0 or 1.
 
-    Source: the replicates are independent means of one distribution, from whose spread the interval
-    follows (Student); indices of first order by Saltelli et al. (2010), total ones by Jansen
-    (1999).
+    ``replicate`` is the number of the replicate of each chunk, and ``titles`` names the indices.
+
+    Source: the replicates are independent means of one distribution, and Student's interval follows
+    from their spread; first-order indices by Saltelli et al. (2010), total ones by Jansen (1999).
     """
     from scipy.stats import binomtest
     from scipy.stats import t as student
@@ -211,16 +208,16 @@ def estimate(
     mean, n = float(added.sum() / count.sum()), float(count.sum())
     quantile = float(student.ppf(0.5 + confidence / 2, number - 1))
     half = quantile * float(means.std(ddof=1)) / number**0.5
-    # Replicates of one variable differ by one hit at most and may all agree: what a count without
-    # an event leaves possible.
+    # Replicates may agree exactly, as with one variable: at least the interval of no event in n
+    # points remains.
     half = math.hypot(half, math.log(2 / (1 - confidence)) / n)
     low, high = mean - half, mean + half
     hits, missing = float(added.sum()), float(unknown.sum() / n)
-    if min(hits, n - hits) < 50:  # too few for a normal distribution of the means
-        # As for independent points, which spread no less.
+    if min(hits, n - hits) < 50:
+        # Too few for normally distributed means. Independent points, which spread no less, have a
+        # binomial interval.
         low, high = binomtest(int(hits), int(n), 0.5).proportion_ci(confidence, "exact")
-    # Points without a value may be either.
-    low, high = max(low, 0.0), min(high + missing, 1.0)
+    low, high = max(low, 0.0), min(high + missing, 1.0)  # an undecided point may jump
     variances = (squares - 2 * mean * added + mean * mean * count) / count
     alone, alone_error = _index(2 * table[:, 4::2] / count[:, None], variances, quantile)
     whole, whole_error = _index(table[:, 5::2] / count[:, None], variances, quantile)
@@ -236,7 +233,7 @@ def estimate(
 def _index(
     values: FloatArray, variances: FloatArray, quantile: float
 ) -> tuple[FloatArray, FloatArray]:
-    """A ratio to the variance, and the half-width of its interval from the spread over the
+    """A ratio to the variance, with the half-width of its interval from the spread over the
     replicates (linearized).
     """
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -251,9 +248,7 @@ def _index(
 
 
 def variable(name: str, given: Any, allowed: Range) -> float | Quantiles:
-    """A quantity as a float, or as something with a quantile function ``ppf``, within what is
-    allowed.
-    """
+    """A quantity as a float or a distribution with ``ppf``, checked against its allowed range."""
     if hasattr(given, "ppf"):
         low, high = float(given.ppf(0.0)), float(given.ppf(1.0))
         if low < allowed.low or not high <= allowed.high:
@@ -282,7 +277,7 @@ def variable(name: str, given: Any, allowed: Range) -> float | Quantiles:
 def _at_points(
     variables: Mapping[str, Any], together: Dependence, event: Event, points: FloatArray
 ) -> FloatArray:
-    """The event at points of the unit cube."""
+    """The event at points of the unit cube, shape (points, variables)."""
     shares = iter(together.shares(points).T)
     return event(
         {
@@ -293,13 +288,14 @@ def _at_points(
 
 
 def _chunk_text(task: Sequence[Chunk]) -> str:
+    """The points of a task, for the report of progress."""
     first, last = task[0], task[-1]
     to = f"{last.begin + last.size} of replicate {last.replicate}"
     between = "" if last.replicate == first.replicate else f" of replicate {first.replicate}"
     return f"points {first.begin}{between} to {to}"
 
 
-#: The share of a distribution up to some values.
+#: A cumulative distribution function.
 Shares: TypeAlias = Callable[[FloatArray], Any]
 
 
@@ -321,49 +317,50 @@ def jump_probability(
     progress: bool = False,
     method: Method = "auto",
 ) -> JumpProbability:
-    """The probability that the followed state ends, by quasi-Monte Carlo, with an interval and
-    Sobol' indices, and proved bounds.
+    """The probability that the followed state ends as the loading parameter rises to its value.
+
+    Estimated by quasi-Monte Carlo, with a confidence interval and Sobol' indices, and optionally
+    with proved bounds.
 
     Parameters
     ----------
     distribution : mapping, or two corners of a box
-        For each parameter by name, or for each of the quantities of a brake on which its states
-        depend, as k, k_c and L_0: a number, a range ``(low, high)`` in which all values are as
-        probable, or a frozen distribution of ``scipy.stats``; parameters that are left out have
-        their base values. With those of the friction law too, as V and d beside the quantities of
-        the article's model, the friction is that at the speed of the belt. Two
-        :class:`~spragsym.Parameters` or :class:`~spragsym.PhysicalParameters` are the corners of a
-        box.
+        For each parameter by name, or for each quantity of a brake on which its states depend, as
+        k, k_c and L_0: a number, a range ``(low, high)`` of uniform probability, or a frozen
+        distribution of ``scipy.stats``. Parameters that are missing have their base values. With
+        quantities of the friction law too, as V and d of the article's model, friction is that at
+        the speed of the belt. Two :class:`~spragsym.Parameters` or
+        :class:`~spragsym.PhysicalParameters` are the corners of a box.
     model : Model or str, optional
-        Whose parameters a mapping is of; the article's unless told otherwise.
+        The model to which the names of a mapping belong; by default the article's.
     vary, begin : str and float, optional
-        The parameter that rises to its value, mu0 unless told otherwise, and from where, the lower
-        end of its range.
+        The parameter that rises to its value, by default mu0, and the value from which it rises, by
+        default the lower end of its range.
     max_boxes : int
-        Parts of the box to look at for ``proved``, which is (0, 1) without.
+        Most parts of the box to decide for ``proved``; with 0 nothing is proved.
     correlation : mapping of pairs of names to float, optional
-        Of the normal scores behind the distributions (a Gaussian copula), which are the quantities'
-        own where they are normal; 1 where one decides the other. Those that are not named are
-        independent.
+        Correlations of the normal scores behind the distributions (a Gaussian copula); for normal
+        distributions they are those of the quantities. With ±1 one quantity determines the other.
+        Pairs that are not named are independent.
     n : int
-        Points, rounded up to a power of two for each replicate. Without closed forms one takes up
-        to a millisecond; from 4,096 on most are told by parts of the box that are proved first.
+        Number of points, rounded up to a power of two in each replicate. Without closed forms a
+        point takes up to a millisecond; from 4,096 on, most are decided by proved parts of the box.
     rng : int or numpy.random.Generator, optional
-        An int gives the same points each time.
+        Source of randomness; an int gives the same points each time.
     confidence : float
-        Of the intervals.
+        Confidence level of the intervals.
     sobol : bool
-        Also estimate the indices, which costs half as many evaluations more for each quantity that
-        varies.
+        Also estimate Sobol' indices, at the cost of half as many evaluations more for each quantity
+        that varies.
     replicates : int
-        Independent scramblings, from whose spread the intervals follow.
+        Number of independent scramblings, from whose spread the intervals follow.
     workers : int or map-like callable
-        Processes, −1 for one a core; or ``map(function, chunks)`` of an engine, such as a dask
-        client's. The result is the same.
+        Number of processes, −1 for one on each core; or ``map(function, chunks)`` of an engine,
+        such as a dask client's. The result is the same.
     progress : bool
         Show a bar on stderr.
     method : {"auto", "closed", "search"}
-        Whether what is asked of each point may be answered by closed forms.
+        Whether closed forms may decide a point, must, or must not.
 
     Returns
     -------
@@ -372,14 +369,15 @@ def jump_probability(
     Raises
     ------
     ParameterError
-        For quantities that are missing or unknown, and distributions that reach out of a range.
+        For missing or unknown quantities, and distributions that reach out of a range.
 
     Notes
     -----
-    Source: an event is an end of the state up to the value of the loading parameter; interval by
-    Student's distribution over the replicates, or by Clopper and Pearson where fewer than 50 points
-    jump, or don't. Proved bounds: tubes around curves of states about parts of the box, whose
-    probability is the product of that of their sides, see :mod:`spragsym.bifurcation.tubes`.
+    Source: the event is an end of the state up to the value of the loading parameter. Intervals are
+    by Student's distribution over the replicates, or by Clopper and Pearson if fewer than 50 points
+    jump or fewer than 50 do not. Proved bounds: tubes around curves of states over parts of the
+    box, see :mod:`spragsym.bifurcation.tubes`; the probability of a part is the product of those of
+    its sides.
 
     Examples
     --------
@@ -402,38 +400,40 @@ def jump_probability(
     one_of("method", method, get_args(Method))
     require_kind("distribution", distribution, (tuple, Mapping), "values and ranges by name")
     if isinstance(distribution, tuple):
-        asked, in_si = model_of(distribution), isinstance(distribution[0], QuantityValues)
+        subject, in_si = model_of(distribution), isinstance(distribution[0], QuantityValues)
     else:
-        asked = model if isinstance(model, Model) else load(model or USUAL)
+        subject = model if isinstance(model, Model) else load(model or USUAL)
         in_si = not {*distribution}.isdisjoint(
-            {*quantities(asked.where).units} - {*asked.parameters}
+            {*quantities(subject.where).units} - {*subject.parameters}
         )
-    asked.require_answered("jump_probability")
-    asked = asked.search if method == "search" else asked
-    kind = quantities(asked.where) if in_si else None
-    variables = _variables(asked, kind, distribution)
-    vary, begin = asked.rising(vary, begin)
-    event = _JumpEvent(asked, kind, vary, begin, method)
+    subject.require_answered("jump_probability")
+    subject = subject.search if method == "search" else subject
+    kind = quantities(subject.where) if in_si else None
+    variables = _variables(subject, kind, distribution)
+    vary, begin = subject.rising(vary, begin)
+    event = _JumpEvent(subject, kind, vary, begin, method)
     if max_boxes and (correlation or kind):
         said = "quantities in SI" if kind else "correlation"
         raise ParameterError(
             f"{said}: a bracket is proved for independent parameters of the model only; leave "
             "max_boxes out"
         )
-    if kind is None and n >= MANY and asked.closed_form("limit_point_passed") is None:
-        event = replace(event, proved=_proved(asked, variables, vary, begin))
+    if kind is None and n >= MANY and subject.closed_form("limit_point_passed") is None:
+        event = replace(event, proved=_proved(subject, variables, vary, begin))
     sampling = Sampling(correlation, n, rng, replicates, confidence, sobol, workers, progress)
     found = estimated(variables, event, sampling)
     if not max_boxes:
         return found
-    proved = measured(*_split(asked, variables, vary, begin), max_boxes)
+    proved = measured(*_split(subject, variables, vary, begin), max_boxes)
     return replace(found, proved=proved)
 
 
 def _split(
     model: Model, variables: dict[str, Any], vary: str, begin: float
 ) -> tuple[Splitting, OpenShare]:
-    """A box that holds all points, but for tails without an end, and how probable its parts are."""
+    """A box that holds all points up to tails of unbounded distributions, and the probability of
+    its open parts.
+    """
     laws = {name: one for name, one in variables.items() if not isinstance(one, float)}
     ends = ({name: _end(one, share) for name, one in laws.items()} for share in (0.0, 1.0))
     low, high = (model.Parameters(**variables | end) for end in ends)
@@ -444,17 +444,19 @@ def _split(
 
 
 def _proved(model: Model, variables: dict[str, Any], vary: str, begin: float) -> ProvedJumps | None:
-    """Proved part of the box of the variables, if any."""
+    """Proved parts of the box of the variables, or None."""
     try:
         return proved_jumps(*_split(model, variables, vary, begin), Pieces.few)
-    except (ConvergenceError, ParameterError):  # of a box around points that may all be decided
+    except (ConvergenceError, ParameterError):  # the points themselves may still be decided
         return None
 
 
 @dataclass(frozen=True)
 class OpenShare:
-    """Probability of what is not decided of pieces of a box: ``laws`` are shares up to a value of
-    each of the sides that are ``free``, and ``up_to`` bounds of those of what moves.
+    """The probability of what is undecided in parts of a box.
+
+    ``laws`` are the distribution functions of the ``free`` sides, and ``up_to`` lower and upper
+    bounds of that of the moving parameter.
     """
 
     free: Sequence[str]
@@ -462,18 +464,18 @@ class OpenShare:
     up_to: tuple[Shares, Shares]
 
     def __call__(self, pieces: Pieces) -> FloatArray:
-        """Of each piece."""
+        """The undecided probability of each part."""
         return self.of_free(pieces) * (self.up_to[1](pieces.top) - self.up_to[0](pieces.safe))
 
     def of_free(self, pieces: Pieces) -> FloatArray:
-        """Probability of the sides of each piece but that of what moves."""
+        """The probability of the free sides of each part."""
         sides = zip(self.free, pieces.low[:-1], pieces.high[:-1], strict=True)
         parts = [self.laws[name](high) - self.laws[name](low) for name, low, high in sides]
         return np.prod([np.ones(len(pieces)), *parts], axis=0)
 
 
 def measured(box: Splitting, share: OpenShare, max_boxes: int) -> Span:
-    """Probability of what is proved to end, and one minus that of what is proved not to."""
+    """The probability of what is proved to end, and one minus that of what is proved not to."""
     least, most = 0.0, 1.0
     box.sharp = True
     for pieces, last, _ in box.run(share, max_boxes):
@@ -481,23 +483,21 @@ def measured(box: Splitting, share: OpenShare, max_boxes: int) -> Span:
         of_free = share.of_free(done)
         least += float((of_free * (1.0 - share.up_to[1](done.top))).sum())
         most -= float((of_free * share.up_to[0](done.safe)).sum())
-    # What sums of shares are rounded outward by.
-    rounding = 1e-12
+    rounding = 1e-12  # more than the rounding of all sums
     return max(0.0, least - rounding), min(1.0, most + rounding)
 
 
 def _end(law: Quantiles, share: float) -> float:
+    """An end of a distribution; if it is infinite, that of a tail which the proof leaves
+    undecided.
+    """
     end = float(law.ppf(share))
-    # Share of a distribution without an end that is left out of the proof on either side,
-    # and counts as not decided.
-    tail = 1e-9
+    tail = 1e-9  # probability of the tail
     return end if np.isfinite(end) else float(law.ppf(tail if share == 0 else 1 - tail))
 
 
 def _variables(model: Model, kind: Quantities | None, distribution: Distribution) -> dict[str, Any]:
-    """Each parameter, or quantity of a kind, as a float, or as something with a quantile function
-    ``ppf``.
-    """
+    """Each parameter, or each quantity of ``kind``, as a float or a distribution with ``ppf``."""
     names: Sequence[str] = kind.of_statics if kind else model.parameters
     given: dict[str, Any]
     if isinstance(distribution, tuple):
@@ -530,8 +530,10 @@ def _variables(model: Model, kind: Quantities | None, distribution: Distribution
 
 @dataclass(frozen=True)
 class _JumpEvent:
-    """The event that a state ends as the parameter ``vary`` rises from ``begin``; ``kind`` has the
-    quantities that are given in place of the model's parameters, ``proved`` parts of the box.
+    """The event that the followed state ends as ``vary`` rises from ``begin`` to its value.
+
+    ``kind`` has the quantities that replace the model's parameters, and ``proved`` parts of the
+    box.
     """
 
     model: Model
@@ -542,11 +544,11 @@ class _JumpEvent:
     proved: ProvedJumps | None = None
 
     def __call__(self, values: Mapping[str, Any]) -> FloatArray:
-        """1 where the state ends, 0 where it does not, NaN where that is not known; by what is
-        proved of parts first, and of the rest one by one.
+        """1 where the state ends, 0 where it does not, NaN where that is unknown; proved parts
+        decide first, then points one by one.
         """
         model, kind = self.model, self.kind
-        # On units that the states do not depend on, as the mass, neither does the friction.
+        # Neither states nor friction depend on units that are missing, as the mass: any value does.
         units = {} if kind is None else dict.fromkeys(kind.bases, 1.0)
         p = model.Parameters(**(values if kind is None else kind.groups({**units, **values})))
         if kind is not None and {*kind.of_the_law} & {*values}:
@@ -554,24 +556,25 @@ class _JumpEvent:
         if self.proved is None:
             return self._passed(p)
         ended = self.proved.ended(p)
-        left = np.isnan(ended)
-        if left.any():
-            ended[left] = self._passed(model.Parameters(**selected_rows(values, left)))
+        open_ = np.isnan(ended)
+        if open_.any():
+            ended[open_] = self._passed(model.Parameters(**selected_rows(values, open_)))
         return ended
 
     def _passed(self, p: ParameterSet) -> FloatArray:
-        """The event one by one; where it is known of none of the first it is not asked of others,
-        of which each takes as long as many that are decided.
+        """The event at each point.
+
+        If none of the first 64 points is decided, the others are not tried: an undecided point
+        takes as long as many decided ones.
         """
-
-        def asked(rows: slice) -> FloatArray:
-            some = p.model.Parameters(**selected_rows(columns, rows))
-            return limit_point_passed(some, self.vary, self.begin, method=self.method)
-
         columns = dict(zip(p.ranges, p.broadcast(*p.ranges), strict=True))
 
+        def passed(rows: slice) -> FloatArray:
+            own = p.model.Parameters(**selected_rows(columns, rows))
+            return limit_point_passed(own, self.vary, self.begin, method=self.method)
+
         few = 64
-        first = asked(slice(few))
+        first = passed(slice(few))
         if np.isnan(first).all():
             return np.full(p.shape, np.nan)
-        return np.concatenate([first, asked(slice(few, None))])
+        return np.concatenate([first, passed(slice(few, None))])

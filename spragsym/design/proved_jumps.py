@@ -1,10 +1,11 @@
-"""Points of a box of parameters at which the followed state has ended, told by parts of the box of
-which that is proved: thousands of points at once.
+"""Points of a box of parameters at which the followed state has ended, decided by proved parts of
+the box: thousands of points at once.
 
-Tubes hold the state that is taken up in the middle of the box, and what it becomes over the box. In
-a room about it there is no other, so that the reference state of a point is that state if it lies
-there; where that is not proved of all points of a part, it is looked for at each. Where nothing but
-the loading varies one jump value tells all.
+Tubes hold the reference state at the middle of the box, and what it becomes over the box. Within a
+radius about it there is no other state, so the reference state of a point is that of the tube if it
+lies there. For parts where this is proved for all points, nothing is computed at a point; elsewhere
+the reference state is computed at each. If only the loading parameter varies, one jump value
+decides all points.
 """
 
 from __future__ import annotations
@@ -29,10 +30,11 @@ from .tube_certificates import Pieces, Splitting
 
 @dataclass(frozen=True)
 class ProvedJumps:
-    """Parts of a box, and the parameters that vary in it beside the loading ``vary``, which rises
-    from ``begin``: up to ``safe`` the state of each part goes on, and above ``top`` it has ended.
+    """Proved parts of a box, for the loading parameter ``vary``, which rises from ``begin``.
 
-    Of parts that are ``known`` it is the reference state of all their points.
+    ``free`` are the other parameters that vary. For each part of ``pieces`` the state is proved to
+    exist up to ``safe`` and to have ended above ``top``. Where a part is ``known``, that state is
+    proved to be the reference state of all points.
     """
 
     vary: str
@@ -40,10 +42,10 @@ class ProvedJumps:
     free: tuple[str, ...]
     pieces: Pieces
     known: BoolArray
-    touching: str  #: contacts that touch in the state of the parts, of several
+    touching: str  #: touching contacts in the state of the parts, if there are several
 
     def ended(self, p: ParameterSet) -> FloatArray:
-        """1 where the state of a point has ended, 0 where it has not, NaN where no part tells it;
+        """1 where the state of a point has ended, 0 where it has not, NaN where no part decides;
         parameters of shape (M,).
         """
         pieces, (count,) = self.pieces, p.shape
@@ -51,35 +53,37 @@ class ProvedJumps:
         part = self._parts(free) if free else np.zeros(count, dtype=int)
         proved = (part >= 0) & self.known[part] & (p.followed is None)
         given = {name: np.broadcast_to(p[name], count) for name in p.ranges if p[name] is not None}
-        asked = np.flatnonzero((part >= 0) & ~proved)
-        if asked.size:
-            there, room = self._there(free, part, asked)
-            states, error = self._reference_states(p.replace(**selected_rows(given, asked)))
-            part[asked[~(np.abs(states - there) + error <= room).all(axis=0)]] = -1
+        unknown = np.flatnonzero((part >= 0) & ~proved)
+        if unknown.size:
+            predicted, radius = self._there(free, part, unknown)
+            states, error = self._reference_states(p.replace(**selected_rows(given, unknown)))
+            same = (np.abs(states - predicted) + error <= radius).all(axis=0)
+            part[unknown[~same]] = -1
         below, above = loading <= pieces.safe[part], loading > pieces.top[part]
-        out = np.where(part < 0, np.nan, np.where(above, 1.0, np.where(below, 0.0, np.nan)))
-        left = np.flatnonzero(proved & np.isnan(out))
-        if left.size and free:
-            begin = np.full(left.size, self.begin)
-            until = np.maximum(begin, loading[left])
-            of = p.replace(**selected_rows(given, left))
-            followed = Followed(of, self.vary, "up", begin, until)
-            out[left] = followed.have_ended(of_state=self._there(free, part, left))
+        out = np.select([part < 0, above, below], [np.nan, 1.0, 0.0], np.nan)
+        open_ = np.flatnonzero(proved & np.isnan(out))
+        if open_.size and free:
+            begin = np.full(open_.size, self.begin)
+            until = np.maximum(begin, loading[open_])
+            own = p.replace(**selected_rows(given, open_))
+            followed = Followed(own, self.vary, "up", begin, until)
+            out[open_] = followed.have_ended(of_state=self._there(free, part, open_))
         return out
 
     def _there(
         self, free: Sequence[FloatArray], part: IntArray, rows: IntArray
     ) -> tuple[FloatArray, FloatArray]:
-        """About the states of some points where the loading begins, by their parts, and the room
-        about each in which there is no other; shape (n, M). There is none where that is not proved.
+        """Approximate states of points where the loading begins, from their parts, and the radius
+        within which each is the only one; both of shape (n, M). The radius is −1 where that is not
+        proved.
         """
         off = np.stack(free)[:, rows] - 0.5 * self.pieces.of.sum(axis=0)[:, part[rows]]
         base = self.pieces.base[part[rows]]
-        there = base.z[:-1] + np.einsum("ikM,kM->iM", base.by_p[:-1], off)
-        return there, np.where(base.sure, base.radius[:-1], -1.0)
+        states = base.z[:-1] + np.einsum("ikM,kM->iM", base.by_p[:-1], off)
+        return states, np.where(base.sure, base.radius[:-1], -1.0)
 
     def _parts(self, free: Sequence[FloatArray]) -> IntArray:
-        """Number of the part that each point lies in, −1 where it lies in none."""
+        """Index of the part that holds each point, −1 for none."""
         low, high = self.pieces.low, self.pieces.high
         part, order = np.full(free[0].size, -1), np.argsort(free[0])
         begin = np.searchsorted(free[0][order], low[0], "left")
@@ -92,8 +96,10 @@ class ProvedJumps:
         return part
 
     def _reference_states(self, p: ParameterSet) -> tuple[FloatArray, FloatArray]:
-        """Coordinates of the states that are followed, where the loading begins, with bounds on
-        their errors, infinite where they are not known; shape (n, M).
+        """Coordinates of the followed states where the loading begins, with error bounds, shape (n,
+        M).
+
+        The bound is infinite where a state is not known.
         """
         eq = equilibria(p.replace(**{self.vary: self.begin}))
         rows, slot = np.arange(p.shape[0]), reference_state(eq, p.followed)
@@ -106,15 +112,17 @@ class ProvedJumps:
 
 
 def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) -> ProvedJumps:
-    """Proved parts of a box, of which those are halved first of which most is open by ``share``."""
+    """Proved parts of a box; those with the largest open ``share`` are halved first, up to ``most``
+    parts.
+    """
     if not box.free:
         found = first_limit_points(box.point(box.whole.high[:, 0]), box.vary, begin=box.begin)
-        if not found.reasons:  # else nothing is known
+        if not found.reasons:  # otherwise nothing is proved
             ends = bool(np.isfinite(found.value))
             box.whole.safe[:] = found.value - found.error if ends else found.until
             box.whole.top[:] = found.value + found.error if ends else np.inf
         return ProvedJumps(box.vary, box.begin, (), box.whole, np.ones(1, dtype=bool), "")
-    # Of the whole box hardly anything is proved.
+    # Hardly anything can be proved for the whole box at once.
     box.whole = box.whole.divided(box.whole.weight(box.whole.base), most)
     box.sharp = True
     first, *others = [pieces[last] for pieces, last, _ in box.run(share, most)]
@@ -125,8 +133,8 @@ def proved_jumps(box: Splitting, share: Callable[[Any], FloatArray], most: int) 
 
 
 def _known(box: Splitting, pieces: Pieces) -> BoolArray:
-    """Parts at all points of which the reference state is proved to be that of their tubes."""
-    # Of several combinations of contacts it is to be the reference state of the states of all.
+    """Parts whose tubes are proved to hold the reference state of all their points."""
+    # With several combinations of contacts, the reference state is chosen among those of all.
     if box.near is not None or len(balances_of(box.model)) > 1:
         return np.zeros(len(pieces), dtype=bool)
     balance, low = Balance(box.model), np.repeat(box.tubes.fixed, len(pieces), axis=1)

@@ -1,5 +1,7 @@
-"""Certificates over boxes of parameters of any model: parts on which the followed state is proved
-to go on, or proved to end.
+"""Certificates that the followed state does not jump, over boxes of parameters of any model.
+
+A part of the box is proved where a tube shows that the state of each of its points goes on to the
+upper end of the parameter that moves, and refuted where the state is proved to end below.
 """
 
 from __future__ import annotations
@@ -36,12 +38,12 @@ from .certificates import (
 
 @dataclass(frozen=True)
 class Pieces(BoxParts):
-    """Parts of a box with the place at which the followed state begins, here or in what holds
-    these.
+    """Parts of a box, each with a proved place at which the followed state begins.
 
-    The parameter that moves is the last side; ``of``, (2, free, N), are the ends of the parameters
-    for which ``base`` is proved. Up to ``safe`` of what moves the state is proved to go on, and
-    above ``top`` to have ended, for all of the piece; −inf and inf where nothing is known.
+    The last side is the parameter that moves. ``base`` is proved for the free parameters between
+    the ends ``of``, shape (2, free, N), which contain those of the part. For all points of a part
+    the state is proved to exist up to ``safe`` and to have ended above ``top``; −inf and inf if
+    nothing is known.
     """
 
     few = 256
@@ -53,34 +55,34 @@ class Pieces(BoxParts):
 
     @property
     def outcome(self) -> IntArray:
-        """Whether the state goes on to the upper end, or has ended below the lower one, of what
-        moves.
+        """Proved if the state exists up to the upper end of the moving parameter, refuted if it has
+        ended below the lower end.
         """
-        return np.where(
-            self.safe >= self.high[-1],
-            Decision.PROVED,
-            np.where(self.top < self.low[-1], Decision.REFUTED, Decision.OPEN),
+        return np.select(
+            [self.safe >= self.high[-1], self.top < self.low[-1]],
+            [Decision.PROVED, Decision.REFUTED],
+            Decision.OPEN,
         )
 
     def weight(self, place: Place) -> FloatArray:
-        """How much each free side matters, by how far it moves the state of a place."""
+        """Weight of each free side for halving: how far it moves the state of a place."""
         moves = (np.abs(place.by_p) / size_of(place.z)[:, None]).max(axis=0)
         moves = np.where(np.isfinite(moves), moves, 0.0)
         return self.slight[:-1] + moves * (self.high - self.low)[:-1]
 
     def divisible(self) -> BoolArray:
-        """Sides of the free parameters that have floats between their ends."""
+        """Mask of the free sides with floats between their ends."""
         return super().divisible()[:-1]
 
 
 class Splitting(Claim):
-    """A state followed over a box of parameters, from one value of the parameter that moves to
-    those in the box.
+    """A state followed over a box of parameters, from ``begin`` to the values of ``vary`` in the
+    box.
     """
 
     batch, early = 1024, False
-    #: Whether ``safe`` and ``top`` are to be as near to each other as can be; else they only say on
-    #: which side of a piece's ends the state ends.
+    #: Whether ``safe`` and ``top`` should be as close as possible; otherwise they only decide on
+    #: which side of a part's ends the state ends.
     sharp = False
     whole: Pieces
 
@@ -102,11 +104,11 @@ class Splitting(Claim):
             raise ParameterError(
                 f"begin = {begin:g} is above low.{vary} = {least:g}; begin where {vary} is lower"
             )
-        matter = {*self.balance.balanced, *self.balance.scaling} - {vary}
+        relevant = {*self.balance.balanced, *self.balance.scaling} - {vary}
         self.free = tuple(
             name
             for name, *end in zip(names, *ends, strict=True)
-            if name in matter and end[0] != end[1]
+            if name in relevant and end[0] != end[1]
         )
         self.sides = (*self.free, vary)
         self.tubes = Tubes.of_points(self.balance, vary, ends[0], self.free)
@@ -116,7 +118,7 @@ class Splitting(Claim):
         balances = balances_of(model)
         touching = self._reference(np.append(middle[:, 0], begin))[1]
         contact = balances[number_of(balances, touching)].contact
-        # Tubes are of one combination of contacts: where a state comes to a border they end.
+        # Tubes follow one combination of touching contacts, and end at a border.
         self.balance = BalanceInUnits(model, units or {}, contact=contact)
         self.tubes = replace(self.tubes, balance=self.balance)
         start = self._beginning(middle[:, 0])
@@ -132,15 +134,15 @@ class Splitting(Claim):
         return replace(self.tubes[np.zeros(low.shape[1], dtype=int)], centre=centre, half=half)
 
     def _reference(self, at: FloatArray) -> tuple[FloatArray, str, float]:
-        """The reference state at one point of the free parameters and of what moves, the contacts
-        that touch, and a bound on its error.
+        """The reference state at one point of the free and the moving parameters, its touching
+        contacts, and a bound on its error.
         """
         where = f"in the middle of the box is known to be stable at {self.vary} = {self.begin:g}"
         return reference_place(self.point(at), self.near, where)
 
     def _beginning(self, free: FloatArray) -> Place:
-        """The reference state at one point of the free parameters, as in the middle of the box,
-        where what moves begins.
+        """The proved place of the reference state where the moving parameter begins, at one point
+        of the free parameters.
         """
         at = np.append(free, self.begin)
         q, _, error = self._reference(at)
@@ -148,14 +150,11 @@ class Splitting(Claim):
         return self._over(at[:, None], at[:, None]).place(z, error=error)
 
     def begins_alike(self, one: FloatArray, other: FloatArray) -> bool:
-        """Whether the state that is taken up at one point becomes, while all moves to another, the
-        one that is taken up there.
+        """Whether the reference state at one point becomes that at another while the free
+        parameters move.
         """
-        return bool(
-            self._linked(
-                one[:, None], self._beginning(one), other[:, None], self._beginning(other)
-            )[0]
-        )
+        before, after = self._beginning(one), self._beginning(other)
+        return bool(self._linked(one[:, None], before, other[:, None], after)[0])
 
     def point(self, values: FloatArray) -> ParameterSet:
         """The parameters at points of the box, shape (free + 1, …)."""
@@ -165,23 +164,23 @@ class Splitting(Claim):
         return self.model.Parameters(**{name: found[name] for name in self.model.parameters})
 
     def points(self, values: FloatArray) -> Pieces:
-        """Points of the box, shape (free + 1, N), as pieces of it."""
+        """Points of the box, shape (free + 1, N), as parts without width."""
         return replace(self.whole[np.zeros(values.shape[1], dtype=int)], low=values, high=values)
 
     # ---------------------------------------------------------------------------------------------
     # decisions
 
     def settled(self, pieces: Pieces) -> tuple[Pieces, FloatArray]:
-        """The pieces with what is proved of them and with their own beginnings, and how much each
-        free side matters.
+        """The parts with what is proved of them and with their own beginnings, and weights of the
+        free sides.
         """
         tubes, start = self._begun(pieces)
         goal = pieces.high[-1]
-        # A wide part that needs smaller steps is halved instead.
+        # Halving a wide part is better than smaller steps.
         least = None if (pieces.low == pieces.high).all() else 2.0**-6
         reached = tubes.followed(start, goal, least)
         safe, top = np.where(reached.sure, reached.v, -np.inf), np.full(goal.size, np.inf)
-        weight, width = pieces.weight(reached), (pieces.high - pieces.low)[:-1]  # as far as it got
+        weight, width = pieces.weight(reached), (pieces.high - pieces.low)[:-1]
         rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.v))
         if rows.size:
             safe[rows], top[rows], moves = passed(
@@ -191,29 +190,31 @@ class Splitting(Claim):
         base = pieces.base[np.arange(len(pieces))]
         base.scatter(start.sure, start[start.sure])
         of = np.where(start.sure, np.stack([pieces.low[:-1], pieces.high[:-1]]), pieces.of)
-        # What holds of a piece holds of its halves.
+        # What is proved for a part holds for its halves.
         safe, top = np.maximum(pieces.safe, safe), np.minimum(pieces.top, top)
         return replace(pieces, base=base, of=of, safe=safe, top=top), weight
 
     def _begun(self, pieces: Pieces) -> tuple[Tubes, Place]:
-        """States at which pieces begin: the state of what they are pieces of, proved; not sure
-        where it can't be.
+        """Tubes of the parts, and their places where the moving parameter begins, proved to be of
+        the followed state; not sure where that fails.
         """
         tubes, middle = self._over(pieces.low, pieces.high), 0.5 * (pieces.of[0] + pieces.of[1])
         shift = np.einsum("ikN,kN->iN", pieces.base.by_p, tubes.centre - middle)
-        here = tubes.place(pieces.base.z + shift)
-        turned = (np.abs(here.by_p - pieces.base.by_p) * tubes.apart()).sum(axis=1)
-        held = ((pieces.of[0] <= pieces.low[:-1]) & (pieces.high[:-1] <= pieces.of[1])).all(axis=0)
-        same = held & here.lies_in(pieces.base, shift, turned)
-        rows = np.flatnonzero(here.sure & pieces.base.sure & ~same)
-        same[rows] = self._linked(
-            middle[:, rows], pieces.base[rows], tubes.centre[:, rows], here[rows]
+        place = tubes.place(pieces.base.z + shift)
+        turned = (np.abs(place.by_p - pieces.base.by_p) * tubes.apart()).sum(axis=1)
+        inside = ((pieces.of[0] <= pieces.low[:-1]) & (pieces.high[:-1] <= pieces.of[1])).all(
+            axis=0
         )
-        return tubes, replace(here, sure=same)
+        same = inside & place.lies_in(pieces.base, shift, turned)
+        rows = np.flatnonzero(place.sure & pieces.base.sure & ~same)
+        same[rows] = self._linked(
+            middle[:, rows], pieces.base[rows], tubes.centre[:, rows], place[rows]
+        )
+        return tubes, replace(place, sure=same)
 
     def _linked(self, one: FloatArray, before: Place, other: FloatArray, after: Place) -> BoolArray:
-        """Whether the states of a place become those of another, as one parameter after the other
-        moves between their middles.
+        """Whether the states of a place become those of another, while one free parameter after the
+        other moves from ``one`` to ``other``.
         """
         at = np.repeat(self.tubes.fixed, one.shape[1], axis=1)
         at[self.rows[:-1]], at[self.rows[-1]] = one, self.begin
@@ -227,16 +228,16 @@ class Splitting(Claim):
         rows = np.flatnonzero(begun & (found.outcome == Decision.OPEN))
         fixed = np.repeat(self.tubes.fixed, rows.size, axis=1)
         fixed[self.rows] = points[:, rows]
-        # Before the border of a contact, whether the state passes it or ends there.
+        # Where a tube ends at a contact's border, the state passes it or ends there.
         tubes, start = Tubes.of_points(self.balance, self.vary, fixed), found.base[rows]
         start, goal = replace(start, by_p=start.by_p[:, :0]), points[-1, rows]
         for part in crossed(tubes, tubes.followed(start, goal), goal):
             over = (part.kind != PASSES) & (part.z[-1] + part.error < goal[part.rows])
             ends[rows[part.rows]] = over
-        left = np.flatnonzero(~ends & (found.outcome == Decision.OPEN))
-        if left.size:  # one that grows beyond all bounds meets neither a state nor a border
-            eq = equilibria(self.point(points[:, left]))
-            ends[left] = (eq.count == 0) & eq.decided & eq.whole
+        open_ = np.flatnonzero(~ends & (found.outcome == Decision.OPEN))
+        if open_.size:  # a state that runs to infinity ends at no fold or border
+            eq = equilibria(self.point(points[:, open_]))
+            ends[open_] = (eq.count == 0) & eq.decided & eq.whole
         return ends
 
 
@@ -250,7 +251,7 @@ def claims(
     units: Mapping[str, Unit] | None = None,
     method: Method = "auto",
 ) -> Claim:
-    """A claim of :func:`certify` about a box of parameters, by two corners of it."""
+    """The claim of :func:`certify` about the box between two corners."""
     low, high = corners
     model = low.model
     one_of("claim", claim, ("no jump", *STATES))
@@ -271,7 +272,7 @@ def claims(
     box = Splitting(
         low, high, vary, begin, checked_units(units, model.parameters, model.about["angles"])
     )
-    # What goes on to the upper end goes on to every value below.
+    # A state that exists at the upper end of vary exists at every value below.
     box.whole.low[-1] = box.whole.high[-1]
     return box
 
@@ -295,28 +296,28 @@ def certify(
     p : Parameters
         Scalars, of any model.
     claim : {"no jump", "one equilibrium", "no flutter"}
-        ``"no jump"``: the state that is stable and of smallest first coordinate in the middle of
-        the box where ``vary`` begins, and what it becomes over the box, goes on as ``vary`` rises
-        from ``begin`` to its value in the box: it stays in contact, and meets no other state.
-        ``"one equilibrium"``: there is one in contact. ``"no flutter"``: of no equilibrium in
-        contact does any λ of det(λ² M + K) = 0 have both a real and an imaginary part, as in (27):
-        without dampers and the slope of the friction law, with which a state may grow all the same,
-        see :func:`spragsym.flutter_onsets`.
+        ``"no jump"``: take the reference state in the middle of the box where ``vary`` begins, and
+        the states that it becomes over the box. Each goes on as ``vary`` rises from ``begin`` to
+        its value in the box: it stays in contact, and meets no other state. ``"one equilibrium"``:
+        there is exactly one in contact. ``"no flutter"``: no equilibrium in contact has a λ of
+        det(λ² M + K) = 0 with both a real and an imaginary part, as in (27). That is without
+        dampers and slopes of friction laws, by which a state may still grow, see
+        :func:`spragsym.flutter_onsets`.
     between : mapping, optional
-        Ranges of parameters, by their names, in place of their values in ``p``: the sides of the
-        box, which is a point without.
+        Ranges of parameters by name, which replace their values in ``p``: the sides of the box.
+        Without it the box is a point.
     vary : str, optional
-        The parameter that rises, mu0 unless told otherwise, for ``"no jump"`` only.
+        The parameter that rises, for ``"no jump"`` only; by default mu0.
     begin : float, optional
-        Its value where the state is taken up, the lower end of its range unless told otherwise.
+        The value of ``vary`` at which the state is chosen; by default the lower end of its range.
     max_boxes : int, optional
-        Parts of the box to look at before what is left is given back as undecided: 20 000 of closed
-        forms, else 2000.
+        Most parts of the box to decide; the rest is undecided. By default 20 000 with closed forms,
+        else 2000.
     refute : bool
         Also look for a point where the claim is false.
     method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or tubes
-        and boxes of states.
+        A closed form if the model has one for these arguments, else tubes and boxes of states; only
+        the closed form; or only tubes and boxes.
 
     Returns
     -------
@@ -331,13 +332,13 @@ def certify(
     Notes
     -----
     Source: tubes around curves of states, see :mod:`spragsym.bifurcation.tubes`. A part is proved
-    where the tube of all its points comes to the upper end of ``vary``; at a counterexample the
-    tube of the point passes a fold below. A part that a fold crosses is halved; a box that touches
-    the border of the claim can't be decided there. Where states come to the border of a contact it
-    is refuted by a point at which the state is proved to end there, and not proved where they pass.
-    The other claims:
-    :mod:`spragsym.design.certificates`. Of the article's model: f, f′ and the eigenvalues of K over
-    boxes, in affine arithmetic, see :mod:`spragsym.kang_nam.certificates`.
+    if the tube of all its points reaches the upper end of ``vary``. At a counterexample the tube of
+    the point passes a fold below. A part that a fold crosses is halved; where the box touches the
+    boundary of the claim, it stays undecided. Where states reach the border of a contact, the claim
+    is refuted by a point at which the state is proved to end there; it is not proved where states
+    pass the border. The other claims: :mod:`spragsym.design.certificates`. The article's model: f,
+    f′ and the eigenvalues of K over boxes, in affine arithmetic, see
+    :mod:`spragsym.kang_nam.certificates`.
 
     Examples
     --------

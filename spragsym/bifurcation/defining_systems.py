@@ -62,12 +62,14 @@ from ..statics.regions import requested_region
 from ..statics.search import balances_of
 from ..statics.systems import ENDLESS, Boxes, Entries, StateSystem, at_anchors
 
-#: Numbers of arcs of directions, each π/16 wide: 32 make a full turn, and one more covers rounding.
-ARCS = np.arange(33)
-#: −low and high of cosine and sine on each arc.
+#: −low and high of cosine and sine on arcs of directions, each π/16 wide: 32 make a full turn, and
+#: one more covers rounding.
 DIRECTIONS = stacked(
-    [of(Intervals.between(np.pi / 16 * ARCS, np.pi / 16 * (ARCS + 1))) for of in (XP.cos, XP.sin)],
-    ARCS.shape,
+    [
+        of(Intervals.between(np.pi / 16 * np.arange(33), np.pi / 16 * np.arange(1, 34)))
+        for of in (XP.cos, XP.sin)
+    ],
+    (33,),
 ).ends
 
 
@@ -616,8 +618,9 @@ def _regular(boxes: Boxes, spring: int) -> BoolArray:
     Arcs a quarter of a turn apart are tried first: most boxes that can't be excluded fail there.
     """
     out = np.ones(boxes.shape, dtype=bool)
+    every = np.arange(DIRECTIONS.shape[-1])
     # Fewer boxes take NumPy hardly longer on all arcs than on some.
-    for arcs in (ARCS,) if out.size < 64 else (ARCS[::8], ARCS):
+    for arcs in (every,) if out.size < 64 else (every[::8], every):
         rows = np.flatnonzero(out)
         out[rows] = _regular_along(boxes.some(rows), spring, arcs)
     return out

@@ -66,12 +66,6 @@ from .points import Found, all_of, arranged, matrices, merged, nothing, of_ends,
 if TYPE_CHECKING:
     from .normal_forms import Coefficient, NormalForm
 
-#: Remark where no state can be stable without damping.
-NEVER_STABLE = (
-    "without damping no state is stable where gyroscopic terms act beside friction, or another "
-    "force without a potential, so that no flutter sets in; ask for the onsets of the damped "
-    "model, damping=True"
-)
 #: Frequencies ω of what oscillates at a state, from its M, C + G and K.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 #: Points of one search, their kinds and their frequencies.
@@ -199,7 +193,12 @@ class OnsetSystems:
             damping = is_damped(balance, over)
         in_pairs = comes_in_pairs(balance, over)
         if not damping and not in_pairs:
-            return cls(damping, only, [], [], (NEVER_STABLE,))
+            never = (
+                "without damping no state is stable where gyroscopic terms act beside friction, "
+                "or another force without a potential, so that no flutter sets in; ask for the "
+                "onsets of the damped model, damping=True"
+            )
+            return cls(damping, only, [], [], (never,))
         blocks = blocks_of(family, Evaluation.by_rates if damping else Evaluation.gyroscopic)
         damped = frozenset[int]()
         if damping:  # beside friction that damps alone, entries of C are negligible

@@ -50,8 +50,6 @@ from .points import Found, all_of, arranged, matrices, nothing, search, which
 
 #: Why a point has no normal form that is not proved to be a generic Hopf point.
 UNPROVED = "no generic Hopf point is proved there"
-#: C over K below which a state is as good as undamped.
-UNDAMPED = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -239,15 +237,15 @@ class _Plane(Family):
             said = said + found.remarks
             lines = found.lines
         hardly = (
-            int(self.hardly_damped(undecided.mean(axis=2).T).sum())
+            int(self.hardly_damped(undecided.mean(axis=2).T, options.undamped).sum())
             if damping and len(undecided)
             else 0
         )
         if hardly:
             said += (
                 f"on lines: in {hardly} of {len(undecided)} undecided boxes C is at most "
-                f"{UNDAMPED:g} times K: where it vanishes every pair crosses at once, and such "
-                "onsets are not isolated",
+                f"{options.undamped:g} times K: where it vanishes every pair crosses at once, and "
+                "such onsets are not isolated",
             )
         where = "of points: {}" if damping else "of states: {}"
         said += () if points.complete else tuple(Remark(where, it) for it in points.remarks)
@@ -309,11 +307,11 @@ class _Plane(Family):
         """All λ, shape (N, 2 n)."""
         return stability.roots(*matrices(self, states))
 
-    def hardly_damped(self, states: FloatArray) -> BoolArray:
-        """Mask of points where C is next to nothing beside K."""
+    def hardly_damped(self, states: FloatArray, share: float) -> BoolArray:
+        """Mask of points where C is at most this share of K."""
         (_, C, K), (_, G, _) = (matrices(self, states, damping) for damping in (True, False))
         C = C - G
-        return np.abs(C).max(axis=(1, 2)) <= UNDAMPED * np.abs(K).max(axis=(1, 2))
+        return np.abs(C).max(axis=(1, 2)) <= share * np.abs(K).max(axis=(1, 2))
 
     def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | Coefficient | str]:
         """What is known of l₁ at each point, over a box that is proved to hold one, or why there is

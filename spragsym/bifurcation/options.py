@@ -52,6 +52,8 @@ class ContinuationOptions(Options):
         Paces that are tried there.
     turn : float
         Cosine of the largest turn within a pace.
+    undamped : float
+        C over K up to which an undecided state is reported as next to undamped.
 
     Examples
     --------
@@ -85,6 +87,7 @@ class ContinuationOptions(Options):
     least_pace: float = option(1e-6, 1e-12, 0.5)
     paces: int = limit(60)
     turn: float = option(0.9, 0.0, 1.0)
+    undamped: float = option(1e-6, 0.0, 1.0)
 
     @property
     def asked(self) -> SearchOptions | None:

@@ -40,6 +40,5 @@ from .planes import stability_figure as stability_figure
 from .plotting import FIGURES as FIGURES
 from .plotting import plot as plot
 from .report_pages import report_page as report_page
-from .style import FORMATS as FORMATS
 from .style import Sheet as Sheet
 from .style import write as write

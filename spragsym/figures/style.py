@@ -23,7 +23,6 @@ from matplotlib.style import context
 from matplotlib.ticker import AutoLocator, FixedLocator
 from numpy.typing import ArrayLike, NDArray
 
-from ..article import drawn
 from ..article.assumed import Parameters
 from ..display import Column
 from ..files.storage import put
@@ -83,14 +82,10 @@ class Sheet(Figure):
             return picture(self, "png", dpi=150)
 
 
-#: Settings of matplotlib.
-_SETTINGS = Path(__file__).with_name("house.mplstyle")
-
-
 @contextmanager
 def house_style() -> Iterator[None]:
     """The house style for as long as the context lasts."""
-    with context(_SETTINGS):
+    with context(Path(__file__).with_name("house.mplstyle")):
         yield
         interactive = matplotlib.is_interactive()
     # A notebook turns it on when pyplot is first imported, perhaps in here.
@@ -317,20 +312,6 @@ def window(
     return out
 
 
-#: Format → metadata that leaves out the date and the version of what drew it.
-FORMATS: dict[str, dict[str, Any]] = dict(
-    zip(
-        drawn.FORMATS,
-        (
-            {"CreationDate": None, "Producer": None, "Creator": None},
-            {"Software": None},
-            {"Date": None, "Creator": None},
-        ),
-        strict=True,
-    )
-)
-
-
 @styled
 def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf",)) -> list[Path]:
     """Write ``stem.pdf`` and the like, its caption to ``stem.txt``, its data to ``stem_a.csv`` …;
@@ -347,9 +328,14 @@ def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf
 
 
 def picture(figure: Figure, kind: str, **options: Any) -> bytes:
-    """A figure in a format."""
+    """A figure in a format, without the date and the version of what drew it."""
+    left_out = {
+        "pdf": ("CreationDate", "Producer", "Creator"),
+        "png": ("Software",),
+        "svg": ("Date", "Creator"),
+    }
     stream = io.BytesIO()
-    figure.savefig(stream, format=kind, metadata=FORMATS[kind], **options)
+    figure.savefig(stream, format=kind, metadata=dict.fromkeys(left_out[kind]), **options)
     return stream.getvalue()
 
 

@@ -15,25 +15,23 @@ from ..models.quantities import QuantityValues
 #: them.
 NAMES = PARAMETERS
 
-#: Remedies for values out of range, where the range alone does not suggest one.
-_REMEDIES = {
-    "theta0": "angles are radians, strictly between 0 and pi; use numpy.radians for degrees",
-    "mu0": "a belt that runs the other way is the mirror image: give the supplement of theta0",
-    "kappa": "without preload nothing presses the mass on the belt",
-    "sigma": "without the inclined spring there is no sprag",
-}
-
-
 #: The belt's speed and the steepness of the friction law (10) are for the motion only.
 RANGES = {
     name: Range(
         QUANTITIES[name].low,
         QUANTITIES[name].high,
         QUANTITIES[name].low_open,
-        _REMEDIES.get(name, ""),
+        remedy,
         unit="rad" if name == "theta0" else "1",
     )
-    for name in NAMES
+    for name, remedy in {
+        "theta0": "angles are radians, strictly between 0 and pi; use numpy.radians for degrees",
+        "mu0": "a belt that runs the other way is the mirror image: give the supplement of theta0",
+        "kappa": "without preload nothing presses the mass on the belt",
+        "alpha": "",
+        "sigma": "without the inclined spring there is no sprag",
+        "beta": "",
+    }.items()
 } | {
     "V": Range(
         0.0,

@@ -42,8 +42,9 @@ RELATIVE_TOLERANCE = Range(
 #: Default number of steps after which a motion is given up.
 MAX_STEPS = 10_000_000
 
-#: An implicit method takes over where so many steps would follow that stability bounds.
-MOST_STIFF_STEPS = 1e6
+#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have
+#: collapsed: at most a second or so.
+BURST = 20_000
 
 
 class Event(IntEnum):
@@ -148,10 +149,11 @@ def check_stiffness(
     state: Sequence[float] | FloatArray,
     step: float,
     left: float,
-    most: float = MOST_STIFF_STEPS,
+    most: float = 1e6,
 ) -> None:
-    """Raise where steps of a mean length are bounded by stability, and too many of them would be
-    left; or more than there are of a motion that is far from all that it began with.
+    """Raise where steps of a mean length are bounded by stability, and more than ``most`` of them
+    would be left, so that an implicit method takes over; or more than there are of a motion that is
+    far from all that it began with.
     """
     if not left > most * step:
         return

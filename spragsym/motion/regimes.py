@@ -58,6 +58,15 @@ class Regime(IntEnum):
     APPROACHES_CYCLE = 6
     """Winds onto a cycle at the rate of the cycle's multipliers, and is still on its way."""
 
+    @property
+    def attractor(self) -> str:
+        """``"rest"``, ``"cycle"`` or ``"lift-off"``, that it comes to or approaches; or empty."""
+        if self in (Regime.EQUILIBRIUM, Regime.APPROACHES_EQUILIBRIUM):
+            return "rest"
+        if self in (Regime.LIMIT_CYCLE, Regime.APPROACHES_CYCLE):
+            return "cycle"
+        return "lift-off" if self == Regime.LIFT_OFF else ""
+
 
 #: Columns of what motions come to: two codes, then numbers.
 LIMITS: tuple[Column, ...] = (

@@ -14,13 +14,9 @@ from ..models.field import HYSTERESIS, OVERSHOOT
 from ..models.load import fits
 from ..models.parameters import FloatArray
 from .lobatto import unit_points
-from .problem import MAX_STEPS, Problem, check_stiffness, out_of_range, too_many_steps
+from .problem import BURST, MAX_STEPS, Problem, check_stiffness, out_of_range, too_many_steps
 from .solution import CarriedState, Crossing, Samples, Solution, assembled
 from .with_scipy import Flight
-
-#: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept
-#: until they are used up.
-CHUNK = 20_000
 
 
 class Stop(IntEnum):
@@ -88,7 +84,7 @@ def integrate(problem: Problem) -> Solution:
             ),
         ]
     )
-    times, states = np.empty((CHUNK, unit.size)), np.empty((CHUNK, 4, unit.size))
+    times, states = np.empty((BURST, unit.size)), np.empty((BURST, 4, unit.size))
     pieces, crossings = list[Samples](), list[Crossing]()
     while elapsed < problem.t_end:
         begun, bound = float(clock[0]), problem.t_end - elapsed

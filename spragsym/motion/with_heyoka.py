@@ -25,6 +25,7 @@ from ..numerics.vectors import makes_turns
 from .lobatto import sample_times, unit_points
 from .measures import KEPT_EXTREMA, MotionStatistics
 from .problem import (
+    BURST,
     Event,
     Problem,
     StiffError,
@@ -43,10 +44,6 @@ from .solution import (
     assembled,
     parted,
 )
-
-#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps
-#: have collapsed: at most a second or so.
-BURST = 20_000
 
 #: Tolerance of flows with derivatives.
 TOLERANCE = 1e-17

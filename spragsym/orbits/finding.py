@@ -46,7 +46,7 @@ from ..numerics.balls import UndecidedSign
 from ..numerics.vectors import WholeTurns, apart, in_one_turn, magnitude, norm
 from .arclength import Setting, along, differences, started
 from .orbit import Cycle, cycle_of, same_cycle
-from .system import KINDS, FateVerdict, FixedPoints, System, judged, rounding_of
+from .system import FateVerdict, FixedPoints, System, judged, rounding_of
 
 
 @in_usual_state
@@ -608,7 +608,7 @@ def attractor_exponents(system: System, verdict: FateVerdict) -> tuple[str, Floa
     Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is
     known; −∞ of deviations that sticking ends. NaN for lift-off.
     """
-    kind, size = KINDS[verdict.kind], system.field.deviations
+    kind, size = verdict.kind.attractor, system.field.deviations
     if verdict.kind == Regime.EQUILIBRIUM and system.field.clock:
         # Held in every phase: nothing decays along coordinates and phase, sticking ends the rest.
         held = np.where(np.arange(size) < len(system.field.coordinates), 0.0, -np.inf)

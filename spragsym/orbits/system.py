@@ -31,9 +31,6 @@ from ..numerics.vectors import magnitude, norm
 from .arclength import BranchPoint, Setting, started
 from .orbit import Cycle
 
-#: What a motion comes to, where that is told, and its word.
-KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
-
 
 @dataclass(frozen=True)
 class System:
@@ -141,7 +138,7 @@ class FateVerdict:
     @property
     def decided(self) -> bool:
         """Whether it is seen to come to an attractor."""
-        return self.kind in KINDS and not self.otherwise
+        return bool(self.kind.attractor) and not self.otherwise
 
     def described(self) -> str:
         """Verdict in words."""

@@ -35,14 +35,6 @@ from .units import Numbers
 SHARE_BEYOND_FOLD = 1e-2
 #: Largest time over which a motion from rest is followed, in the motion's own unit.
 LONGEST_TIME = 3000.0
-#: What a motion comes to.
-_COMES_TO = {
-    Regime.EQUILIBRIUM: "rest",
-    Regime.APPROACHES_EQUILIBRIUM: "rest",
-    Regime.LIMIT_CYCLE: "cycle",
-    Regime.APPROACHES_CYCLE: "cycle",
-    Regime.LIFT_OFF: "lift-off",
-}
 
 #: Of the only inclined spring or contact a number, of several their numbers by name, and of none
 #: None.
@@ -397,7 +389,7 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
         spring_force_N=springs,
         contact_force_N=contact,
         lifts_off=_opens(contact),
-        settles=_COMES_TO.get(comes_to, "unsettled"),
+        settles=comes_to.attractor or "unsettled",
         followed_s=float(motion.t[-1] * study.scales.time),
     )
 
@@ -489,7 +481,7 @@ def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillat
         if now
         else "rest"
     )
-    kind = _COMES_TO.get(regime, goes).replace("cycle", "motion")
+    kind = (regime.attractor or goes).replace("cycle", "motion")
     goes_on = 1.0 if kind == "motion" else math.nan
     force_ranges = _forces(study, _extremes(p, late.state), goes_on)
     lives = beside if kind == "motion" else None

@@ -12,10 +12,11 @@ from typing import Any as _Any
 
 # The module of each class, by the stub that type checkers read; ``lazy_loader`` takes none that
 # lies outside of the package.
-_STUB = _ast.parse(_pathlib.Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
 _MODULES = {
     one.name: "." * line.level + (line.module or "")
-    for line in _STUB.body
+    for line in _ast.parse(
+        _pathlib.Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8")
+    ).body
     if isinstance(line, _ast.ImportFrom)
     for one in line.names
 }

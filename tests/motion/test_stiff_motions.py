@@ -77,7 +77,7 @@ def test_what_is_compiled_and_a_cycle_go_over_as_well(
     )
     explicit = follow() if integrator is with_compiled else None
     monkeypatch.setattr(integrator, "check_stiffness", partial(check_stiffness, most=10.0))
-    monkeypatch.setattr(integrator, "CHUNK" if explicit else "BURST", 20)
+    monkeypatch.setattr(integrator, "BURST", 20)
     if explicit is None:
         found = finding.cycle_at(System(Flow.of(CIRCLE, None), (100.0,)), np.array([9.9, 0.0]), 6.3)
         assert [found.period, found.amplitude] == pytest.approx([2 * np.pi, 10.0], abs=1e-9)

@@ -91,9 +91,8 @@ def test_counts_codes_and_errors_of_the_ladder(contact: bool) -> None:
 
 @pytest.fixture
 def few_bits(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Bits end at 128, so that what is a fold to 40 digits is one to the last."""
-    for name, value in (("FIRST_BITS", 128), ("MAXIMUM_BITS", 128), ("BITS_A_SPREAD", 0)):
-        monkeypatch.setattr(adaptive_precision, name, value)
+    """Bits end where they begin, so that what is a fold to 40 digits is one to the last."""
+    monkeypatch.setattr(adaptive_precision, "MAXIMUM_BITS", 0)
 
 
 @pytest.mark.usefixtures("few_bits")

@@ -24,13 +24,8 @@ from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
 from .. import kernel
 from ..parameters import NAMES, Parameters
 
-#: Bits of the first try, unless parameters are farther apart than that.
-FIRST_BITS = 128
 #: Bits at which a discriminant that holds 0 is taken for a fold.
 MAXIMUM_BITS = 4096
-#: Bits as many again for each power of two between the parameters, since the discriminant is
-#: of the sixth degree in coefficients of theirs.
-BITS_A_SPREAD = 8
 
 
 def precise_equilibria(
@@ -53,8 +48,9 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEq
     spread = _spread(theta0, rational)
     # Bits beside the spread of the parameters: where one is far below the others, so is what
     # decides.
-    bits = max(FIRST_BITS, 96 + spread, int(3.4 * digits) + 64)
-    most = MAXIMUM_BITS + BITS_A_SPREAD * spread
+    bits = max(128, 96 + spread, int(3.4 * digits) + 64)
+    # The discriminant is of the sixth degree in coefficients of the parameters.
+    most = MAXIMUM_BITS + 8 * spread
     while True:
         with balls.precision(bits):
             try:

@@ -143,11 +143,11 @@ def _some(
     return settled
 
 
-#: What is known of an equilibrium.
-COLUMNS = ("theta", "L", "x", "y", "error", "undamped")
-_TYPES: dict[str, Any] = dict.fromkeys(COLUMNS, np.float64) | {"undamped": np.int8}
-#: What stands in an empty slot.
-_NOTHING: dict[str, float] = dict.fromkeys(COLUMNS, np.nan) | {"undamped": 0}
+#: What is known of an equilibrium, and what stands in an empty slot, of the column's type.
+COLUMNS: dict[str, np.float64 | np.int8] = {
+    **dict.fromkeys(("theta", "L", "x", "y", "error"), np.float64(np.nan)),
+    "undamped": np.int8(0),
+}
 
 #: Columns by name; of one point each row, or of one point and slot.
 Columns = Mapping[str, NDArray[Any]]
@@ -171,7 +171,7 @@ class Slots:
 
     def __post_init__(self) -> None:
         self.count = np.zeros(self.size, dtype=np.int8)
-        self.first = {name: np.empty(self.size, dtype=kind) for name, kind in _TYPES.items()}
+        self.first = {name: np.empty(self.size, dtype=it.dtype) for name, it in COLUMNS.items()}
 
     def put(self, rows: IntArray | slice, count: NDArray[Any] | int, columns: Columns) -> None:
         """Store all equilibria of the points in ``rows``, columns of shape (some slots,
@@ -186,11 +186,11 @@ class Slots:
         """A column as an array of shape (size, slots), in memory slot by slot; NaN, or 0 for the
         stability, beyond the count.
         """
-        table: NDArray[Any] = np.empty((self.slots, self.size), dtype=_TYPES[name])
-        table[0], table[1:] = self.first[name], _NOTHING[name]
+        table: NDArray[Any] = np.empty((self.slots, self.size), dtype=COLUMNS[name].dtype)
+        table[0], table[1:] = self.first[name], COLUMNS[name]
         for rows, columns in self.further:
             table[1 : 1 + len(columns[name]), rows] = columns[name]
-        table[:, self.count == 0] = _NOTHING[name]  # of points without one memory holds anything
+        table[:, self.count == 0] = COLUMNS[name]  # of points without one memory holds anything
         return table.T
 
 
@@ -203,11 +203,11 @@ def gathered(members: BoolArray, candidates: Columns) -> tuple[IntArray, Columns
     count = members.sum(axis=0)
     partial, packed = np.flatnonzero((0 < count) & (count < len(members))), candidates
     if partial.size:
-        packed = {name: np.array(candidates[name], dtype=kind) for name, kind in _TYPES.items()}
+        packed = {name: np.array(candidates[name], it.dtype) for name, it in COLUMNS.items()}
         slot = np.arange(len(members))[:, None]
         # Where they are and where they go in a table that is read as one row.
         order = np.argsort(~members[:, partial], axis=0, kind="stable")
         chosen, target = (members.shape[1] * rows + partial for rows in (order, slot))
         for name, table in packed.items():
-            table.put(target, np.where(slot >= count[partial], _NOTHING[name], table.take(chosen)))
+            table.put(target, np.where(slot >= count[partial], COLUMNS[name], table.take(chosen)))
     return count, packed

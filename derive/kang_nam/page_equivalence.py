@@ -15,7 +15,7 @@ from ..emit.definitions import flat
 from ..mechanics import MU, Mechanics
 from ..motion import Motion
 from ..statements import objects
-from ..statements.objects import CONTACT, LIFT_OFF
+
 from . import unit_circles, equilibrium, mechanics, stability
 from . import nomenclature as nm
 
@@ -78,7 +78,7 @@ def _in_direction() -> bool:
     D, b = equilibrium.matrix_form()
     directions = {sp.cos(nm.theta0): nm.c0, sp.sin(nm.theta0): nm.s0}
     pairs: list[tuple[Expr, Expr]] = []
-    for side, case in ((CONTACT, equilibrium.CONTACT), (LIFT_OFF, equilibrium.LIFTOFF)):
+    for side, case in (("contact", equilibrium.CONTACT), ("lift-off", equilibrium.LIFTOFF)):
         ours_D, ours_b, length = objects.balance_in_direction(it, side)
         ours = (*ours_D.subs(length, nm.L), *ours_b)
         pairs += zip(ours, (*D.subs(case), *b.subs(case)), strict=True)

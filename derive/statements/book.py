@@ -17,7 +17,7 @@ from sympy import Expr
 from ..pages import PageModel
 from .derivatives import Slope, expressions, of_value
 from .matrices import entry_name
-from .names import FREQUENCY, MATRICES, function_behind
+from .names import MATRICES, function_behind
 from .objects import LAMBDA, MOVING, TIME, Derivation, NoObject, Object, derivation, derived
 from .papers import Paper, Statement
 from .repair import Values, evaluated, stem
@@ -164,7 +164,7 @@ def equations_of(
         found = read_latex(text.replace(r"\to", " = ") if is_scale else text, vocabulary)
     else:
         found = read_sympy(text, vocabulary)
-    if FREQUENCY in it.names or not vocabulary.has_roots:
+    if "frequency" in it.names or not vocabulary.has_roots:
         return found
     return [replace(it, left=_in_lambda(it.left), right=_in_lambda(it.right)) for it in found]
 
@@ -176,7 +176,7 @@ def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool
     values = _expressions(it, book)
     given = book.defined.keys() | book.shapes.keys() | book.bound.keys() | values.keys()
     has_roots = statement.word == "characteristic"
-    names = {*it.names, *given, *([FREQUENCY] if has_roots else [])}
+    names = {*it.names, *given, *(["frequency"] if has_roots else [])}
     names -= {str(TIME)} if statement.word != "scale" else set()
     return Vocabulary(
         frozenset(names),
@@ -283,7 +283,7 @@ def _expressions(
 def _in_lambda(tree: Node) -> Node:
     """Even powers of a frequency ω in those of λ = iω."""
     base, power = tree.args if tree.kind == "pow" else (tree, Node("number", value="1"))
-    if base.kind == "symbol" and base.value == FREQUENCY:
+    if base.kind == "symbol" and base.value == "frequency":
         if not (power.value.isdigit() and int(power.value) % 2 == 0):
             raise Unread("of a frequency only even powers are read", tree.at[0])
         same = replace(tree, args=(replace(base, value=str(LAMBDA)), power))

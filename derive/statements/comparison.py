@@ -15,7 +15,7 @@ from sympy.core.relational import Relational
 from ..algebra import Pair
 from .derivatives import expressions
 from .identities import is_zero
-from .objects import BOTH, LAMBDA
+from .objects import LAMBDA
 from .reading import Item
 from .repair import Values, evaluated, same, same_but_for_constant
 from .samples import numeric
@@ -214,7 +214,7 @@ class Comparison:
         if held.factor == "constant":
             states = (*it.model.coordinates, *it.model.rates)
             return all(is_zero(sp.diff(it.expanded(gap), symbol)) for symbol in states)
-        sides = it.sides if held.side == BOTH else (held.side,)
+        sides = it.sides if held.side == "both" else (held.side,)
         return all(self._vanishes(gap, side) for side in sides)
 
     def _is_short(self, tree: Node, entry: Expr) -> bool:

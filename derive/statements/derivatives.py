@@ -13,7 +13,7 @@ from sympy import Expr, diff
 
 from .. import laws
 from ..mechanics import SLIP, FrictionForce
-from .names import AT_REST, function_behind
+from .names import function_behind
 from .objects import TIME, Derivation
 from .tree import Node, Unread, symbols, to_sympy
 
@@ -21,7 +21,7 @@ from .tree import Node, Unread, symbols, to_sympy
 @dataclass(frozen=True)
 class Slope:
     """The derivative of a name by another; of a friction law by the sliding speed, where the second
-    is empty, or none but its value at rest.
+    is empty, or none but its value at rest, where the second says so.
     """
 
     of: str
@@ -30,24 +30,24 @@ class Slope:
     @property
     def name(self) -> str:
         """Its name in what is read, which can be read again."""
-        if self.by == AT_REST:
+        if self.by == "at rest":
             return f"at_rest({self.of})"
         return f"diff({self.of}, {self.by})" if self.by else f"diff({self.of})"
 
     @property
     def order(self) -> int:
         """Of how many derivatives it is one, that itself counted."""
-        return self.of.count("diff(") + (self.by != AT_REST)
+        return self.of.count("diff(") + (self.by != "at rest")
 
     def law(self, coefficients: Collection[str]) -> str | None:
         """The friction coefficient that it is a derivative of by the sliding speed, or a value of;
         None of another name.
         """
-        return function_behind(self.of, coefficients) if self.by in ("", AT_REST) else None
+        return function_behind(self.of, coefficients) if self.by in ("", "at rest") else None
 
     def latex(self, of: str, by: str) -> str:
         r"""LaTeX by that of both names: \frac{\partial V}{\partial x}."""
-        if self.by == AT_REST:
+        if self.by == "at rest":
             return rf"{of}|_{{0}}"
         if not by:
             return f"{of}'"
@@ -80,7 +80,7 @@ def expressions(
         steps = [one for one in pending.values() if one.of in found or one.law(laws_of)]
         for one in steps:
             if base := one.law(laws_of):
-                at_rest = steady or one.by == AT_REST
+                at_rest = steady or one.by == "at rest"
                 found[one.name] = _of_law(laws_of[base], one.order, it, at_rest)
             else:
                 sign = (signs or {}).get(one.by, 1)

@@ -17,7 +17,7 @@ from . import tree
 from .lexer import Cursor, Token, Tokens, nested, split, texts
 from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
 from .matrices import of_blocks, paired, product, quotient, shape_of, total
-from .names import AT_REST, Name, Names, moved
+from .names import Name, Names, moved
 from .roots import without_signs
 from .tree import ONE, ZERO, Argument, Equation, Node, Unread, Vocabulary, leaf, printed
 from .tree import read_sympy
@@ -362,7 +362,7 @@ class _LatexReader:
             here.take()
             is_odd = node.value.count("diff(") % 2 == 0
             if argument.at_rest:
-                node = replace(self.names.derived(node, AT_REST), at=at)
+                node = replace(self.names.derived(node, "at rest"), at=at)
             if is_odd and argument.sign < 0:
                 node = Node("neg", (node,), at=at)
         elif bracket is not None and power is None:

@@ -17,10 +17,6 @@ from .tree import to_sympy, with_part
 
 #: Words for the columns of all coordinates, of their rates and of their accelerations.
 COLUMNS = ("coordinates", "rates", "accelerations")
-#: In place of what a derivative is by: none is taken, and a friction law is meant at rest.
-AT_REST = "at rest"
-#: The word for the frequency ω of λ = iω.
-FREQUENCY = "frequency"
 #: Words for the objects that are matrices.
 MATRICES = ("mass", "damping", "gyroscopic", "stiffness")
 

@@ -22,8 +22,6 @@ from ..units import Dimension
 #: Normal force, frequency parameter of the characteristic polynomial, time.
 NORMAL, LAMBDA, TIME = Symbol("N", real=True), Symbol("lam"), Symbol("t", real=True)
 
-#: Sides on which a statement is meant: all contacts touch, none of those that can open, or either.
-CONTACT, LIFT_OFF, BOTH = "contact", "lift-off", "both"
 #: Behind the side of these words ``belt ahead`` may stand: then a friction has one sign.
 MOVING = ("motion", "acceleration")
 
@@ -61,7 +59,7 @@ class Object:
     factor: str = "none"
     names: frozenset[str] = frozenset()
     steady: bool = False  #: friction is that at steady sliding
-    side: str = CONTACT
+    side: str = "contact"  #: the contacts that touch, one of the model's sides, or both of them
     ahead: bool = False  #: every belt is ahead of what slides on it
     unit: Dimension | None = None
     readings: tuple[Reading, ...] = ()
@@ -126,17 +124,17 @@ class Derivation:
         """The contacts that touch, by their names, in every combination of those that can open."""
         opening = [it.name for it in self.model.contacts if it.unilateral]
         never = frozenset(it.name for it in self.model.contacts) - {*opening}
-        found = {LIFT_OFF: never} if opening else {}
+        found = {"lift-off": never} if opening else {}
         for count in range(1, len(opening)):
             for some in itertools.combinations(opening, count):
                 found[f"contact of {', '.join(some)} alone"] = never | {*some}
-        return found | {CONTACT: never | {*opening}}
+        return found | {"contact": never | {*opening}}
 
     def pushing(self, contact: NormalForce, side: str) -> Expr:
         """1 where a contact touches on a side, else 0; a symbol where it may do either."""
-        if side == BOTH and contact.unilateral:
+        if side == "both" and contact.unilateral:
             return of_contact(PUSHING, contact.name)
-        return sp.Integer(side == BOTH or contact.name in self.sides[side])
+        return sp.Integer(side == "both" or contact.name in self.sides[side])
 
     def contact(self, name: str) -> NormalForce:
         """The contact of a name, or the only one, which has none.
@@ -152,7 +150,7 @@ class Derivation:
             raise NoObject(f"{name!r} is no contact of the page; name {offered}")
         return found[name]
 
-    def spelled(self, expression: Expr, side: str = CONTACT) -> Expr:
+    def spelled(self, expression: Expr, side: str = "contact") -> Expr:
         """In coordinates, parameters, lengths and inclinations, on a side of the contact."""
         rubs = zip(self.model.frictions, self.coefficients, strict=True)
         known = {friction.mu: symbol for friction, symbol in rubs}
@@ -161,7 +159,7 @@ class Derivation:
             known[contact.pushing] = self.pushing(contact, side)
         return sp.sympify(expression).xreplace(known).xreplace(self.plain)
 
-    def steady(self, expression: Expr, side: str = CONTACT) -> Expr:
+    def steady(self, expression: Expr, side: str = "contact") -> Expr:
         """The same, with the friction at steady sliding."""
         return self.spelled(expression, side).xreplace(self.at_rest)
 
@@ -528,7 +526,7 @@ def _pushing(it: Derivation, name: str, side: str) -> Object:
     contact = it.contact(name)
     if not contact.unilateral:
         raise NoObject("this contact can't open")
-    symbol = it.pushing(contact, BOTH)
+    symbol = it.pushing(contact, "both")
     own = frozenset({str(symbol)})
     return Object((symbol,), "mechanics.NormalForce.force", names=own)
 
@@ -643,16 +641,16 @@ def derived(it: Derivation, about: str) -> Object:
     said, _, where = (part.strip() for part in about.partition(","))
     word, _, rest = said.partition(" ")
     ahead = where.endswith("belt ahead")
-    side = where.removesuffix("belt ahead").rstrip(", ") or CONTACT
+    side = where.removesuffix("belt ahead").rstrip(", ") or "contact"
     if word not in OBJECTS:
         raise NoObject(f"{about!r} is no object; there are {', '.join(OBJECTS)}")
     resting = ("balance", "equilibrium", "state", "characteristic", "threshold", "direction")
     if it.model.clock is not None and word in resting:
         raise NoObject(f"nothing rests on a page with a clock, and there is no {word}")
-    if side not in (*it.sides, BOTH):
+    if side not in (*it.sides, "both"):
         raise NoObject(f"{side!r} is no side of the contacts; there are {'; '.join(it.sides)}")
     if ahead and not (word in MOVING and it.speeds):
         raise NoObject(f"belt ahead is of {' and '.join(MOVING)} on a page with friction")
     found = it.kept(word, f"{rest.strip()}, {side}", lambda: OBJECTS[word](it, rest.strip(), side))
     # What tells the sides apart is meant on both.
-    return replace(found, ahead=ahead, side=BOTH if word == "pushing" else side)
+    return replace(found, ahead=ahead, side="both" if word == "pushing" else side)

@@ -11,7 +11,7 @@ import numpy.typing as npt
 import sympy as sp
 from numpy.random import Generator
 
-from .objects import BOTH, TIME, Derivation, NoObject, Object
+from .objects import TIME, Derivation, NoObject, Object
 from .repair import Values
 
 Flags: TypeAlias = npt.NDArray[np.bool_]
@@ -46,7 +46,7 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
     coordinates = [str(symbol) for symbol in it.model.coordinates]
     found |= {name: _state(rng, size) for name in coordinates}
     # Of a statement on several sides the pairs go round these.
-    sides = [*it.sides.values()] if held.side == BOTH else [it.sides[held.side]]
+    sides = [*it.sides.values()] if held.side == "both" else [it.sides[held.side]]
     on = np.repeat(np.arange(pairs) % len(sides), 2)
     pushing = {
         contact.name: np.array([contact.name in touching for touching in sides])[on]

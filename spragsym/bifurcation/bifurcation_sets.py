@@ -43,7 +43,7 @@ from ..statics.balance import Balance
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import on_side
 from ..statics.search import of_ranges
-from .borders import BORDER, PASSES, kinds_of_borders, passages
+from .borders import kinds_of_borders, passages
 from .defining_systems import (
     FOLD,
     Augmented,
@@ -135,14 +135,14 @@ def bifurcation_set(
         curves += [_curve(family, chain) for chain in parts[-1].chains]
         for contact, other in passages(families, family):
             near, ends = family.beyond(contact), [*border_extrema(family, contact)]
-            borders += [(BORDER, points) for points in ends]
+            borders += [("border", points) for points in ends]
             # None where the balance does not depend on the first parameter.
             none = np.empty((balance.n + 2, 0))
             more = np.concatenate([none, *(rows_of(near, points) for points in ends)], axis=1)
             parts.append(on_lines(near, touch(contact), n, more, more[-1], options))
             for chain in parts[-1].chains:
                 enclosures = ends_around(chain, options.half_width * scale_of(chain))
-                passes = kinds_of_borders(near, enclosures, other) == PASSES
+                passes = kinds_of_borders(near, enclosures, other) == "passes"
                 cuts = np.flatnonzero(np.diff(passes)) + 1
                 pieces = zip(np.split(chain, cuts, axis=1), np.split(passes, cuts), strict=True)
                 curves += [_curve(near, piece) for piece, goes_on in pieces if not goes_on.any()]
@@ -236,14 +236,14 @@ def border_extrema(family: Family, contact: int) -> Iterator[Points]:
     if over not in balance.balanced:
         return
     if _moves_border(near, contact):
-        yield isolated(near, touch_turn(contact), BORDER)
+        yield isolated(near, touch_turn(contact), "border")
     closed = [other for other in balance.opens if balance.pushing[other] and other > contact]
     for other in closed:  # where a curve of one contact ends at that of another
-        yield isolated(family.beyond(), both(touch(contact), touch(other)), BORDER)
+        yield isolated(family.beyond(), both(touch(contact), touch(other)), "border")
     low, high = family.spans[0].tolist()
     for end in (low, high):
         value = family.p.ranges[over].reached(end, high - low)
-        yield isolated(near.fixed(over, value), touch(contact), BORDER)
+        yield isolated(near.fixed(over, value), touch(contact), "border")
 
 
 def _moves_border(near: Family, contact: int) -> bool:

@@ -40,13 +40,6 @@ from ..statics.forces import as_intervals, filled
 from .defining_systems import Augmented, Family, touch
 from .points import arranged, search
 
-#: A state passes from one combination of contacts into another.
-PASSES = "passes"
-#: Two branches end on one side.
-BORDER_FOLD = "border_fold"
-#: Neither is known.
-BORDER = "border"
-
 
 def borders(families: Sequence[Family]) -> list[Points]:
     """Border points along one parameter of each contact between two of these combinations of
@@ -122,13 +115,15 @@ def joined(parts: Sequence[Points]) -> Points:
 
 
 def kinds_of_borders(family: Family, ends: FloatArray, other: Balance) -> NDArray[np.str_]:
-    """Kinds of border points in boxes, by the signs of det K on both sides."""
+    """Kinds of border points in boxes, as of :class:`spragsym.results.Points`, by the signs of det K
+    on both sides.
+    """
     closed, open_ = (_signs(balance, family, ends) for balance in (family.balance, other))
     alone = bool((open_ == 0).any()) and _is_singular(other, family)
     return np.select(
         [closed * open_ > 0, (closed * open_ < 0) | ((closed != 0) & alone)],
-        [PASSES, BORDER_FOLD],
-        BORDER,
+        ["passes", "border_fold"],
+        "border",
     )
 
 
@@ -191,7 +186,7 @@ def at_point(points: Points, row: int) -> tuple[Family, FloatArray, FloatArray]:
 
 def at_borders(points: Points, found: Ended) -> None:
     """Enter which state ends at border folds, and in which direction of the parameter."""
-    for row in np.flatnonzero(points.kind == BORDER_FOLD).tolist():
+    for row in np.flatnonzero(points.kind == "border_fold").tolist():
         try:
             found.ends[row], found.when[row] = _at_border(points, row)
         except ConvergenceError:

@@ -40,7 +40,6 @@ from ..statics.search import balance_of, columns
 from ..statics.stability import linearization
 from .defining_systems import given_column
 from .options import ContinuationOptions
-from .points import INFINITY
 from .singularities import Mirror, mirrors_of
 from .tubes import Place, Tubes
 
@@ -270,7 +269,7 @@ def _complete(
         return _across_pitchforks(
             along.q[:, within], pairs, begin, end, [value in along.at for value in step]
         )
-    if kinds.size and np.char.startswith(kinds, INFINITY).all():
+    if kinds.size and np.char.startswith(kinds, "infinity").all():
         above = np.char.endswith(kinds, "up")
         gone = int((above == (step[0] > step[1])).sum())
         return len(pairs) == counts[0] - gone == counts[1] - (above.size - gone)

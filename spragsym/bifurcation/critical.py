@@ -23,12 +23,11 @@ from ..statics.equilibria import equilibria
 from ..statics.reference_state import nearest_state, reference_place
 from ..statics.search import balances_of, number_of, of_ranges
 from .bifurcation_sets import border_extrema, extrema
-from .borders import BORDER
 from .crossings import followed_across
 from .defining_systems import Family, given_column
 from .folds import cusps, folds
 from .paths import ModelEnd, first_end
-from .points import INFINITY, escapes
+from .points import escapes
 from .tubes import Tubes
 
 
@@ -423,13 +422,13 @@ class _CandidateSearch:
 
         for family in self.families:
             if not whole:
-                yield INFINITY, escapes(family)
+                yield "infinity", escapes(family)
                 for end in self.spans[0].tolist():
-                    yield INFINITY, escapes(family.fixed(self.over, end))
+                    yield "infinity", escapes(family.fixed(self.over, end))
             for contact in family.balance.opens:
                 if family.balance.pushing[contact]:
                     for points in border_extrema(family, contact):
-                        yield BORDER, points
+                        yield "border", points
 
     def _elsewhere(self, points: Points, others: Points) -> Points:
         """Points that are none of the others, by their bounds."""

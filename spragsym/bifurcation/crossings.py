@@ -31,7 +31,7 @@ from ..numerics.interval_arrays import (
 from ..statics.forces import as_intervals
 from ..statics.precise_balance import on_side
 from ..statics.search import balances_of
-from .borders import BORDER, BORDER_FOLD, PASSES, kinds_of_borders
+from .borders import kinds_of_borders
 from .defining_systems import Augmented, Family, touch
 from .tubes import Place, Tubes
 
@@ -87,16 +87,16 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
             there = beyond.place(end.z)
             also, _, behind = back.segment(there, _moved(there, first))
             both = np.maximum(box, behind.box().ends)
-            passes = good & also & (kinds_of_borders(family, both, back.balance) == PASSES)
-            over = good & (kinds_of_borders(family, box, back.balance) == BORDER_FOLD)
+            passes = good & also & (kinds_of_borders(family, both, back.balance) == "passes")
+            over = good & (kinds_of_borders(family, box, back.balance) == "border_fold")
         wide = ends_around(z, tubes.options.half_width * scale_of(z))
         step, alone = _enclosed(system, given, wide, box)
         error = contractors.distance(step, z)[-1]
         arrived = end.box()
         bounds = near.bounds(arrived[-1])
         over &= alone & on_side(beyond.balance, bounds, arrived.ends[:, :-1])[0]
-        end_kind = BORDER_FOLD if beyond.balance.pushing in combinations else BORDER
-        for kind, rows in ((PASSES, np.flatnonzero(passes)), (end_kind, np.flatnonzero(over))):
+        end_kind = "border_fold" if beyond.balance.pushing in combinations else "border"
+        for kind, rows in (("passes", np.flatnonzero(passes)), (end_kind, np.flatnonzero(over))):
             if rows.size:
                 yield Crossed(
                     left[rows], contact, kind, z[:, rows], error[rows], there[rows], beyond[rows]
@@ -109,7 +109,7 @@ def followed_across(tubes: Tubes, here: Place, goal: FloatArray) -> tuple[Tubes,
     there.
     """
     here = tubes.followed(here, goal)
-    while passed := [part for part in crossed(tubes, here, goal) if part.kind == PASSES]:
+    while passed := [part for part in crossed(tubes, here, goal) if part.kind == "passes"]:
         tubes = passed[0].tubes
         here = tubes.followed(passed[0].place, goal)
     return tubes, here

@@ -31,13 +31,13 @@ from ..statics.reference_state import chosen_state, least_slot, nearest_state
 from ..statics.search import balances_of, columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, combination_of, one_each, with_state
-from .borders import BORDER, BORDER_FOLD, PASSES, combination, met_by
+from .borders import combination, met_by
 from .borders import joined as together
 from .branches import clearly_nearest, linked
 from .defining_systems import Family, given_column, touch
 from .folds import folds
 from .options import ContinuationOptions
-from .points import INFINITY, escapes, isolated, which
+from .points import escapes, isolated, which
 from .singularities import ended
 from .tubes import Place, Tubes
 from .turning_points import limit_points
@@ -219,12 +219,12 @@ def border_ends(
         balance = family.balance
         for contact in balance.opens:
             if balance.pushing[contact] and balance.across(contact).pushing not in combinations:
-                at_border = isolated(family.beyond(contact), touch(contact), BORDER)
+                at_border = isolated(family.beyond(contact), touch(contact), "border")
                 if not at_border.decided:
                     # A search does not tell a root on an end of its range, as a load from 0 has it
                     # where a domain ends.
                     wide = replace(family.beyond(contact), spans=_widened(p.ranges[vary], span))
-                    at_border = isolated(wide, touch(contact), BORDER)
+                    at_border = isolated(wide, touch(contact), "border")
                 if not at_border.decided:
                     raise ConvergenceError(
                         f"whether equilibria leave the contact along {vary} is not decided; "
@@ -278,13 +278,13 @@ class QuasiStaticContinuation:
         every = self._turns_within(along, ends)
         #: Points at which states vanish, and those at which they pass from one combination of
         #: contacts that touch into another.
-        self.turns = every.select(every.kind != PASSES)
-        self.passes = every.select(every.kind == PASSES)
+        self.turns = every.select(every.kind != "passes")
+        self.passes = every.select(every.kind == "passes")
         self.at, self.kinds = self.turns[vary], self.turns.kind
         #: Coordinates of the points at which states vanish, shape (n, numbers).
         self.q = np.array([self.turns[name] for name in self.balance.coordinates])
         self.error = self.turns.error * scale_of(self.at)
-        self.far = np.char.startswith(self.kinds.astype(str), INFINITY)
+        self.far = np.char.startswith(self.kinds.astype(str), "infinity")
         self.mesh = self._mesh(along)
         self.eq = self._with_meetings(self._equilibria(self.mesh))
         #: All pairs of slots of a step on one branch, not only those that tubes join at once.
@@ -602,7 +602,7 @@ class QuasiStaticContinuation:
         if here.size == 1:
             return int(here[0])
         own = self._balance(node, location).extended()
-        for number in here[np.char.startswith(self.kinds[here].astype(str), BORDER)].tolist():
+        for number in here[np.char.startswith(self.kinds[here].astype(str), "border")].tolist():
             tubes, start = self._standing(own, node, location)
             there = tubes.followed(start, self.at[[number]])
             away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
@@ -659,9 +659,9 @@ class QuasiStaticContinuation:
         eq = self._equilibria(float(self.mesh[node]))
         count = int(eq.count)
         how = {
-            BORDER: "leaves the contact",
-            BORDER_FOLD: "ends where a contact is lost or regained",
-            INFINITY: "runs to infinity",
+            "border": "leaves the contact",
+            "border_fold": "ends where a contact is lost or regained",
+            "infinity": "runs to infinity",
         }.get(end.kind, f"ends in a {end.kind}")
         ends = f"the state {how} at {self.vary} = {end.value!r}"
         if not count:
@@ -708,7 +708,7 @@ class QuasiStaticContinuation:
     def end(self, number: int) -> ModelEnd:
         """A point at which states vanish, as a result."""
         value = float(self.at[number])
-        kind = INFINITY if self.far[number] else str(self.kinds[number])
+        kind = "infinity" if self.far[number] else str(self.kinds[number])
         touching, at_border = "", label_of(self.p.model.contacts[0])
         if self.p.model.has_regimes:
             touching, at_border = (

@@ -58,9 +58,6 @@ from ..statics.systems import WithoutTapes
 from .defining_systems import Augmented, Condition, Family, OfFamily, refined_roots, slope
 from .lines_of_states import lines_of_states
 
-#: Kinds of points at which a state runs to infinity begin with this word.
-INFINITY = "infinity"
-
 
 @dataclass(frozen=True)
 class Found:
@@ -391,7 +388,7 @@ def escapes(family: Family) -> Points:
     found, side = _directions(family)
     z = found.middle
     away = _places(balance, z[:n])
-    kind = np.select([side > 0, side < 0], [f"{INFINITY} up", f"{INFINITY} down"], INFINITY)
+    kind = np.select([side > 0, side < 0], ["infinity up", "infinity down"], "infinity")
     columns = family.named(np.concatenate([away, z[n:]])) | which(balance, kind.size)
     return Points(
         family.p,

@@ -21,7 +21,7 @@ import numpy as np
 
 from ..bifurcation.defining_systems import Family
 from ..bifurcation.paths import ModelEnd
-from ..bifurcation.points import INFINITY, escapes
+from ..bifurcation.points import escapes
 from ..bifurcation.tubes import Tubes
 from ..bifurcation.turning_points import secants, size_of
 from ..core.errors import ConvergenceError, ParameterError, require_kind
@@ -251,7 +251,7 @@ class EndOfState:
         if np.isfinite(unknowns).all():
             self.last = unknowns
         else:
-            self.last = other if other and other.kind == INFINITY else None
+            self.last = other if other and other.kind == "infinity" else None
         # What is not among the slopes the jump does not depend on, as the belt's speed.
         by_z = sum(
             float(slope) * slopes[name]

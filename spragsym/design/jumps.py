@@ -11,11 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..bifurcation.borders import BORDER, BORDER_FOLD, PASSES
 from ..bifurcation.crossings import crossed
 from ..bifurcation.defining_systems import Augmented, Family, ranges, touch
 from ..bifurcation.paths import ModelEnd, first_end
-from ..bifurcation.points import INFINITY, slopes_at_infinity
+from ..bifurcation.points import slopes_at_infinity
 from ..bifurcation.tubes import ROUNDED_UP, Place, Tubes
 from ..bifurcation.turning_points import limit_points, passed, past
 from ..core.error_states import in_usual_state
@@ -212,7 +211,7 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     columns = (found.value if name == vary else p[name] for name in names)
     given = np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns])
     for i, end in found.others.items():
-        if end.kind in (BORDER, BORDER_FOLD):
+        if end.kind in ("border", "border_fold"):
             contact[i] = [*map(label_of, p.model.contacts)].index(end.at_border)
             states[:, i] = [end.before[name] for name in balances[0].coordinates]
     slopes = np.full((len(names), size), np.nan)
@@ -223,7 +222,7 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     # Without an end, whatever the forces depend on.
     slopes[:, np.isnan(states).any(axis=0)] = np.nan
     for i, end in found.others.items():
-        if end.kind == INFINITY:
+        if end.kind == "infinity":
             balance = balances[number_of(balances, end.touching)]
             before = np.array([end.before[name] for name in balance.coordinates])
             by_u, by_p = slopes_at_infinity(balance, vary, given[:, i], end.error, before)
@@ -408,7 +407,7 @@ class Followed:
         """The end at the border of a contact."""
         balance = self.balances[combination]
         beyond = balance.across(contact).pushing
-        kind = BORDER_FOLD if beyond in [one.pushing for one in self.balances] else BORDER
+        kind = "border_fold" if beyond in [one.pushing for one in self.balances] else "border"
         *q, value = z.tolist()
         before = dict(zip(balance.coordinates, q, strict=True))
         label = label_of(self.model.contacts[contact])
@@ -492,7 +491,7 @@ class Followed:
             beyond = np.zeros(left.size, dtype=bool)
             for part in crossed(tubes[left], at, goal[left]):
                 rows, beyond[part.rows] = left[part.rows], True
-                if part.kind == PASSES:
+                if part.kind == "passes":
                     out.scatter(
                         rows, self._by_tubes(part.tubes, part.place, goal[rows], coarse=coarse)
                     )

@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..bifurcation.borders import PASSES
 from ..bifurcation.crossings import crossed
 from ..bifurcation.tubes import Place, Tubes, in_turn
 from ..bifurcation.turning_points import passed, size_of
@@ -232,7 +231,7 @@ class Splitting(Claim):
         tubes, start = Tubes.of_points(self.balance, self.vary, fixed), found.base[rows]
         start, goal = replace(start, by_p=start.by_p[:, :0]), points[-1, rows]
         for part in crossed(tubes, tubes.followed(start, goal), goal):
-            over = (part.kind != PASSES) & (part.z[-1] + part.error < goal[part.rows])
+            over = (part.kind != "passes") & (part.z[-1] + part.error < goal[part.rows])
             ends[rows[part.rows]] = over
         open_ = np.flatnonzero(~ends & (found.outcome == Decision.OPEN))
         if open_.size:  # a state that runs to infinity ends at no fold or border

@@ -18,7 +18,7 @@ from scipy.optimize import linear_sum_assignment
 
 import spragsym as ss
 
-from ..bifurcation.borders import BORDER_FOLD, PASSES, met_by
+from ..bifurcation.borders import met_by
 from ..bifurcation.branches import joined, linked, undecided_parts, undecided_points
 from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, SpragsymError, one_of, require_kind
@@ -221,7 +221,7 @@ def _by_stability(vary: str, piece: _Chain, damping: bool) -> Iterator[Branch]:
         if turns is None or not folds or at[0][side] != range(eq.count.size)[side]:
             continue
         # Two states meet at a fold, one comes to a border.
-        meeting = 1 if turns.kind[folds[0]] in (PASSES, BORDER_FOLD) else 2
+        meeting = 1 if turns.kind[folds[0]] in ("passes", "border_fold") else 2
         fold, count = {name: turns[name][folds[0]] for name in columns}, eq.count[side]
         away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
         if count >= meeting and at[1][side] in np.argsort(np.hypot.reduce(away))[:meeting]:

@@ -293,5 +293,5 @@ def test_states_are_hardly_damped_by_the_ratio_of_damper_to_stiffness(
         return np.ones_like(stiffness), turning + damper * damping, stiffness
 
     monkeypatch.setattr(hopf_curves, "matrices", matrices)
-    found = hopf_curves._Plane.hardly_damped(SimpleNamespace(), np.zeros((3, 2)))
+    found = hopf_curves._Plane.hardly_damped(SimpleNamespace(), np.zeros((3, 2)), 1e-6)
     assert found.tolist() == [True, False, True]

@@ -185,7 +185,7 @@ class _MethodReader:
             return value
 
         @functools.wraps(value)
-        def law(*given: Any) -> Any:
+        def law(*given: object) -> object:
             return self.of_page(value(*given))
 
         return law

@@ -65,16 +65,14 @@ class Definition:
     def spelled(self, of: Callable[[str], str]) -> Definition:
         """The function with all names and expressions spelled anew."""
 
-        def each(part: Any) -> Any:
+        def each(part: Results) -> Results:
             return tuple(map(each, part)) if isinstance(part, tuple) else of(part)
 
-        return replace(
-            self,
-            **{
-                name: each(getattr(self, name))
-                for name in ("arguments", "further", "statements", "results")
-            },
-        )
+        changed: dict[str, Any] = {
+            name: each(getattr(self, name))
+            for name in ("arguments", "further", "statements", "results")
+        }
+        return replace(self, **changed)
 
     def tree(self, spelled: Mapping[str, str]) -> ast.Module:
         """Statements and return statement of a function, with other names for some."""

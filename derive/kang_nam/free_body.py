@@ -10,6 +10,7 @@ what a misprint would cost.
 from __future__ import annotations
 
 import cmath
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -81,7 +82,7 @@ def equilibria(point: ParameterPoint, contact: int | Fraction = 1) -> list[tuple
     first call. There may be states that it does not find.
     """
 
-    def root(arithmetic: mpmath.MPContext, start: tuple[Any, Any], **options: Any) -> Any:
+    def root(arithmetic: mpmath.MPContext, start: tuple[Any, Any], **options: Any) -> Sequence[mpf]:
         stiffness = arithmetic.mpf(Fraction(contact).numerator) / Fraction(contact).denominator
         return arithmetic.findroot(
             lambda x, y: forces(point, x, y, stiffness, arithmetic), start, **options

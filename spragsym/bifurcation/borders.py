@@ -115,8 +115,8 @@ def joined(parts: Sequence[Points]) -> Points:
 
 
 def kinds_of_borders(family: Family, ends: FloatArray, other: Balance) -> NDArray[np.str_]:
-    """Kinds of border points in boxes, as of :class:`spragsym.results.Points`, by the signs of det K
-    on both sides.
+    """Kinds of border points in boxes, by the signs of det K on both sides, in the words of
+    :class:`spragsym.results.Points`.
     """
     closed, open_ = (_signs(balance, family, ends) for balance in (family.balance, other))
     alone = bool((open_ == 0).any()) and _is_singular(other, family)

@@ -14,7 +14,7 @@ cofactors of K∞ × R, which is smooth at l = 0 for each direction.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any, Self, TypeAlias
@@ -635,7 +635,7 @@ def _determinant_entries(spring: int) -> Entries:
     """Entries of det K times the length of a spring, for directions on arcs."""
     first = 3 * spring
 
-    def rows(at: Evaluation, arcs: Any) -> Sequence[Any]:
+    def rows(at: Evaluation, arcs: Iterable[Number]) -> Sequence[Any]:
         def slopes(length: Number) -> list[Any]:
             fixed = [*at.directions[:first], *arcs, length, *at.directions[first + 3 :]]
             return [list(row) for row in replace(at, fixed=fixed).slopes]

@@ -143,9 +143,9 @@ class Slopes:
     rows: Any
     Y: FloatArray | None = None
 
-    def taken(self, value: Any) -> Intervals:
+    def taken(self, value: Intervals | Affine) -> Intervals:
         """Numbers of the type of the rows, as intervals."""
-        return value if self.Y is None else value.interval()
+        return value if isinstance(value, Intervals) else value.interval()
 
     def left(self, forces: Intervals, tube: Place, apart: FloatArray) -> Intervals:
         """Residuals along a tube without the term in u: F(m, c) + (F_z d) s + (F_z D + F_p) (p −
@@ -161,7 +161,7 @@ class Slopes:
             total = total + self.image(tube.by_p[:, k], self.rows[:, len(tube.along) + k]) * half
         return total
 
-    def image(self, direction: FloatArray, start: Any = None) -> Intervals:
+    def image(self, direction: FloatArray, start: Intervals | Affine | None = None) -> Intervals:
         """The rows times a vector, shape (n + 1, N), plus ``start``.
 
         Components that are 0 in all boxes are left out.
@@ -670,7 +670,7 @@ class Tubes(ByColumn):
         return np.where(solved, np.sign(about[-1]), 0.0)
 
     def _solved(
-        self, slopes: Slopes, starts: Any, about: FloatArray
+        self, slopes: Slopes, starts: Intervals | Affine, about: FloatArray
     ) -> tuple[BoolArray, FloatArray]:
         """Whether the last component of x is proved to have the sign of ``about``, and error bounds
         of x.

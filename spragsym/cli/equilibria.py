@@ -31,7 +31,7 @@ from .case import Case, Row, Span
 from .output import drawn, print_rows
 
 
-@o.of_model(kind=o.NumberList, statics=True, values=True)
+@o.of_model(kind=o.NumberList, statics=True)
 @o.vary(
     "What varies, with its ends: a parameter, or with --data a quantity of the file, as "
     "k_x=5:20 or mu0=0:1:11 for 11 values."
@@ -185,7 +185,7 @@ def _rows(case: Case, eq: Equilibria, point: tuple[int, ...] = ()) -> list[Row]:
     return case.rows({own_name(case.model, "state"): [eq.regime] * count, **columns})
 
 
-@o.of_model(statics=True, values=True)
+@o.of_model(statics=True)
 @o.vary(
     "What moves, and from where to where, as mu0=0:0.9, or mu0=0.9:0:19 for 19 values; with "
     "--data a quantity of the file too."

@@ -277,10 +277,10 @@ class OfModel(Command):
 
     Parameters are of the type ``kind``. With ``start`` each number of the initial state has an
     option too. ``statics`` of a brake takes the friction that works at the speed of its belt.
-    ``--vary``, ``--within`` and ``--method`` come with the case; where ``values`` are asked for,
-    the ends of a range are values themselves; the first ``spanned`` ranges have no value besides.
-    Files of ``--plot`` are looked at before anything is computed. The work gives what JSON says,
-    and what prints the table.
+    ``--vary``, ``--within`` and ``--method`` come with the case; of statics where nothing varies by
+    itself the ends of a range are values themselves; the first ``spanned`` ranges have no value
+    besides. Files of ``--plot`` are looked at before anything is computed. The work gives what JSON
+    says, and what prints the table.
 
     Texts of help may name ``{time}``, the unit of time, ``{axes}``, what varies unless told
     otherwise, ``{last}`` of them, ``{coordinate}``, the first, and ``{state}``, all of the initial
@@ -293,14 +293,13 @@ class OfModel(Command):
         kind: Callable[[Range], Any] = OneNumber,
         start: bool = False,
         statics: bool = False,
-        values: bool = False,
         spanned: int = 1,
         varies: int = 0,
         **more: Any,
     ) -> None:
         super().__init__(*args, **more)
         self.kind, self.start, self.statics, self.own = kind, start, statics, self.params
-        self.values, self.spanned, self.varies = values, spanned, varies
+        self.spanned, self.varies = spanned, varies
         self.text, self.work = self.help, self.callback
         self._be_about(load(USUAL))
 
@@ -397,7 +396,7 @@ class OfModel(Command):
         asked = given.pop("vary", None) or [Span(name, name) for name in usual]
         asked = [asked] if isinstance(asked, Span) else asked
         spans = tuple(
-            units.spanning(one, self.values, index < self.spanned)
+            units.spanning(one, self.statics and not self.varies, index < self.spanned)
             for index, one in enumerate(asked)
         )
         ask = {name: one for name, one in ask.items() if one}

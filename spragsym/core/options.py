@@ -46,7 +46,7 @@ class Options:
                 _check(f"{type(self).__name__}: {each.name}", value, each.default, **each.metadata)
 
 
-def _check(name: str, value: Any, default: object, low: float, high: float, kind: Any) -> None:
+def _check(name: str, value: Any, default: object, low: float, high: float, kind: type) -> None:
     remedy = "leave it out" if default is None else f"leave it out for {default}"
     if isinstance(default, tuple):
         if not isinstance(value, tuple) or not value:
@@ -54,7 +54,8 @@ def _check(name: str, value: Any, default: object, low: float, high: float, kind
         for i, each in enumerate(value):
             _check(f"{name}[{i}]", each, None, low, high, kind)
         return
-    if isinstance(value, bool) or not isinstance(value, kind):
+    of_its_kind = isinstance(value, kind) and not isinstance(value, bool)
+    if not of_its_kind:
         what = "whole number" if kind is Integral else "number"
         raise ParameterTypeError(f"{name} = {value!r:.60} is no {what}; {remedy}")
     if not low <= value <= high:

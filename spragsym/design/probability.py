@@ -43,7 +43,7 @@ Distribution: TypeAlias = (
 class Quantiles(Protocol):
     """A distribution given by its quantile function."""
 
-    def ppf(self, share: ArrayLike, /) -> Any:
+    def ppf(self, share: ArrayLike, /) -> FloatArray:
         """Quantiles of one share or of an array of shares."""
 
 

@@ -141,7 +141,7 @@ def denser_at_ends(low: Any, high: Any, inset: float, n: int) -> FloatArray:
     denser there, where curves turn back like a square root.
     """
     share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(inset, 1 - inset, n))
-    return low + np.multiply.outer(share, np.subtract(high, low))
+    return np.add(low, np.multiply.outer(share, np.subtract(high, low)))
 
 
 def places(

@@ -13,6 +13,7 @@ from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
 from ..generated.kernel import depressed as depressed
 from ..numerics.arithmetic import Number
+from ..numerics.interval_arrays import FloatArray
 from .parameters import NAMES
 
 #: Parameters in which f is linear: all but θ₀.
@@ -55,7 +56,7 @@ def invariants(*state: Any) -> tuple[Any, Any, Any]:
     return _invariants(*K[0], *K[1])
 
 
-def cos_sin(angle: Any) -> tuple[Any, Any]:
+def cos_sin(angle: float | FloatArray) -> tuple[Any, Any]:
     """Cosine and sine of floats."""
     return np.cos(angle), np.sin(angle)
 

@@ -702,7 +702,7 @@ class _Motion:
                 accelerations: Vector,
                 constants: Vector,
                 mode: Mode,
-                slopes: Any = slopes,
+                slopes: Callable[..., Sequence[Any]] = slopes,
             ) -> Number:
                 changes = (*state[len(accelerations) :], *accelerations)
                 return sum(

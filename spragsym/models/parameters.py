@@ -239,7 +239,7 @@ def named(cls: type[T]) -> type[T]:
     names = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
 
     @functools.wraps(made)
-    def __init__(self: Any, *args: Any, **values: Any) -> None:
+    def __init__(self: object, *args: Any, **values: Any) -> None:
         check_names(values, names)
         made(self, *args, **values)
 
@@ -384,7 +384,7 @@ class ParameterSet(Values):
         """The same values as a set of ``model``, the model with or without closed forms."""
         return self if model.Parameters is type(self) else self._copied(model.Parameters)
 
-    def _copied(self, kind: Any) -> Any:
+    def _copied(self, kind: type[ParameterSet]) -> Any:
         """A copy of the values and of the followed state, as a set of class ``kind``."""
         other = object.__new__(kind)
         kept = {

@@ -60,7 +60,7 @@ class _Zero(Arithmetic):
     def __add__(self, other: Number) -> Any:
         return other
 
-    def __mul__(self, other: Any) -> Self:
+    def __mul__(self, other: Number) -> Self:
         return self
 
     __truediv__ = __mul__
@@ -140,7 +140,7 @@ class Rounded(Arithmetic):
         found.error = np.where(least > 0, error, np.inf)
         return found
 
-    def __rtruediv__(self, other: Any) -> Rounded:
+    def __rtruediv__(self, other: Real) -> Rounded:
         return Rounded(other) / self
 
     __pow__ = repeated_product
@@ -203,7 +203,7 @@ class Affine(Rounded):
         )
         return cls(value, terms, error)
 
-    def __getitem__(self, index: Any) -> Affine:
+    def __getitem__(self, index: object) -> Affine:
         index = index if isinstance(index, tuple) else (index,)
         return Affine(self.value[index], self.terms[(slice(None), *index)], self.error[index])
 
@@ -233,13 +233,13 @@ class Affine(Rounded):
         )
 
 
-def _number(value: Real, terms: Any, error: Real) -> Rounded:
-    return Rounded(value, error) if terms is _ZERO else Affine(value, terms, error)
+def _number(value: Real, terms: FloatArray | _Zero, error: Real) -> Rounded:
+    return Rounded(value, error) if isinstance(terms, _Zero) else Affine(value, terms, error)
 
 
-def _rounded(value: Any, terms: Any, error: Any) -> Rounded:
+def _rounded(value: Any, terms: FloatArray | _Zero, error: Real) -> Rounded:
     """A number with the error of one rounding added."""
-    if terms is _ZERO:
+    if isinstance(terms, _Zero):
         return Rounded(value, (error + UNIT * abs(value)) * _SLACK)
     return Affine(value, terms, (error + UNIT * (np.abs(terms).sum(axis=0) + abs(value))) * _SLACK)
 

@@ -159,7 +159,7 @@ def _sqrt(_: object, y: Number, order: int) -> list[Any]:
     return [y, *(factor / y ** (2 * k - 1) for k, factor in enumerate(factors, 1))]
 
 
-def _log(x: Any, y: Any, order: int) -> list[Any]:
+def _log(x: Any, y: object, order: int) -> list[Any]:
     inverse = 1 / x
     return [
         y,

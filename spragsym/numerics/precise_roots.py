@@ -157,8 +157,9 @@ def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
         ]
 
 
-def _dot(row: Sequence[Any], column: Sequence[Any]) -> Any:
-    return sum(a * b for a, b in zip(row, column, strict=True))
+def _dot(row: Sequence[Any], column: Sequence[Any]) -> Ball:
+    total: Ball = sum(a * b for a, b in zip(row, column, strict=True))
+    return total
 
 
 def _norm(values: Sequence[Ball]) -> Fraction:

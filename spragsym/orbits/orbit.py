@@ -395,7 +395,7 @@ class Cycles(Sequence[Cycle]):
     def __len__(self) -> int:
         return len(self.orbits)
 
-    def __getitem__(self, index: Any) -> Any:
+    def __getitem__(self, index: int | slice) -> Any:
         chosen = range(len(self))[index]
         if isinstance(chosen, range):
             return tuple(self[i] for i in chosen)

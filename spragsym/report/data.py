@@ -254,10 +254,10 @@ def _looked_at(how: Callable[..., R], key: str, given: object, unit: str, allowe
 
 
 def _correlation(
-    given: Any, found: dict[str, Measured], fit: FrictionFit | None, friction: str | None
+    given: object, found: dict[str, Measured], fit: FrictionFit | None, friction: str | None
 ) -> Correlation:
     """Quantities that vary together: those of the file, and μ₀ and d of one fit."""
-    rows = given if isinstance(given, list) else [] if given is None else [given]
+    rows: list[Any] = given if isinstance(given, list) else [] if given is None else [given]
     varying = [name for name, one in found.items() if one.varies]
     if fit is not None and {friction, "d"} <= set(varying):
         rows = [*rows, [friction, "d", fit.correlation]]

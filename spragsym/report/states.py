@@ -14,6 +14,7 @@ import numpy as np
 
 from ..bifurcation.paths import quasi_static_path
 from ..core.errors import ConvergenceError, SpragsymError
+from ..core.type_variables import T
 from ..design.jumps import jump_value
 from ..models import forces
 from ..models.parameters import FloatArray, ParameterSet, Ranges
@@ -166,7 +167,7 @@ def _of_springs(study: Study, values: Sequence[Any]) -> OfSprings:
     return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
 
 
-def _of_contacts(study: Study, in_newtons: Mapping[str, Any]) -> Any:
+def _of_contacts(study: Study, in_newtons: Mapping[str, T]) -> T | dict[str, T] | None:
     """The force of the only contact, or those of several by their names; None without any."""
     names = [one["name"] for one in study.kind.about["contacts"]]
     codes = {name: forces.named("contact_force", name) for name in names}

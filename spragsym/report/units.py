@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -71,12 +71,13 @@ class Measured:
         low, high = (self.value + sign * SIGMAS_IN_ALL * self.sd for sign in (-1, 1))
         return self if self.cut else replace(self, low=low, high=high)
 
-    def cdf(self, value: ArrayLike) -> Any:
+    def cdf(self, value: ArrayLike) -> FloatArray:
         """The share of its distribution within its ends up to a value."""
         if not self.varies:
-            return 1.0 * (np.asarray(value) >= self.value)
+            return (np.asarray(value) >= self.value).astype(float)
         least, most, here = (self._below(end) for end in (self.low, self.high, np.asarray(value)))
-        return np.clip((here - least) / (most - least), 0.0, 1.0)
+        share: FloatArray = np.clip((here - least) / (most - least), 0.0, 1.0)
+        return share
 
     def ppf(self, share: object) -> FloatArray:
         """The value below which a share of its distribution within its ends lies."""

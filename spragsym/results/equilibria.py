@@ -357,7 +357,7 @@ class Equilibria(OfStates):
         p, found = self.parameters, self._source.linearized(self, states)
         attributes = {self._own(name): of for name, (of, _) in _LINEARIZED.items()}
 
-        def column(name: str) -> Any:
+        def column(name: str) -> NDArray[Any]:
             return getattr(found, attributes[name]) if name in attributes else self[name][states]
 
         vary = [name for name in p.ranges if np.size(p[name]) > 1]
@@ -388,7 +388,7 @@ class Equilibria(OfStates):
     def _all(self) -> Any:
         return self._source.linearized(self, self.states)
 
-    def _column(self, name: str) -> Any:
+    def _column(self, name: str) -> NDArray[Any]:
         """A column: as it was found, by the linearization, or what follows from where the states
         are.
         """
@@ -405,7 +405,7 @@ class Equilibria(OfStates):
             return self.parameters[name]
         made = {self._own(each.name): each for each in self.schema if each.of is not None}
         if name in made:
-            return made[name].value(self)
+            return np.asarray(made[name].value(self))
         linearized = {self._own(each): attribute for each, attribute in _LINEARIZED.items()}
         if name not in linearized:
             return self._made[name]

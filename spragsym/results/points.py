@@ -296,7 +296,7 @@ class Points(OfStates, Rows):
         found = self._what_ends.after
         return found(self) if callable(found) else found
 
-    def _column(self, name: str) -> Any:
+    def _column(self, name: str) -> NDArray[Any]:
         if name in self._values:
             return self._values[name]
         if name in self.parameters.ranges:
@@ -507,7 +507,7 @@ class Path(OfStates, Rows):
         ours = {self._own(name): name for name in ("stability", "growth", "growth_sign")}
         places = {self.vary: self.values, **self.places, self._own("undamped"): self.undamped}
 
-        def made(name: str) -> Any:
+        def made(name: str) -> object:
             return places[name] if name in places else getattr(self._along, ours[name])[:, 0]
 
         return Items((*places, *ours), made)

@@ -96,12 +96,12 @@ def rows_of(record: Any, rows: IntArray) -> Any:
     return type(record)(*(value[rows] if getattr(value, "ndim", 0) else value for value in record))
 
 
-def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
+def _columns(t: DoubleDouble | FloatArray, root: kernel.Root) -> dict[str, Any]:
     wide = isinstance(t, DoubleDouble)
     # Roundings of a double that θ, L, x and y in double-double arithmetic are off by when
     # they are stored: the arc tangent is within one unit in the last place, and its argument
     # is rounded.
-    theta = 2.0 * (kernel.arctangent(t.high) if wide else np.arctan(t))
+    theta = 2.0 * (kernel.arctangent(t.high) if isinstance(t, DoubleDouble) else np.arctan(t))
     error = root.error + (4 * 2.0**-53) if wide else root.error
     return {
         "theta": theta,

@@ -12,7 +12,7 @@ import numpy.typing as npt
 __all__ = ["where"]
 
 
-def where(flag: npt.ArrayLike, one: npt.ArrayLike, other: npt.ArrayLike) -> Any:
+def where(flag: npt.ArrayLike, one: npt.ArrayLike, other: npt.ArrayLike) -> npt.NDArray[Any]:
     """As ``numpy.where``, bit for bit; of many doubles with mixed flags by their bits, ((one ^
     other) & mask) ^ other.
     """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -15,14 +16,14 @@ from .samples import numeric
 
 @dataclass(frozen=True)
 class LimitCase:
-    """A limit that a statement names: quantities, and where they go, each by itself or together;
-    ``linear`` to first order in what is small together.
+    """A limit that a statement names: quantities, and where they go, each by itself or together; to
+    an ``order`` in what is small together where that is not 0.
     """
 
     symbols: tuple[Symbol, ...]
     end: Expr = S.Zero
     together: bool = True
-    linear: bool = False
+    order: int = 0
 
     def forms(self, value: Expr, it: Comparison) -> list[Expr]:
         """A value in its limit, once for each quantity that goes there by itself; nan where that is
@@ -37,26 +38,30 @@ class LimitCase:
             return [_limit(value, one, self.end) for one in self.symbols]
         if self.end == 0:
             value = value.xreplace({one: size * one for one in self.symbols})
-        if not self.linear:
+        if not self.order:
             return [_limit(value, size if self.end == 0 else self.symbols[0], self.end)]
-        slope = sp.diff(value, size).replace(sp.DiracDelta, lambda *_: S.Zero)  # where none jumps
-        return [_finite(value.subs(size, 0) + slope.subs(size, 0))]
+        terms = [value.subs(size, 0)]
+        for order in range(1, self.order + 1):
+            value = sp.diff(value, size).replace(sp.DiracDelta, lambda *_: S.Zero)  # between jumps
+            terms.append(value.subs(size, 0) / math.factorial(order))
+        return [_finite(sp.Add(*terms))]
 
 
 def limit_of(item: Item) -> LimitCase | None:
-    """The limit of a statement, as ``d*V -> oo``, ``c_x, c_y -> 0`` or ``linear in x, y``; None
-    where what stands there is none.
+    """The limit of a statement, as ``d*V -> oo``, ``c_x, c_y -> 0``, ``linear in x, y`` or
+    ``cubic in x``; None where what stands there is none.
     """
-    what, arrow, end = item.statement.limit.removeprefix("linear in ").partition("->")
-    is_linear = what != item.statement.limit and not arrow
+    word, to_order, small = item.statement.limit.partition(" in ")
+    order = {"linear": 1, "quadratic": 2, "cubic": 3}.get(word, 0) if to_order else 0
+    what, arrow, end = (small if order else item.statement.limit).partition("->")
     end, together = end.strip() or "0", "*" not in what
     names = item.it.names
     symbols = [names.get(it.strip(), sp.nan) for it in what.split("," if together else "*")]
-    if not all(it.is_Symbol for it in symbols) or is_linear is bool(arrow):
+    if not all(it.is_Symbol for it in symbols) or bool(order) is bool(arrow):
         return None
     if end not in ("oo", "0") or (together and end == "oo" and len(symbols) > 1):
         return None
-    return LimitCase(tuple(symbols), sp.sympify(end), together, is_linear)
+    return LimitCase(tuple(symbols), sp.sympify(end), together, order)
 
 
 def is_approximation(it: Comparison, part: Component, limit: LimitCase) -> bool:
@@ -66,7 +71,7 @@ def is_approximation(it: Comparison, part: Component, limit: LimitCase) -> bool:
 
 
 def in_limit(item: Item, limit: LimitCase) -> Iterator[Item]:
-    """A statement beside the limit of what is derived: of what is small to first order with its
+    """A statement beside the limit of what is derived: of what is small to some order with its
     rates and accelerations as well.
     """
     page, held = item.it, item.held
@@ -74,7 +79,7 @@ def in_limit(item: Item, limit: LimitCase) -> Iterator[Item]:
     more = tuple(it for row in rows if {*row} & {*limit.symbols} for it in row)
     small = (*limit.symbols, *more)
     ways = [limit, replace(limit, symbols=tuple(dict.fromkeys(small)))]
-    for way in ways if limit.linear else ways[:1]:
+    for way in ways if limit.order else ways[:1]:
         it = Comparison(item)
         entries = tuple(
             way.forms(entry, it)[0] if place in held.index else entry

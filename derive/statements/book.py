@@ -161,7 +161,9 @@ def equations_of(
         from .latex import read_latex
 
         is_scale = statement.word == "scale"
-        found = read_latex(text.replace(r"\to", " = ") if is_scale else text, vocabulary)
+        for sign in (r"\to",) * is_scale + (r"\approx", r"\simeq") * bool(statement.limit):
+            text = text.replace(sign, f"{'=':^{len(sign)}}")
+        found = read_latex(text, vocabulary)
     else:
         found = read_sympy(text, vocabulary)
     if "frequency" in it.names or not vocabulary.has_roots:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
@@ -14,7 +15,7 @@ from sympy.core.relational import Relational
 
 from ..algebra import Pair
 from .derivatives import expressions
-from .identities import is_zero
+from .identities import is_zero, quotients
 from .objects import LAMBDA
 from .reading import Item
 from .repair import Values, evaluated, same, same_but_for_constant
@@ -45,6 +46,8 @@ class Component:
     tree: Node
     targets: tuple[tuple[Values, Expr], ...]
     left: str = ""
+    #: what is to be said of each
+    meanings: Mapping[Expr, str] = field(default_factory=dict)
 
     @property
     def said(self) -> str:
@@ -123,18 +126,48 @@ class Comparison:
             sign = self._sign(place)
             target, entry = sign * item.targets[place], sign * held.entries[place]
             if held.is_value:
-                meant = [one.entry for one in held.readings] or [entry]
-                pairs = zip(item.readings or (target,), meant, strict=True)
-                found.append(Component(tree, tuple(pairs), left))
+                meanings = {one.entry: one.said for one in held.readings} or {entry: ""}
+                known = dict(zip(meanings, item.readings or (target,), strict=True))
+                if factors and held.factor == "constant":
+                    free = self._constant(self.exactly(tree))
+                    for one, said in [*meanings.items()]:
+                        meanings[one + free - self._constant(one)] = said
+                found.append(self._component(tree, left, meanings, known))
                 continue
-            tried = [S.One, S.NegativeOne]
+            meanings, known = {entry: "", -entry: ""}, {entry: target, -entry: -target}
             own = evaluated(tree, self.values)
-            plain = any(same(own, sign * target) for sign in (1, -1))
+            plain = any(same(own, it) for it in known.values())
             if factors and not plain and held.factor in ("parameters", "monomial"):
-                tried += self._factors(tree, entry)
-            targets = ((numeric(it, item.values) * target, it * entry) for it in tried)
-            found.append(Component(tree, tuple(targets)))
+                meanings |= dict.fromkeys(self._multiples(tree, entry), "")
+                for divisor, rest in self._quotients(entry):
+                    some = (rest, -rest, *self._multiples(tree, rest))
+                    meanings |= dict.fromkeys(some, f"divided by {divisor}")
+            found.append(self._component(tree, "", meanings, known))
         return found
+
+    def _component(
+        self, tree: Node, left: str, meanings: Mapping[Expr, str], known: Mapping[Expr, Values]
+    ) -> Component:
+        """A side with what it may mean, of which the values at samples are known or found."""
+        values = self.item.values
+        targets = ((known[it] if it in known else numeric(it, values), it) for it in meanings)
+        return Component(tree, tuple(targets), left, meanings)
+
+    def _constant(self, energy: Expr) -> Expr:
+        """Terms of an energy that hold no state."""
+        it = self.item.it
+        states = (*it.model.coordinates, *it.model.rates)
+        return sp.expand(it.expanded(energy)).as_independent(*states, as_Add=True)[0]
+
+    def _quotients(self, entry: Expr) -> tuple[Pair, ...]:
+        """Factors of an equation that hold coordinates, by which it may be divided, and what is
+        left.
+        """
+        model = self.item.it.model
+        if self.item.held.law != "covector":
+            return ()
+        moving = (*model.rates, *self.item.it.accelerations)
+        return quotients(self.item.it.expanded(entry), model.coordinates, moving)
 
     def _sign(self, place: int) -> int:
         """The sign by which an entry changes with the coordinates."""
@@ -150,8 +183,10 @@ class Comparison:
             case _:
                 return 1
 
-    def _factors(self, tree: Node, entry: Expr) -> list[Expr]:
-        """Factors of parameters by which terms of the print are derived ones, by votes."""
+    def _multiples(self, tree: Node, entry: Expr) -> list[Expr]:
+        """Multiples by factors of parameters by which terms of the print are derived ones, by
+        votes.
+        """
         it = self.item.it
         model = it.model
         forces = (*it.normals, *it.coefficients)
@@ -170,7 +205,8 @@ class Comparison:
             for own, same_state in ours:
                 if state == same_state and own != 0:
                     votes[factor / own] = votes.get(factor / own, 0) + 1
-        return sorted(votes, key=lambda it: (-votes[it], sp.count_ops(it), str(it)))[:4]
+        found = sorted(votes, key=lambda it: (-votes[it], sp.count_ops(it), str(it)))[:4]
+        return [factor * entry for factor in found]
 
     # ----------------------------------------------------------------------------------- equality
 
@@ -187,9 +223,14 @@ class Comparison:
         """Whether the ratio of both is the same in both states of every pair."""
         if self.item.held.factor != "parameters":
             return False
-        with np.errstate(all="ignore"):
-            ratio = evaluated(part.tree, self.values) / part.targets[0][0]
-        return same(ratio[::2], ratio[1::2])
+        own, values = evaluated(part.tree, self.values), self.item.values
+        divisors = (divisor for divisor, _ in self._quotients(part.targets[0][1]))
+        for divisor in (S.One, *divisors):
+            with np.errstate(all="ignore"):
+                ratio = own * numeric(divisor, values) / part.targets[0][0]
+            if same(ratio[::2], ratio[1::2]):
+                return True
+        return False
 
     def holds(self, tree: Node, target: Values) -> bool:
         """Whether a tree has the values that it ought to have, but for a constant in an energy."""

@@ -4,12 +4,13 @@ that papers print.
 
 from __future__ import annotations
 
+import functools
 import itertools
 import math
 from collections.abc import Iterator, Mapping
 
 import sympy as sp
-from sympy import Dummy, Expr, S
+from sympy import Dummy, Expr, S, Symbol
 
 from .. import algebra
 
@@ -28,6 +29,27 @@ def normal_form(expression: Expr) -> Expr:
     if not plain.has(sp.Piecewise):  # a choice that is not made is compared with nothing
         plain = algebra.difference(plain, S.Zero, circles)
     return plain.xreplace(shown)
+
+
+@functools.cache
+def quotients(
+    expression: Expr, coordinates: tuple[Symbol, ...], moving: tuple[Symbol, ...]
+) -> tuple[tuple[Expr, Expr], ...]:
+    """Products of some of an expression's factors that hold coordinates, and nothing else that
+    moves, each beside what is left, which holds a state as well.
+    """
+    above, below = sp.fraction(normal_form(expression))
+    number, factors = sp.factor_list(above)
+    powers = [base**power for base, power in factors]
+    states = [it for it in powers if it.has(*coordinates, *moving)]
+    # Factors of which products are tried.
+    still = [it for it in states if not it.has(*moving)][:3]
+    sizes = range(1, min(len(states), len(still) + 1))
+    found = []
+    for some in itertools.chain(*(itertools.combinations(still, size) for size in sizes)):
+        rest = [it for it in powers if it not in some]
+        found.append((sp.Mul(*some), sp.expand(sp.Mul(number, *rest)) / below))
+    return tuple(found)
 
 
 def _vanishes(expression: Expr) -> bool:

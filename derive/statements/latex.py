@@ -171,6 +171,8 @@ class _LatexReader:
     def equations(self, items: Tokens) -> list[Equation]:
         """Equations of one piece: each side with the first one."""
         for it in items:
+            if it.text in (r"\approx", r"\simeq"):
+                raise Unread("say in which limit, as limit = 'linear in x, y'", it.at[0])
             if it.text in _RELATIONS and it.text not in _EQUAL:
                 raise Unread(f"{it.text} makes this no equation", it.at[0])
         sides = split(items, *_EQUAL)

@@ -30,14 +30,12 @@ def _edited(text: str, edit: Edit, letters: Mapping[str, str]) -> str | None:
     start, stop = edit.at
     before, old, after = text[:start], text[start:stop], text[stop:]
     new = edit.new
+    if edit.kind == "sign" and edit.old.kind == "neg" and old.startswith("-"):
+        opened = not before.strip() or before.rstrip()[-1] in "=({[&"
+        return f"{before}{'' if opened else '+'}{old[1:]}{after}"
     if edit.kind == "sign":
-        if new.kind == "neg":
-            signed = before.rstrip()
-            return f"{signed[:-1] if signed.endswith('+') else before}- {old}{after}"
-        if edit.old.kind == "neg" and old.startswith("-"):
-            opened = not before.strip() or before.rstrip()[-1] in "=({[&"
-            return f"{before}{'' if opened else '+'}{old[1:]}{after}"
-        return None
+        signed = before.rstrip()
+        return f"{signed[:-1] if signed.endswith('+') else before}- {old}{after}"
     if new in (ZERO, ONE) or edit.kind in ("missing term", "missing factor"):
         return _joined(before, old, after, edit, letters)
     return f"{before}{to_latex(new, letters)}{after}"

@@ -50,7 +50,7 @@ class Name:
         """What may stand under [symbols]: a name of the page, and words for objects."""
         if " " in self.base:
             return f" by a name of the page, or as {', '.join((*COLUMNS, *MATRICES))}"
-        return f", or as energy {self.base}" if self.base in ("T", "V", "L") else ""
+        return f", or as energy {self.base}" if self.spelled in ("T", "V", "L") else ""
 
 
 class Names:

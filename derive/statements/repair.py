@@ -51,6 +51,7 @@ COST = {
     "number": 1.05,
     "exponent": 1.1,
     "function": 1.1,
+    "bracket": 1.1,
     "renaming": 1.1,
     "missing term": 1.2,
     "extra term": 1.2,
@@ -213,16 +214,35 @@ def _others(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
     swaps = {"sin": ("cos",), "cos": ("sin",), "sinh": ("cosh",), "cosh": ("sinh",)}
     for name in swaps.get(part.value, ()) if part.kind == "call" else ():
         edit("function", Node("call", part.args, name, part.at))
-    if part.kind in ("symbol", "call"):
+    if part.kind in ("symbol", "call", "add"):
         for power in (*map(Fraction, ("2", "3", "-1", "1/2")),):
             edit("exponent", Node("pow", (part, _number(power)), at=part.at))
     if part.kind == "pow":
         edit("exponent", part.args[0], 0.1)  # a power is seldom lost
+    if other := _other_bracket(part):
+        edit("bracket", other)
     if outer == "add":
         edit("extra term", ZERO)
     if outer in ("mul", "div"):
         edit("extra factor", ONE)
     return found
+
+
+def _other_bracket(part: Node) -> Node | None:
+    """(a + b)² for a + b², or the other way."""
+    whole = part.args[0] if part.kind == "pow" else part
+    if whole.kind != "add":
+        return None
+    *terms, last = whole.args
+    inner = last.args[0] if last.kind == "neg" else last
+    if part.kind == "pow":
+        raised = replace(part, args=(inner, part.args[1]))
+        return replace(whole, args=(*terms, minus(raised) if last.kind == "neg" else raised))
+    if inner.kind != "pow":
+        return None
+    base, power = inner.args
+    added = replace(whole, args=(*terms, minus(base) if last.kind == "neg" else base))
+    return Node("pow", (added, power), at=part.at)
 
 
 def _number_kind(part: Node, above: Node | None) -> str:

@@ -168,21 +168,24 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
         return replace(row, status="unread", evidence=said)
     limit = limit_of(item) if statement.limit else None
     if statement.limit and limit is None:
-        said = "'d*V -> oo', 'c_x, c_y -> 0' or 'linear in x, y', of names of the page"
+        said = (
+            "'d*V -> oo', 'c_x, c_y -> 0', 'linear in x, y', 'quadratic in x' or 'cubic in x', of "
+            "names of the page"
+        )
         return replace(
             row, status="unread", evidence=f"limit = {statement.limit!r} is none; write as {said}"
         )
     wrong = "" if item.it.scaled else _units_problem(item, parts)
     limits: list[Comparison] = []
     found: list[Right] = []
-    counted, is_exact = "", True
+    counted = ""
     for number, part in enumerate(parts):
         equal = [exact for target, exact in part.targets if it.holds(part.tree, target)]
         if equal:
             exact = next((one for one in equal if it.proved(part.tree, one)), None)
             if exact is None:
                 return replace(row, evidence="equal at all samples, but not by exact algebra")
-            row, counted = _as_meant(row, item, exact)
+            row, counted = _as_meant(row, item, part, exact)
             continue
         own, value = it.exactly(part.tree), evaluated(part.tree, it.values)
         nearest = min(part.targets, key=lambda one: _distance(value, one[0]))
@@ -190,10 +193,10 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
         if limit is not None and not limits:
             limits = [Comparison(one, it.conventions) for one in in_limit(item, limit)]
         alike = [(one, one.components()[number]) for one in limits] or [(it, part)]
-        if limit is not None and (
-            is_approximation(it, part, limit) or any(_is_right(*one) for one in alike)
-        ):
-            row, is_exact = _with_difference(row, item, gap), False
+        is_limit = limit is not None and any(_is_right(*one) for one in alike)
+        if limit is not None and (is_limit or is_approximation(it, part, limit)):
+            said = "" if is_limit else "; what the print holds beyond that is not judged"
+            row = replace(_with_difference(row, item, gap), evidence=statement.limit + said)
             continue
         rights = (_repaired(*one) for one in alike) if repair else ()
         best = next((one for one in rights if one is not None), None)
@@ -201,11 +204,11 @@ def judged(item: Item, conventions: Conventions | None = None, *, repair: bool =
             said = "no edit, and no two, give what is derived" if repair else ""
             row = _with_difference(row, item, gap)
             return replace(row, evidence="; ".join(one for one in (wrong, said) if one))
-        row, counted = _as_meant(row, item, best.exact)
+        row, counted = _as_meant(row, item, best.part, best.exact)
         row = _with_difference(row, item, own - it.exactly(best.repair.tree))
         found.append(best)
-    if not found and not is_exact:
-        return replace(row, status="approximation", evidence=statement.limit)
+    if not found and row.evidence:
+        return replace(row, status="approximation")
     if not found:
         status = "definition" if statement.word == "definition" else "confirmed"
         return replace(row, status=status, evidence=f"{held.by}, equal by exact algebra{counted}")
@@ -233,12 +236,11 @@ def _is_right(it: Comparison, part: Component) -> bool:
     )
 
 
-def _as_meant(row: Row, item: Item, exact: Expr) -> tuple[Row, str]:
+def _as_meant(row: Row, item: Item, part: Component, exact: Expr) -> tuple[Row, str]:
     """A row with the value that the print means, and what is counted in it."""
-    for one in item.held.readings:
-        if one.entry == exact:
-            row = replace(row, derived=str(exact), derived_latex=item.latex(exact))
-            return row, f"; {one.said}"
+    if said := part.meanings[exact]:
+        row = replace(row, derived=str(exact), derived_latex=item.latex(exact))
+        return row, f"; {said}"
     return row, ""
 
 

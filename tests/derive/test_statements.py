@@ -417,9 +417,23 @@ def test_a_number_is_replaced_where_it_stands() -> None:
     for about, text, old, new in (
         ("energy T", "T = m*(vx**2 + vy**3)/2", "3", "2"),
         ("energy V", f"V = {SPRINGS.replace('/4', '/3')}", "3", "4"),
+        (
+            "energy V",
+            f"V = {SPRINGS.replace('(x - y)**2', '(x - y**2)')}",
+            "x - y**2",
+            "(x - y)**2",
+        ),
     ):
         row = _judged(about, text, "units", COUPLING)
         assert [(it["old"], it["new"]) for it in row.edits] == [(old, new)], text
+
+
+def test_an_energy_keeps_its_constant() -> None:
+    """What a print adds that holds no state stays where something else is wrong."""
+    text = "V = k_x*(x**2 - 1)/2 + k_y*(y**2 - 1)/2 + k*(y + x)**2/4"
+    row = _judged("energy V", text, "units", COUPLING)
+    assert row.status == "misprint"
+    assert row.repaired in (text.replace("y + x", "y - x"), text.replace("y + x", "-y + x"))
 
 
 def test_a_rate_has_the_letter_that_its_coordinate_is_listed_with() -> None:

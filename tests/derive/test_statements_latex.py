@@ -120,6 +120,7 @@ def test_a_print_is_read(text: str, expected: list[str]) -> None:
         r"x \pm y",
         r"{x + y} a",
         r"x \le y",
+        r"x \approx y",
         r"(x",
         r"x)",
         r"",

@@ -1,9 +1,11 @@
-"""Classification of the limit of a motion, for trajectories, sweeps and basins.
+"""Classification of the long-run behaviour of a motion, for trajectories, sweeps and basins.
 
-A motion is judged by the limit that it approaches and by the rate at which it does, never by how
-alike two parts of a window look: lift-off for good where the model knows it, rest at an equilibrium
-by its linearization with the damping of the friction law, and cycles by the closed orbit itself and
-its multipliers (:mod:`.return_map`), in this order.
+:func:`classify` takes statistics of a motion after its transient and returns an :class:`Outcome`.
+It looks for a limit, in this order: lift-off for good, if the model brings a closed-form criterion;
+an equilibrium; a cycle (:mod:`.return_map`). A limit is accepted if the motion approaches it at the
+rate of its own linearization: by the eigenvalues at the equilibrium, which include the slope of the
+friction law, or by the Floquet multipliers of the closed orbit. That two parts of the motion look
+alike is not enough.
 """
 
 from __future__ import annotations
@@ -31,66 +33,61 @@ CONTACT = [Event.CONTACT_LOST, Event.CONTACT_REGAINED, Event.FACE_LEFT, Event.FA
 
 
 def classify(statistics: MotionStatistics, onward: Onward) -> Outcome:
-    """The outcome of a motion, from what was measured of it after its transient, and how it goes
-    on.
+    """The outcome of a motion, from its statistics after the transient; ``onward`` continues it.
 
-    All is judged in units of the
-    motion's own (:mod:`.scales`), and told in those of the model. The outcome is without
-    ``equilibrium``, which :func:`~spragsym.statics.search.rest_index` finds for many at once.
+    The computation is in the motion's own units (:mod:`.scales`), the outcome in those of the
+    problem. The index ``equilibrium`` is not set: :func:`~spragsym.statics.search.rest_index` finds
+    it for many outcomes at once.
     """
     problem = onward.problem
     field, constants = problem.field, problem.constants
-    # Forces are enclosed in units of the model.
-    enclosed = field.clock and not field.natural
-    if enclosed and held_in_every_phase(field, constants, statistics.last):
+    # The proof encloses forces in units of the model.
+    provable = field.clock and not field.natural
+    if provable and held_in_every_phase(field, constants, statistics.last):
         rest = tuple(statistics.last[: len(field.coordinates) - 1].tolist())
         return Outcome(
             Regime.EQUILIBRIUM, rest=rest, rate=np.inf, distance=0.0, names=field.components
         )
     scales = problem.own_scales
     if not scales.trivial:
-        there = replace(onward, problem=scales.problem(problem))
-        return scales.outcome(classify(scales.inverse.statistics(statistics), there))
-    apart = not statistics.events[CONTACT].any()
-    if (
-        apart
-        and problem.field.airborne
-        and problem.field.airborne(problem.constants, statistics.last)
-    ):
-        found = Outcome(Regime.LIFT_OFF)
-    else:
-        sought = (
-            at_rest(each, other.problem) or on_cycle(each, other)
-            for each, other in _led(statistics, onward)
-        )
-        found = next(filter(None, sought), Outcome())
-    return replace(found, names=problem.field.components)
+        in_scales = replace(onward, problem=scales.problem(problem))
+        return scales.outcome(classify(scales.inverse.statistics(statistics), in_scales))
+    no_contact = not statistics.events[CONTACT].any()
+    if no_contact and field.airborne and field.airborne(constants, statistics.last):
+        return Outcome(Regime.LIFT_OFF, names=field.components)
+    for each, continued in _with_leads(statistics, onward):
+        found = at_rest(each, continued.problem) or on_cycle(each, continued)
+        if found:
+            return replace(found, names=field.components)
+    return Outcome(names=field.components)
 
 
-def _led(statistics: MotionStatistics, onward: Onward) -> Iterator[tuple[MotionStatistics, Onward]]:
-    """Statistics of a motion, and where its leading coordinate tells of no rounds what the other
-    ones tell.
+def _with_leads(
+    statistics: MotionStatistics, onward: Onward
+) -> Iterator[tuple[MotionStatistics, Onward]]:
+    """The statistics of a motion; then, if its leading coordinate shows no oscillation, those with
+    each other coordinate as the leading one, for which the motion is integrated again.
     """
     yield statistics, onward
     if leads(statistics, onward.problem):
         return
+    duration = statistics.end - statistics.begin
     for lead in range(1, len(statistics.last) // 2):
         other = onward.with_lead(lead)
         with suppress(ConvergenceError):
-            yield (
-                other.statistics(statistics.first[None], statistics.end - statistics.begin)[0],
-                other,
-            )
+            yield other.statistics(statistics.first[None], duration)[0], other
 
 
 def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
-    """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
+    """The outcome of a motion that rests at an equilibrium, which does not repel it, or decays to
+    one; None for other motions.
+    """
     options, tol = problem.options, problem.options.settled
     still = (
         abs(statistics.last[statistics.lead] - statistics.first[statistics.lead]) <= 4 * tol
         and statistics.reach[1] - statistics.reach[0] <= 4 * tol
     )
-    # On a belt that stands still the law of friction is smooth where x' changes its sign.
+    # On a belt at rest the friction law is smooth where x' changes sign.
     kinks = bool((statistics.events if problem.belt > 0 else statistics.events[CONTACT]).any())
     decaying = len(statistics.maxima) >= options.decay_maxima and not kinks
     if not (still or decaying):
@@ -103,13 +100,10 @@ def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
     growth = -rest.rate
     late = statistics.maxima[statistics.maxima_t >= (statistics.begin + statistics.end) / 2]
     distance = magnitude(np.vstack([late, statistics.last]) - rest.state)
-    # Real parts up to this are 0 but for rounding.
-    if (
-        still
-        and distance <= tol
-        and growth <= 1e-12
-        and _stays(statistics, rest, options.noise * problem.rtol, kinks)
-    ):
+    noise = options.noise * problem.rtol
+    # A growth rate up to 1e-12 is 0 up to rounding.
+    neighbour = still and distance <= tol and growth <= 1e-12
+    if neighbour and _stays(statistics, rest, noise, kinks):
         return Outcome(
             Regime.EQUILIBRIUM, rest=position, rate=max(0.0, rest.rate), distance=distance
         )
@@ -117,7 +111,7 @@ def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
         decaying
         and rest.decay > 0
         and _decays(statistics, rest, options.decay_maxima)
-        and not _persists(statistics, rest, options.noise * problem.rtol)
+        and not _persists(statistics, rest, noise)
     ):
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
         return Outcome(regime, rest=position, rate=rest.decay, distance=distance)
@@ -126,11 +120,12 @@ def at_rest(statistics: MotionStatistics, problem: Problem) -> Outcome | None:
 
 @dataclass(frozen=True)
 class Equilibrium:
-    """An equilibrium and its linearization with the damping of the friction law.
+    """An equilibrium with the eigenvalues and eigenvectors of its linearization, which includes the
+    slope of the friction law.
 
-    Where frictions hold there is a whole set of equilibria, of as many dimensions as ``held`` of
-    them: so many of the ``values`` are 0 along it, and deviations of what sticks end at once, and
-    have none.
+    If frictions hold, it belongs to a continuum of equilibria, of dimension ``held``: this many
+    eigenvalues, along the continuum, are 0. Deviations across a sticking contact end at once, and
+    have no eigenvalue.
     """
 
     state: FloatArray
@@ -140,57 +135,59 @@ class Equilibrium:
 
     @property
     def rate(self) -> float:
-        """Of the approach, exp(−rate τ): infinite where nothing is left to decay."""
+        """Rate of the approach exp(−rate τ), of the slowest mode; infinite without modes."""
         return -float(self.values.real[~self._along].max(initial=-np.inf))
 
     @property
     def decay(self) -> float:
-        """As ``rate``, of all parts of a motion that anything damps or drives."""
+        """The same without the :attr:`undamped` modes."""
         return -float(self.values.real[~self._along & ~self.undamped].max(initial=-np.inf))
 
     @property
     def undamped(self) -> BoolArray:
-        """Which parts go on as they are, but for rounding."""
+        """Mask of the modes that neither grow nor decay, up to rounding."""
         sizes = np.abs(self.values)
         return ~self._along & (np.abs(self.values.real) <= 1e-12 * sizes.max())
 
     @property
     def _along(self) -> BoolArray:
-        """The values along a set of equilibria, which say nothing of an approach."""
-        out = np.zeros(self.values.size, dtype=bool)
-        out[np.argsort(np.abs(self.values))[: self.held]] = True
-        return out
+        """Mask of the eigenvalues along the continuum of equilibria."""
+        mask = np.zeros(self.values.size, dtype=bool)
+        mask[np.argsort(np.abs(self.values))[: self.held]] = True
+        return mask
 
 
 def spectrum_at_rest(
     field: Field, constants: Values, state: FloatArray, mode: Mode
 ) -> tuple[ComplexArray, ComplexArray]:
-    """Eigenvalues and eigenvectors of the linearized motion in a mode; where friction holds, of
-    what moves in it, in which no speed slides.
+    """Eigenvalues and eigenvectors of the linearized motion in a mode.
+
+    If the mode sticks, the linearization is restricted to the subspace without sliding.
     """
-    from scipy.linalg import null_space  # heavy, and a refusal does not need it
+    from scipy.linalg import null_space  # slow to import
 
     numbers = state.tolist()
-    moving = np.eye(field.size)
+    basis = np.eye(field.size)
     for border in field.stays(mode):
         assert border.slopes is not None
-        across = np.array(border.slopes(numbers, constants, mode), dtype=float)[: field.size]
-        moving = moving @ null_space((across @ moving)[None])
-    values, vectors = np.linalg.eig(moving.T @ field.matrix(numbers, constants, mode) @ moving)
-    return values, moving @ vectors
+        normal = np.array(border.slopes(numbers, constants, mode), dtype=float)[: field.size]
+        basis = basis @ null_space((normal @ basis)[None])
+    values, vectors = np.linalg.eig(basis.T @ field.matrix(numbers, constants, mode) @ basis)
+    return values, basis @ vectors
 
 
 def rest_near(problem: Problem, position: FloatArray) -> Equilibrium | None:
-    """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V);
-    None where it finds none.
+    """The equilibrium in contact found by Newton's method from a position, (n,), with the friction
+    μ(V); None if there is none.
 
-    Where friction holds the mass at the place, as on a belt that stands still, it is the nearest of
-    all at which it does.
+    If friction holds the mass at the position, as on a belt at rest, it is the nearest of the
+    equilibria in which friction holds.
     """
     field, constants = problem.field, problem.constants
-    still = [*position.tolist(), *np.zeros(len(position))]
-    here = field.initial_mode(still, constants)
-    mode = here if field.stays(here) else field.mode_at_rest(still, constants)
+    at_rest = [*position.tolist(), *np.zeros(len(position))]
+    mode = field.initial_mode(at_rest, constants)
+    if not field.stays(mode):
+        mode = field.mode_at_rest(at_rest, constants)
     try:
         state = equilibrium_near(field, constants, position, mode)
     except ConvergenceError:
@@ -209,27 +206,27 @@ def rest_near(problem: Problem, position: FloatArray) -> Equilibrium | None:
 def equilibrium_near(
     field: Field, constants: Values, position: FloatArray, kept: Mode | None = None
 ) -> FloatArray:
-    """The state of rest that Newton's method finds from a place, in a mode that is kept, or in
-    those of the states.
+    """The state of rest found by Newton's method from a position, (2 n,).
+
+    In the mode ``kept``, or else in the mode of each iterate. Raises ConvergenceError if there is
+    none.
     """
     q, n = np.array(position, dtype=float), len(position)
-    # Steps of Newton's method, at most.
     most_steps = 40
-    # Newton's method has gone astray beyond this, in units of the motion.
+    # Newton's method has diverged beyond this, in units of the motion.
     far = 1e6
     for _ in range(most_steps):
         state = [*q.tolist(), *[0.0] * n]
         mode = kept or field.initial_mode(state, constants)
-        pull = field.rates(state, constants, mode)[n:]
-        slopes = field.matrix(state, constants, mode)[n:, :n]
-        try:  # along what holds nothing changes
-            # Singular values that are less than this share of the largest are 0
-            # where friction holds.
-            step = (
-                np.linalg.lstsq(slopes, -pull, 1e-10)[0]
-                if field.stays(mode)
-                else np.linalg.solve(slopes, -pull)
-            )
+        residual = field.rates(state, constants, mode)[n:]
+        jacobian = field.matrix(state, constants, mode)[n:, :n]
+        try:
+            if field.stays(mode):
+                # Friction holds a continuum of equilibria: take the nearest. The Jacobian's
+                # singular values along it are 0 up to rounding.
+                step = np.linalg.lstsq(jacobian, -residual, 1e-10)[0]
+            else:
+                step = np.linalg.solve(jacobian, -residual)
         except np.linalg.LinAlgError as error:
             raise ConvergenceError("there is no equilibrium near") from error
         q = q + step
@@ -241,65 +238,61 @@ def equilibrium_near(
 
 
 def _stays(statistics: MotionStatistics, rest: Equilibrium, noise: float, kinks: bool) -> bool:
-    """Whether as little is left as the linearization says: a cycle beside the equilibrium may be
-    small too, in the model's units.
+    """True if the deviation from an equilibrium is noise, or has decayed as the linearization
+    predicts. A small cycle around the equilibrium does not.
 
-    Beyond a kink the linearization says nothing, unless the decay is seen.
+    After crossing ``kinks`` the linearization does not hold: then a decay must be visible.
     """
     inverse = np.linalg.pinv(rest.vectors)
     before, after = (
         np.sum(np.abs(inverse @ (state - rest.state)) ** 2)
         for state in (statistics.first, statistics.last)
     )
-    noise *= _unit(rest)
-    # Squares that are larger than this many times what a linear decay leaves of them have
-    # not decayed.
-    left = 4.0 * before * math.exp(2 * rest.values.real.max() * (statistics.end - statistics.begin))
-    return bool(after <= noise**2 or (after <= left and (left < before or not kinks)))
+    noise *= _amplification(rest)
+    duration = statistics.end - statistics.begin
+    # Four times the squared deviation that a linear decay leaves.
+    bound = 4.0 * before * math.exp(2 * rest.values.real.max() * duration)
+    return bool(after <= noise**2 or (after <= bound and (bound < before or not kinks)))
 
 
 def _persists(statistics: MotionStatistics, rest: Equilibrium, noise: float) -> bool:
-    """Whether the motion has parts that nothing damps, as far as eigenvalues say, however small
-    they are beside the others.
-    """
+    """True if the motion has components in undamped modes above the noise."""
     inverse = np.linalg.pinv(rest.vectors)
-    parts = np.abs(inverse[rest.undamped] @ (statistics.last - rest.state))
-    return bool((parts > noise * _unit(rest)).any())
+    components = np.abs(inverse[rest.undamped] @ (statistics.last - rest.state))
+    return bool((components > noise * _amplification(rest)).any())
 
 
-def _unit(rest: Equilibrium) -> float:
-    """What the noise of a motion's states, of size 1 and more, is in parts of eigenvectors."""
+def _amplification(rest: Equilibrium) -> float:
+    """Factor from the relative noise of states to that of their components in eigenvectors."""
     return (1e-3 + magnitude(rest.state)) * float(np.linalg.norm(np.linalg.pinv(rest.vectors), 2))
 
 
 def _decays(statistics: MotionStatistics, rest: Equilibrium, fewest: int) -> bool:
-    """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within
-    a factor of two.
+    """True if the components of the motion in the eigenvectors decay as their eigenvalues predict,
+    within a factor of two of the rate.
 
-    The squares of the two halves are compared under Hann windows, which hide unfinished beats.
+    The mean squares over the first and the second half of the motion are compared, under Hann
+    windows, which suppress unfinished beats. At least about half of the ``fewest`` maxima must be
+    in each half.
     """
-    modes = np.abs(np.linalg.pinv(rest.vectors) @ (statistics.maxima - rest.state).T) ** 2
-    since = (
-        statistics.begin
-        if len(statistics.maxima_t) < KEPT_EXTREMA
-        else float(statistics.maxima_t[0])
-    )
-    window = statistics.end - since
-    share = (statistics.maxima_t - since) / window
+    squares = np.abs(np.linalg.pinv(rest.vectors) @ (statistics.maxima - rest.state).T) ** 2
+    begin = statistics.begin
+    if len(statistics.maxima_t) >= KEPT_EXTREMA:  # earlier maxima were dropped
+        begin = float(statistics.maxima_t[0])
+    window = statistics.end - begin
+    share = (statistics.maxima_t - begin) / window
     if not fewest // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - fewest // 2 + 1:
         return False
     hann = np.sin(2 * np.pi * share) ** 2
     first, second = (
-        (hann * part * modes).sum(axis=1) / (hann * part).sum()
-        for part in (share < 0.5, share >= 0.5)
+        (hann * half * squares).sum(axis=1) / (hann * half).sum()
+        for half in (share < 0.5, share >= 0.5)
     )
-    expected = first * np.exp(rest.values.real * window)  # two times half the window
+    # Squares decay twice as fast, over half the window.
+    expected = first * np.exp(rest.values.real * window)
     before, after, linear = first.sum(), second.sum(), expected.sum()
-    # A decay that is too slow to show in the window does not count: the first of the three
-    # conditions.
-    # Smallest decay of the squares over half a window that can be measured.
     return bool(
-        0 < linear < before * (1 - 1e-3)
+        0 < linear < before * (1 - 1e-3)  # else the decay is too slow or too fast to be measured
         and after > 0
         and 0.5 < np.log(after / before) / np.log(linear / before) < 2
     )

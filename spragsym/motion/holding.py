@@ -1,4 +1,10 @@
-"""Rest under a clock: friction holds a state in every phase, by forces enclosed over a turn."""
+"""Proof that friction holds a state of rest in every phase of a clock.
+
+A model with a clock is driven periodically. At rest only the clock's phase moves. Interval
+arithmetic encloses the forces over each of :data:`PHASES` parts of a period, with the coordinates
+in a box. The state is held if in each part the holding friction stays below its limit, the other
+contacts keep their modes, and vanishing sliding speeds leave no coordinate free to move.
+"""
 
 from __future__ import annotations
 
@@ -23,91 +29,95 @@ from ..statics.forces import as_intervals
 from ..statics.namespaces import XP
 from .scales import scales_of
 
-#: Parts of a turn of the clock over which forces are enclosed.
+#: Number of parts of a clock's period over which forces are enclosed.
 PHASES = 1024
 
 
 class _Enclosed(Intervals):
-    """Intervals that say to a field in which functions it is to be computed."""
+    """Intervals that bring the functions (sin, sqrt, ...) with which a field is evaluated."""
 
     namespace = XP
 
 
 def held_in_every_phase(field: Field, constants: Values, state: FloatArray) -> bool:
-    """Whether friction holds all coordinates but the clock's about a state, on belts that stand
-    still, in every phase; other contacts then keep their modes.
+    """True if friction is proved to hold all states near ``state`` at rest, in every phase of the
+    clock, and the other contacts to keep their modes.
+
+    False for a state whose rates are not negligible, and where the proof fails.
     """
-    n, still = len(field.coordinates), state.copy()
-    still[n:-1] = 0.0
+    n, at_rest = len(field.coordinates), state.copy()
+    at_rest[n:-1] = 0.0
     units = scales_of(field, constants, state.tolist()).states
-    # What is left of a motion that rests, in its units: all states within it are held.
-    left = 1e-9
-    if magnitude((state - still) / units) > left:
+    # Rates below this, in units of the motion, are taken for rest.
+    negligible = 1e-9
+    if magnitude((state - at_rest) / units) > negligible:
         return False
-    return held_along(field, constants, still, still, left * units[:n])
+    return held_along(field, constants, at_rest, at_rest, negligible * units[:n])
 
 
 def held_along(
-    field: Field, constants: Values, one: FloatArray, other: FloatArray, room: FloatArray
+    field: Field, constants: Values, one: FloatArray, other: FloatArray, radius: FloatArray
 ) -> bool:
-    """The same of all places within the room of the straight line between two states without
-    speeds.
+    """True if the proof succeeds for all states of rest on the straight segment from ``one`` to
+    ``other``, and around it up to ``radius`` (n,) in each coordinate.
     """
     n, mode = len(field.coordinates), field.initial_mode(one.tolist(), constants)
     if not field.stays(mode):
         return False
-    edges = np.linspace(0.0, rounded_outward(np.array(TURN)), PHASES + 1)
-    # Speeds are 0, and places and the clock's rate known to within the room.
-    reach = np.zeros(one.size)
-    reach[:n] = room
-    # Parts of a line between two places over which they are.
-    pieces = np.linspace(one, other, 2 if (one == other).all() else 33)
-    given = [
+    phases = np.linspace(0.0, rounded_outward(np.array(TURN)), PHASES + 1)
+    margin = np.zeros(one.size)  # rates are exact
+    margin[:n] = radius
+    # Shorter pieces of the segment give smaller boxes, and so tighter enclosures.
+    nodes = np.linspace(one, other, 2 if (one == other).all() else 33)
+    enclosed_constants = [
         Intervals(rounded_outward(np.array([[-number], [number]]), 64.0)) if number else number
         for number in constants
     ]
-    # Of the halves of a part, generously.
+    # More than the relative rounding error of a half-width.
     rounding = 1e-9
-    for begin, end in pairwise(pieces):
+    for begin, end in pairwise(nodes):
         middle, half = (begin + end) / 2, np.abs(end - begin) / 2
         ends = ends_around(
-            np.repeat(middle[:, None], PHASES, axis=1), (reach + half * (1 + rounding))[:, None]
+            np.repeat(middle[:, None], PHASES, axis=1), (margin + half * (1 + rounding))[:, None]
         )
-        ends[:, n - 1] = -edges[:-1], edges[1:]
-        enclosures = [_Enclosed(row) for row in np.moveaxis(ends, 1, 0)]
-        if not (
-            _is_held(field, mode, enclosures, given) and _stills(field, mode, enclosures, given)
-        ):
+        ends[:, n - 1] = -phases[:-1], phases[1:]
+        boxes = [_Enclosed(row) for row in np.moveaxis(ends, 1, 0)]
+        if not _keeps_mode(field, mode, boxes, enclosed_constants):
+            return False
+        if not _has_full_rank(field, mode, boxes, enclosed_constants):
             return False
     return True
 
 
-def _stills(field: Field, mode: Mode, states: Sequence[Any], given: Sequence[Any]) -> bool:
-    """Whether over boxes of states nothing moves but the clock where the sliding speeds that are
-    held are 0: their derivatives A by the rates have full rank. That is so where |1 − R A| < 1 for
-    any R; it is found in floats, of the middles with rows and columns of the size 1, and what is
-    less than 1/2 is less than 1 whatever the rounding of a sum.
+def _has_full_rank(field: Field, mode: Mode, states: Sequence[Any], given: Sequence[Any]) -> bool:
+    """True if vanishing sliding speeds leave only the clock moving, over boxes of states.
+
+    The matrix A of the derivatives of the held sliding speeds by the rates must have full column
+    rank. That is so if ‖1 − R A‖ < 1 for some matrix R; here R is an approximate pseudo-inverse of
+    the midpoint of A, whose rows and columns are scaled to size 1. The norm is required to be
+    below 1/2, which covers the rounding of the sums.
     """
     n, stays = len(field.coordinates), [each for each in field.stays(mode) if each.slopes]
     with quiet():
         rows = [each.slopes(states, given, mode)[n : 2 * n - 1] for each in stays if each.slopes]
         entries = stacked([entry for row in rows for entry in row], (PHASES,))
         middle = entries.middle[:, 0].reshape(len(rows), n - 1)
-        sizes = np.abs(middle).max(axis=1, keepdims=True, initial=NEGLIGIBLE)
-        widths = np.abs(middle / sizes).max(axis=0, initial=NEGLIGIBLE)
-        widths = np.exp2(np.round(np.log2(widths)))  # so that quotients are exact
-        inverse, off = np.linalg.pinv(middle / sizes / widths) / sizes.T, np.zeros((n - 1, PHASES))
+        row_sizes = np.abs(middle).max(axis=1, keepdims=True, initial=NEGLIGIBLE)
+        column_sizes = np.abs(middle / row_sizes).max(axis=0, initial=NEGLIGIBLE)
+        column_sizes = np.exp2(np.round(np.log2(column_sizes)))  # powers of 2 divide exactly
+        inverse = np.linalg.pinv(middle / row_sizes / column_sizes) / row_sizes.T
+        norms = np.zeros((n - 1, PHASES))
         for i, j in np.ndindex(n - 1, n - 1):
-            total = Intervals.point(np.full(PHASES, -1.0 * (i == j)))
+            entry = Intervals.point(np.full(PHASES, -1.0 * (i == j)))
             for k in range(len(rows)):
-                total = total + entries[k * (n - 1) + j] * float(inverse[i, k] / widths[j])
-            off[i] = off[i] + total.magnitude
-    return bool((off < 0.5).all())
+                entry = entry + entries[k * (n - 1) + j] * float(inverse[i, k] / column_sizes[j])
+            norms[i] = norms[i] + entry.magnitude
+    return bool((norms < 0.5).all())
 
 
-def _is_held(field: Field, mode: Mode, states: Sequence[Any], given: Sequence[Any]) -> bool:
-    """Whether a mode lasts over boxes of states: what stays on a border is on it, and all else is
-    inside.
+def _keeps_mode(field: Field, mode: Mode, states: Sequence[Any], given: Sequence[Any]) -> bool:
+    """True if a mode lasts over boxes of states: they lie on each border on which the mode stays,
+    and inside all others.
     """
     stays = field.stays(mode)
     with quiet():
@@ -116,9 +126,8 @@ def _is_held(field: Field, mode: Mode, states: Sequence[Any], given: Sequence[An
             if border in stays:
                 if as_intervals(level, (PHASES,)).magnitude.max() > NEGLIGIBLE:
                     return False
-            elif (
-                border.kink
-                and not (as_intervals(level * border.sign(mode), (PHASES,)).low > 0).all()
-            ):
-                return False
+            elif border.kink:
+                inside = as_intervals(level * border.sign(mode), (PHASES,))
+                if not (inside.low > 0).all():
+                    return False
     return True

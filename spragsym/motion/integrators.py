@@ -1,8 +1,10 @@
-"""The available integrators, and the choice between them.
+"""Choice of an integrator (backend), and what is asked of one: a motion, statistics of many
+motions, or the flow map.
 
-All are existing methods, restarted wherever the field of (8)–(11) has a kink: they integrate the
-analytic continuation of one mode of the field (:mod:`~spragsym.motion.problem`), find where the
-motion leaves it, and go on in the next.
+All backends are existing methods that are restarted at every kink of the field: they integrate the
+analytic continuation of one mode (:mod:`~spragsym.motion.problem`), locate where the motion leaves
+it, and continue in the next mode. Problems are converted to the motion's own units first
+(:mod:`~spragsym.motion.scales`). If the steps of an explicit method collapse, Radau takes over.
 """
 
 from __future__ import annotations
@@ -31,27 +33,27 @@ from .scales import MotionScales
 from .solution import FlowMap, FlowResult, Solution, events_of, without_chatter
 from .with_scipy import RTOL, Flight
 
-#: In the order in which they are preferred.
+#: All backends, in the order of preference.
 BACKENDS = ("heyoka", "compiled", "scipy")
 
-#: Those that take the field of any model; what is compiled on installation is the article's.
+#: Backends for any model; "compiled" is for the article's only.
 OF_ANY_MODEL = ("heyoka", "scipy")
 
 
-#: No directions of parameters.
+#: No directions in the space of parameters.
 NONE = np.empty((0, 0))
 
 
 def offered_for(model: Model) -> tuple[str, ...]:
-    """Integrators that take its motion: what is compiled on installation is that of a model that
-    brings its own.
-    """
+    """Backends that can integrate the motion of a model."""
     return OF_ANY_MODEL if model.closed_form("integrate") is None else BACKENDS
 
 
 def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
-    """The backend that will run: the first of those offered that is there, or the one that is
-    named, or an error.
+    """The named backend, or the first of those offered that is installed.
+
+    Raises ParameterError for an unknown name, MissingExtraError or BackendError for a backend that
+    is not installed.
     """
     if backend is None:
         return next(name for name in offered if is_there(name))
@@ -72,28 +74,27 @@ def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
 
 
 def is_there(backend: str) -> bool:
+    """True if a backend is installed."""
     if backend == "compiled":
         return with_compiled.available()
     return backend != "heyoka" or importlib.util.find_spec("heyoka") is not None
 
 
 def version(backend: str) -> str:
-    """Name and version of the integrator, which decide the last bits of a result."""
+    """Name and version of a backend, which determine the last bits of a result."""
     if backend == "compiled":
         return with_compiled.version()
     return f"{backend} {importlib.metadata.version(backend)}"
 
 
 def integrate(problem: Problem, backend: str) -> Solution:
-    """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``; by Radau where
-    steps collapse.
-    """
+    """Integrate a problem from 0 to ``t_end``: the motion from ``t_record`` on, without chatter."""
     reuse_memory()
     scales = problem.own_scales
     if not scales.trivial:
         return scales.solution(integrate(scales.problem(problem), backend))
     if problem.scales and backend == "compiled":
-        backend = "scipy"  # which makes the same steps, and takes a field in any units
+        backend = "scipy"  # makes the same steps, and accepts a field in any units
     try:
         integrators = {
             "heyoka": with_heyoka,
@@ -109,12 +110,11 @@ def integrate(problem: Problem, backend: str) -> Solution:
 
 
 def measure(problems: Sequence[Problem], backend: str) -> list[MotionStatistics | Exception]:
-    """Measures of motions after ``t_record``, from their samples, or the reason why there are none.
+    """Statistics of each motion after ``t_record``, or the error with which it failed.
 
-    The problems share all but their constants and starts.
-
-    heyoka measures while it integrates, but where steps collapse, and where a motion may rest on a
-    border, whose crossings only the samples tell from chatter.
+    The problems may differ in their constants and starts only. heyoka accumulates the statistics
+    during the integration, except for stiff motions and those that may rest on a border, where only
+    samples distinguish crossings from chatter. All other statistics are computed from samples.
     """
     found: list[Any] = [None] * len(problems)
     rows = list(range(len(problems)))
@@ -133,28 +133,30 @@ def measure(problems: Sequence[Problem], backend: str) -> list[MotionStatistics 
 
 
 def _watched(problems: Sequence[Problem]) -> tuple[list[Any], list[int]]:
-    """:func:`with_heyoka.measured`, of all motions of one scale at a time."""
+    """:func:`with_heyoka.measured` for each group of motions with the same scales: statistics, and
+    indices of the motions that need samples.
+    """
     groups: dict[MotionScales, list[int]] = {}
     for row, problem in enumerate(problems):
         groups.setdefault(problem.own_scales, []).append(row)
-    found, again = list[Any]([None] * len(problems)), list[int]()
+    found, need_samples = list[Any]([None] * len(problems)), list[int]()
     for scales, rows in groups.items():
-        own = [problems[row] for row in rows]
+        group = [problems[row] for row in rows]
         if not scales.trivial:
-            own = [scales.problem(each) for each in own]
-        measured, left = with_heyoka.measured(own)
+            group = [scales.problem(each) for each in group]
+        measured, unmeasured = with_heyoka.measured(group)
         for row, statistics in zip(rows, measured, strict=True):
             found[row] = statistics
             if isinstance(statistics, MotionStatistics) and not scales.trivial:
                 found[row] = scales.statistics(statistics)
-        again += [rows[i] for i in left]
-    return found, sorted(again)
+        need_samples += [rows[i] for i in unmeasured]
+    return found, sorted(need_samples)
 
 
 @dataclass(frozen=True)
 class Flow:
-    """A field and an integrator, with options of closed orbits; ``other`` carries derivatives in
-    the integrator's place.
+    """The flow of a field by a backend, with options of shooting; ``other`` replaces
+    :meth:`flow_map`.
     """
 
     field: Field
@@ -164,14 +166,14 @@ class Flow:
 
     @classmethod
     def of(cls, field: Field, backend: str | None, options: ShootingOptions | None = None) -> Flow:
-        """The flow of a field by a backend that takes any model."""
+        """The flow of a field by the named backend, or the first one installed."""
         return cls(field, choose(backend, OF_ANY_MODEL), options=options or ShootingOptions())
 
     def flow_map(
         self, state: FloatArray, constants: Values, duration: float, directions: FloatArray = NONE
     ) -> FlowResult:
-        """Carry a state on for a while, with derivatives by it and along ``directions`` of the
-        parameters, shape (k, P).
+        """The state after a duration, with derivatives by the initial state and along
+        ``directions`` of the parameters, shape (k, P).
         """
         if self.other:
             return self.other(state, constants, duration, directions)
@@ -185,10 +187,9 @@ class Flow:
     def plain(
         self, state: FloatArray, constants: Values, duration: float, *, loose: bool = False
     ) -> FlowResult:
-        """Carry a state on without derivatives; ``loose``: only as accurately as Newton's method
-        needs to begin.
+        """The state after a duration, without derivatives; ``loose``: with the lower accuracy that
+        suffices for a first guess of Newton's method.
         """
-        # Tolerance by which SciPy follows a motion to where Newton's method can begin.
         return self._asked(
             lambda integrator: integrator.flow_map(),
             MotionScales.flow_result,
@@ -196,7 +197,7 @@ class Flow:
         )
 
     def samples(self, start: FloatArray, constants: Values, t_end: float) -> PiecewisePolynomial:
-        """A motion by its samples."""
+        """The motion from a state to time ``t_end``, as a piecewise polynomial."""
         return self._asked(
             lambda integrator: integrator.motion().samples,
             MotionScales.samples,
@@ -216,8 +217,9 @@ class Flow:
         problem: Problem,
         directions: FloatArray | None = None,
     ) -> T:
-        """Answer of an integrator, ``back`` in the field's units; of an implicit one where steps
-        collapse. heyoka has tolerances of its own.
+        """Apply ``ask`` to the integrator of a problem in the motion's own units, and convert the
+        result ``back`` to the field's units. Radau is used if the problem is stiff. heyoka has
+        tolerances of its own.
         """
         scales = problem.own_scales
         if not scales.trivial:

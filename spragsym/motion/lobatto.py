@@ -1,5 +1,5 @@
-"""Polynomials step by step, each by its values at the Gauss–Lobatto points of its step: values,
-integrals, zeros.
+"""Piecewise polynomials, one per step of an integrator, given by their values at the step's
+Gauss–Lobatto points: interpolation, quadrature, zeros.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from numpy.polynomial import legendre
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import IndexArray
 
-#: Polynomial degree of a stored step: 12 holds a Taylor step of order 20 to rounding; DOP853's is
-#: 7.
+#: Degree of the polynomial of a step: 12 represents a Taylor step of order 20 up to rounding, and
+#: DOP853's dense output has degree 7.
 DEGREE = 12
 
 
@@ -34,7 +34,7 @@ def unit_points() -> FloatArray:
 
 
 def sample_times(begin: FloatArray | float, end: FloatArray | float) -> FloatArray:
-    """The Lobatto points of a step, or of each of many."""
+    """Lobatto points of the step from ``begin`` to ``end``, or of many steps: (…, DEGREE + 1)."""
     t: FloatArray = (
         np.asarray(end - begin)[..., None] * unit_points() + np.asarray(begin)[..., None]
     )
@@ -44,8 +44,8 @@ def sample_times(begin: FloatArray | float, end: FloatArray | float) -> FloatArr
 
 @dataclass(frozen=True)
 class PiecewisePolynomial:
-    """States over time, polynomials by ``states`` (2 n, k) at the Lobatto points ``t`` of all
-    steps; steps share a sample.
+    """A vector function of time, given by samples ``states`` (2 n, k) at the Lobatto points ``t``
+    of all steps; neighbouring steps share a sample.
     """
 
     t: FloatArray
@@ -57,7 +57,7 @@ class PiecewisePolynomial:
         return self.t[::DEGREE]
 
     def __call__(self, times: FloatArray) -> FloatArray:
-        """States at times, which are not checked, shape (4, …)."""
+        """Values at times, shape (2 n, …); times outside are extrapolated."""
         return self.at(self.step_of(times), times)
 
     def step_of(self, times: FloatArray) -> IndexArray:
@@ -65,26 +65,24 @@ class PiecewisePolynomial:
         return np.clip(np.searchsorted(self.steps, times, side="right") - 1, 0, len(self.steps) - 2)
 
     def at(self, step: IndexArray, times: FloatArray) -> FloatArray:
-        """States at times within given steps, by Lagrange's polynomials in barycentric form."""
+        """Values at times within given steps, by barycentric Lagrange interpolation."""
         points, weights = lobatto()
         index = step[..., None] * DEGREE + np.arange(DEGREE + 1)
         begin, end = self.t[index[..., 0]], self.t[index[..., -1]]
         distance = (2 * (times - begin) / (end - begin) - 1)[..., None] - points
         hit = distance == 0
+        # Barycentric weights of Gauss–Lobatto points: ±√(quadrature weight).
         share = np.sqrt(weights) * (-1.0) ** np.arange(len(points)) / np.where(hit, 1.0, distance)
         share = np.where(hit.any(axis=-1, keepdims=True), hit, share)
         return (self.states[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)
 
     def slopes(self, row: int) -> FloatArray:
-        """Derivative of a component at the samples; where two steps meet that of the later one."""
+        """Time derivative of a component at the samples; at the end of a step that of the next."""
         points, _ = lobatto()
-        derivatives = legendre.legval(
-            points, legendre.legder(np.linalg.inv(legendre.legvander(points, DEGREE)))
-        )
-        inside = self.states[
-            row, np.arange(len(self.steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)
-        ]
-        slopes = inside @ derivatives * (2 / np.diff(self.steps))[:, None]
+        to_coefficients = np.linalg.inv(legendre.legvander(points, DEGREE))
+        to_derivatives = legendre.legval(points, legendre.legder(to_coefficients))
+        of_steps = np.arange(len(self.steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)
+        slopes = self.states[row, of_steps] @ to_derivatives * (2 / np.diff(self.steps))[:, None]
         return np.append(slopes[:, :-1].ravel(), slopes[-1, -1])
 
     def after(self, begin: float) -> PiecewisePolynomial:
@@ -98,7 +96,9 @@ class PiecewisePolynomial:
         return PiecewisePolynomial(np.concatenate([t[:-1], self.t[end:]]), states)
 
     def passages(self, row: int, sign: int) -> FloatArray:
-        """Times where a component, times a sign, ceases to be negative: Illinois method."""
+        """Times at which sign × component becomes non-negative, by the Illinois method (regula
+        falsi) in all brackets at once.
+        """
         values = sign * self.states[row]
         (first,) = np.nonzero((values[:-1] < 0) & (values[1:] >= 0))
         step, low, high = first // DEGREE, self.t[first], self.t[first + 1]
@@ -111,8 +111,8 @@ class PiecewisePolynomial:
             value = sign * self.at(step, root)[row]
             left, before = value < 0, side
             side = np.where(left, -1.0, 1.0)
-            # Where an end of the interval stays twice in a row, its value is halved: that draws the
-            # next root to its side.
+            # If an end of the bracket stays twice in a row, its value is halved, which moves the
+            # next iterate towards it.
             halved = np.where(side == before, 0.5, 1.0)
             above = np.where(left, halved * above, value)
             below = np.where(left, value, halved * below)
@@ -122,9 +122,7 @@ class PiecewisePolynomial:
         return root
 
     def zeros(self) -> FloatArray:
-        """Times where the first component passes 0, first those at which it ceases to be
-        negative.
-        """
+        """Times at which the first component passes 0: first all upward, then all downward."""
         return np.concatenate([self.passages(0, sign) for sign in (1, -1)])
 
     def turns(self, row: int) -> FloatArray:
@@ -132,9 +130,7 @@ class PiecewisePolynomial:
         return PiecewisePolynomial(self.t, self.slopes(row)[None]).zeros()
 
     def weights(self) -> FloatArray:
-        """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over
-        time.
-        """
+        """Quadrature weights, (k,): the integral of f over time is ``(weights * f).sum()``."""
         weights = np.zeros_like(self.t)
         for j, weight in enumerate(lobatto()[1]):
             weights[j : len(self.t) - DEGREE + j : DEGREE] += weight * np.diff(self.steps) / 2

@@ -1,5 +1,6 @@
-"""Quantities measured on a motion while it runs, or from its samples afterwards: averages, turning
-points, frequencies.
+"""Statistics of a motion (extrema, averages, event counts), and its amplitude spectrum.
+
+Statistics are accumulated during an integration by heyoka, or computed from samples.
 """
 
 import math
@@ -15,21 +16,34 @@ from ..numerics.vectors import makes_turns
 from ..results.result import Result
 from .lobatto import PiecewisePolynomial
 
-#: Turning points that are kept of a motion, the latest: what is known of it needs no more memory
-#: the longer it runs.
+#: Number of extrema of a kind that are kept, the latest: so the memory for a motion is bounded.
 KEPT_EXTREMA = 5000
 
 
 @dataclass(frozen=True)
 class MotionStatistics:
-    """Quantities measured on a motion while it runs; its steps are not kept, nor turning points
-    before the latest KEPT_EXTREMA of a kind.
+    """Statistics of a motion with n coordinates, of which x, with index ``lead``, is the leading
+    one.
 
-    States ``first`` (2 n,) at ``begin``, ``last`` at ``end``, ``maxima`` (k, 2 n) at ``maxima_t``
-    where the leading coordinate x is largest, ``minima`` (l, 2 n), ``passages`` (j, 2 n) at
-    ``passages_t`` of an x that comes around through whole turns; ``integrals`` (n + 1,) over time:
-    of u = x − x(begin), of u², and of the other coordinates; how many ``events`` (4,) of each kind;
-    least and largest x, ``reach``; the place of x, ``lead``.
+    Attributes
+    ----------
+    begin, end : float
+        Times.
+    first, last : ndarray, shape (2 n,)
+        States at these times.
+    maxima_t, maxima : ndarray, shapes (k,) and (k, 2 n)
+        Times and states of the latest maxima of x, KEPT_EXTREMA at most.
+    integrals : ndarray, shape (n + 1,)
+        Integrals over time of u = x − x(begin), of u², and of the other coordinates.
+    minima : ndarray, shape (l, 2 n)
+        States of the latest minima of x.
+    events : ndarray
+        Number of events of each kind.
+    reach : tuple of float
+        Smallest and largest x.
+    passages_t, passages : ndarray, shapes (j,) and (j, 2 n)
+        Times and states at which a periodic x passes a whole turn.
+    lead : int
     """
 
     begin: float
@@ -47,7 +61,7 @@ class MotionStatistics:
     lead: int
 
     def moments(self) -> tuple[float, float]:
-        """Mean of x and root mean square about it."""
+        """Mean and standard deviation of x."""
         shift, square, *_ = self.integrals / (self.end - self.begin)
         return float(self.first[self.lead] + shift), math.sqrt(max(square - shift * shift, 0.0))
 
@@ -61,41 +75,38 @@ class MotionStatistics:
 def statistics_of(
     samples: PiecewisePolynomial, events: IndexArray, field: Field
 ) -> MotionStatistics:
-    """Statistics of a motion of a field given by its samples, and the number of events of each
-    kind.
-    """
+    """Statistics of a motion given by samples and the number of ``events`` of each kind."""
     t, states, lead = samples.t, samples.states, field.lead
     n, x = len(states) // 2, states[lead]
     shift, others = x - x[0], np.delete(states[:n], lead, axis=0)
-    lowest, highest = (samples.passages(n + lead, sign) for sign in (1, -1))
-    maxima, minima = samples(highest).T, samples(lowest).T
+    minima_t, maxima_t = (samples.passages(n + lead, sign) for sign in (1, -1))
+    maxima, minima = samples(maxima_t).T, samples(minima_t).T
     extrema = np.concatenate([x[[0, -1]], maxima[:, lead], minima[:, lead]])
-    late = highest[-KEPT_EXTREMA:]
-    turning = PiecewisePolynomial(t, np.sin(x[None] / 2))
-    passed = np.sort(turning.zeros() if makes_turns(lead, field.periodic) else late[:0])[
-        -KEPT_EXTREMA:
-    ]
+    passages_t = np.empty(0)
+    if makes_turns(lead, field.periodic):
+        half_turns = PiecewisePolynomial(t, np.sin(x[None] / 2))
+        passages_t = np.sort(half_turns.zeros())[-KEPT_EXTREMA:]
     return MotionStatistics(
         float(t[0]),
         float(t[-1]),
         states[:, 0],
         states[:, -1],
-        late,
+        maxima_t[-KEPT_EXTREMA:],
         maxima[-KEPT_EXTREMA:],
         np.array([shift, shift**2, *others]) @ samples.weights(),
         minima[-KEPT_EXTREMA:],
         events,
         (float(extrema.min()), float(extrema.max())),
-        passed,
-        samples(passed).T,
+        passages_t,
+        samples(passages_t).T,
         lead,
     )
 
 
 @dataclass(frozen=True, eq=False)
 class Spectrum(Result):
-    """Amplitudes over frequency, in cycles per unit of time: a sine of amplitude A has the peak A,
-    if it lies on a bin.
+    """Amplitude spectrum over frequency, in cycles per unit of time. A sine of amplitude A has the
+    peak A if its frequency is on a bin.
     """
 
     schema = (Column("frequency", "1/s", "cycles per unit of time"),)
@@ -104,8 +115,8 @@ class Spectrum(Result):
     amplitude: FloatArray
 
     def peak(self) -> float:
-        """The frequency of the largest amplitude, between the bins by a parabola through three
-        logarithms.
+        """Frequency of the largest amplitude, interpolated between bins by a parabola through the
+        logarithms of three amplitudes.
         """
         k = int(np.argmax(self.amplitude))
         step = float(self.frequency[1] - self.frequency[0])
@@ -117,15 +128,14 @@ class Spectrum(Result):
 
 
 def spectrum_of(samples: PiecewisePolynomial, row: int, points: int) -> Spectrum:
-    """The amplitude spectrum of one component, about its mean, with Hann's window."""
-    # Most points at equal steps that a motion is sampled at.
-    most = 2**20
-    points = as_count("points", points, 16, most)
+    """Amplitude spectrum of one component about its mean, from equidistant points, with Hann's
+    window.
+    """
+    points = as_count("points", points, 16, 2**20)
     t = np.linspace(samples.t[0], samples.t[-1], points, endpoint=False)
     values = samples(t)[row]
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(points) / points)
-    amplitude = (
-        2 * np.abs(np.fft.rfft((values - (window @ values) / window.sum()) * window)) / window.sum()
-    )
+    deviation = values - (window @ values) / window.sum()
+    amplitude = 2 * np.abs(np.fft.rfft(deviation * window)) / window.sum()
     frequency = np.asarray(np.fft.rfftfreq(points, float(t[1] - t[0])), dtype=float)
     return Spectrum(frequency, np.asarray(amplitude, dtype=float))

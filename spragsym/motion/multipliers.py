@@ -1,12 +1,13 @@
-"""Floquet multipliers from the mesh intervals of a closed orbit, and test functions: each passes
-zero at a bifurcation of the orbit.
+"""Floquet multipliers of a closed orbit, and test functions that vanish at its bifurcations.
 
-The monodromy matrix is a product of the intervals' derivatives. Multiplied out, multipliers below
-10⁻¹⁶ of the largest drown in its rounding; so the product is brought to triangular form interval by
-interval (the periodic QR algorithm: A. Bojanczyk, G. Golub, P. Van Dooren 1992; K. Lust 2001), once
-the flow's own direction, whose multiplier is 1, has been projected off each. So small ones
-keep their digits beside large ones. Test functions are products over multipliers, every factor
-divided by its size, so that one of 10¹⁰ hides nothing of the others.
+The monodromy matrix is the product of the derivatives of the flow over the mesh intervals. If it
+were multiplied out, rounding would destroy multipliers below 10⁻¹⁶ of the largest. So the periodic
+QR algorithm (A. Bojanczyk, G. Golub, P. Van Dooren 1992; K. Lust 2001) makes the factors triangular
+without forming the product. The direction of the flow, whose multiplier is 1, is projected out of
+each factor first.
+
+A test function is a product over the multipliers. Each factor is divided by its size, so that a
+multiplier of 10¹⁰ does not hide the others.
 """
 
 from __future__ import annotations
@@ -28,11 +29,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Multipliers:
-    """Multipliers of a closed orbit, (m − 1,), largest first, but for the ``trivial`` one of the
-    flow's own direction.
+    """Floquet multipliers of a closed orbit.
 
-    That is 1 but for what the derivatives of the intervals have lost. The ``errors`` are estimates:
-    how far the others move if each interval errs by as much as it errs along the flow.
+    ``trivial`` is the multiplier along the flow, which is 1 up to errors. ``others``, (m − 1,), are
+    sorted by modulus, largest first. ``errors`` are estimates: the changes of the multipliers when
+    each factor is perturbed by the error that it has along the flow.
     """
 
     trivial: float
@@ -41,65 +42,62 @@ class Multipliers:
 
     @property
     def values(self) -> ComplexArray:
-        """All of them, the trivial one first."""
+        """All multipliers, (m,), the trivial one first."""
         return np.concatenate([[complex(self.trivial)], self.others])
 
 
 def multipliers_of(intervals: Sequence[FloatArray], flows: Sequence[FloatArray]) -> Multipliers:
-    """Multipliers of the product of the intervals' derivatives, ``flows`` the field at the
-    beginning of each.
+    """Multipliers from the derivatives of the flow over the mesh intervals, (m, m) each; ``flows``,
+    (m,) each, are the field at their beginnings.
     """
-    units = [flow / norm(flow) for flow in flows]
-    bases = [np.linalg.qr(unit[:, None], mode="complete")[0][:, 1:] for unit in units]
+    tangents = [flow / norm(flow) for flow in flows]
+    bases = [np.linalg.qr(unit[:, None], mode="complete")[0][:, 1:] for unit in tangents]
     parts, trivial, errors = [], 1.0, []
     for i, interval in enumerate(intervals):
         after = (i + 1) % len(intervals)
-        carried, due, size = interval @ flows[i], flows[after], float(np.linalg.norm(interval, 2))
-        trivial *= float(units[after] @ carried) / norm(due)
-        # Errors of an interval's derivative are at least this, in its own size.
-        errors.append(max(2e-15, norm(carried - due) / (size * norm(flows[i]))))
+        mapped, exact, size = interval @ flows[i], flows[after], float(np.linalg.norm(interval, 2))
+        trivial *= float(tangents[after] @ mapped) / norm(exact)
+        # Relative error of the interval's derivative, at least that of rounding.
+        errors.append(max(2e-15, norm(mapped - exact) / (size * norm(flows[i]))))
         parts.append(bases[after].T @ interval @ bases[i])
     values = eigenvalues_of_product(parts)
     values = values[np.lexsort((-values.imag, -values.real, -np.abs(values)))]
     moved, rng = np.zeros(len(values)), np.random.default_rng(0)
-    # Trials that tell how far multipliers move if derivatives err at random by their errors.
-    for _ in range(3):
-        off = [
+    for _ in range(3):  # random perturbations
+        perturbed = [
             part + error * np.linalg.norm(interval, 2) * rng.choice([-1.0, 1.0], part.shape)
             for part, interval, error in zip(parts, intervals, errors, strict=True)
         ]
-        other = eigenvalues_of_product(off)
+        other = eigenvalues_of_product(perturbed)
         for i, value in enumerate(values):
             nearest = int(np.argmin(np.abs(other - value)))
             moved[i] = max(moved[i], abs(other[nearest] - value))
             other = np.delete(other, nearest)
-    # What the largest move is multiplied with.
+    # A safety factor of 3, as there are few trials.
     return Multipliers(trivial, values, 3.0 * moved)
 
 
 def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
-    """Eigenvalues of parts[-1] … parts[1] parts[0], each to digits of its own.
+    """Eigenvalues of parts[-1] … parts[1] parts[0], each with a small relative error.
 
-    Rounds of QR turn the factors triangular; where that is reached, the product falls into blocks
-    whose eigenvalues differ much in size, and each block is multiplied out by itself.
+    Iterations of the periodic QR algorithm make the factors block triangular, with blocks whose
+    eigenvalues differ much in size. Each block is then multiplied out.
     """
     size = len(parts[0])
     product = parts[0]
     for part in parts[1:]:
         product = part @ product
-    # A product no larger than this is multiplied out: its smallest multiplier loses no more
-    # than these digits.
+    # Multiplied out, a product of this norm loses three digits of its smallest eigenvalue.
     if size < 2 or len(parts) < 2 or norm(product) < 1e3:
         return np.linalg.eigvals(product).astype(complex)
     basis, cuts, before = np.eye(size), [0, size], -1
-    # Rounds of the periodic QR algorithm, at most.
     for _ in range(12):
         start, factors = basis, []
         for part in parts:
             basis, factor = np.linalg.qr(part @ basis)
             factors.append(factor)
         turned = start.T @ basis
-        # Numbers below the diagonal up to this count as 0.
+        # The product is block triangular where this rotation is, up to rounding.
         cuts = [0, *(j for j in range(1, size) if magnitude(turned[j:, :j]) < 1e-14), size]
         if len(cuts) == size + 1 or (before == len(cuts) and before > 2):
             break
@@ -113,18 +111,20 @@ def eigenvalues_of_product(parts: Sequence[FloatArray]) -> ComplexArray:
     return np.concatenate(found).astype(complex)
 
 
-#: Kinds of event that a test function tells.
+#: Bifurcations that have a test function.
 CRITERIA = ("fold", "period_doubling", "torus")
 
 
 def _pairs(orbit: Orbit) -> tuple[Any, Any]:
-    """Places of the first and of the second of all pairs of multipliers."""
+    """Indices of the first and of the second multiplier of all pairs."""
     return np.triu_indices(len(orbit.multipliers.others), 1)
 
 
 def _factors(orbit: Orbit, kind: str) -> tuple[ComplexArray, FloatArray]:
-    """The factors of a test function, 1 ± a multiplier or 1 − a product of two, scaled to size 1 at
-    most, and their errors.
+    """Factors of a test function, scaled to at most 1, and their errors.
+
+    They are 1 − λ for a fold, 1 + λ for a period doubling, 1 − λμ for a torus, over all multipliers
+    λ or pairs of these.
     """
     values, moved = orbit.multipliers.others, orbit.multipliers.errors
     if kind == "torus":
@@ -136,26 +136,24 @@ def _factors(orbit: Orbit, kind: str) -> tuple[ComplexArray, FloatArray]:
 
 
 def criterion_of(kind: str, orbit: Orbit) -> float:
-    """Passes zero at a fold, where a multiplier is 1, at a period doubling, where one is −1, and
-    where the product of two is 1.
+    """Test function of a bifurcation: it changes sign where a multiplier is 1 (fold) or −1 (period
+    doubling), or where the product of two is 1 (torus).
 
-    That is a torus, if they are complex; nothing, if they are real.
+    The last is a torus bifurcation only if the two are complex: see :func:`is_complex_pair`.
     """
     return float(np.prod(_factors(orbit, kind)[0]).real)
 
 
 def unsure(orbit: Orbit, kind: str) -> float:
-    """Error of a test function: by how much it grows where all of its factors are larger by
-    theirs.
-    """
+    """Error bound of a test function, from the errors of its factors."""
     factors, errors = _factors(orbit, kind)
     sizes = np.abs(factors)
     return float(np.prod(sizes + errors) - np.prod(sizes))
 
 
 def is_complex_pair(orbit: Orbit) -> bool:
-    """Whether the two multipliers whose product is nearest to 1 are a complex pair, by more than
-    their errors.
+    """True if the two multipliers whose product is nearest to 1 are a complex pair, beyond their
+    errors.
     """
     found, nearest = orbit.multipliers, np.argmin(np.abs(_factors(orbit, "torus")[0]))
     one = _pairs(orbit)[1][nearest]

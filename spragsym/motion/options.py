@@ -9,31 +9,32 @@ from ..core.options import Options, limit, option
 
 @dataclass(frozen=True)
 class ShootingOptions(Options):
-    """Options of closed orbits by multiple shooting: Newton's method on the states between equal
-    mesh intervals of one round, and the period. Numbers are in units of the motion.
+    """Options of multiple shooting: Newton's method for a closed orbit. The unknowns are the states
+    at the beginning of equal mesh intervals, and the period. Numbers are in the motion's own units
+    (:mod:`spragsym.motion.scales`).
 
     Parameters
     ----------
     steps : int
-        Most steps of Newton's method.
+        Maximum number of Newton steps.
     last_step : float
-        Step that ends it, over the largest number of the orbit.
+        Newton's method has converged when its step is this small, relative to the orbit.
     closed : float
-        Gap that an orbit may leave open, over the largest number of its states.
+        Largest gap between neighbouring mesh intervals of a solution, relative to its states.
     first_intervals, intervals : int
-        Most mesh intervals of a first guess, and of an orbit.
+        Maximum number of mesh intervals of a first guess, and of an orbit.
     growth : float
-        Growth of deviations over one mesh interval beyond which it is halved.
+        Mesh intervals are halved while deviations grow by more than this factor over one of them.
     trivial : float
-        Largest distance of the trivial multiplier from 1: with a larger one the derivatives of the
-        flow are not resolved, and there is no answer.
+        Largest error of the trivial multiplier, which is 1. Beyond it the derivatives of the flow
+        are too inaccurate, and no orbit is returned.
     neutral : float
-        Distance of a multiplier's size from 1 within which it decides nothing about stability.
+        Multipliers whose modulus differs from 1 by less than this do not decide stability.
     moves : float
-        A coordinate moves on an orbit if its range is so many of the orbit's errors.
+        A coordinate counts as moving if its range exceeds this many times the orbit's error.
     same_state, same_range : float
-        Difference between states, and between ranges, over the ranges of the orbit, below which a
-        part of a period is taken for a whole one.
+        An orbit is reduced to a fraction of its period if the states after that fraction, and the
+        ranges over it, differ by less than these. Both are relative to the ranges of the orbit.
 
     Examples
     --------
@@ -61,61 +62,63 @@ class ShootingOptions(Options):
 
 @dataclass(frozen=True)
 class MotionOptions(Options):
-    """Options of what a motion comes to: its limit, its fate, where that changes, and its Lyapunov
-    exponents. Lengths and times are in units of the motion.
+    """Options of the long-run behaviour of a motion: its limit, its fate, the parameter at which
+    the fate changes, and its Lyapunov exponents. Lengths and times are in the motion's own units.
 
     Parameters
     ----------
     shooting : ShootingOptions
-        Of the closed orbits that are looked for.
+        Options of the search for closed orbits.
     settled : float
-        Share of a motion's reach that may be left to the limit of one that has settled.
+        A motion has settled when its distance to its limit is this share of its own extent.
     decay_maxima : int
-        Fewest maxima in a window from which a decay is read.
+        Minimum number of maxima from which a decay rate is estimated.
     returns : int
-        Fewest returns in a window in which a cycle is seen.
+        Minimum number of returns to a section from which a cycle is detected.
     close : float
-        Distance of two returns, over the extent of the motion, up to which the cycle is looked for.
+        A cycle is searched for when two returns are this close, relative to the motion's extent.
     missed : float
-        Error of the linearized return map, over the distance at the return before, up to which the
-        motion nears a cycle as that says.
+        A motion counts as converging to a cycle while the linearized return map predicts its next
+        return with at most this error, relative to its distance at the return before.
     noise : float
-        What an integrator leaves of a motion at rest, in tolerances of a step.
+        Amplitude, in tolerances of a step, that an integrator leaves of a motion at rest.
     times : tuple of float
-        A fate is judged at the first of these times, and again at the next as long as it is
-        undecided.
+        A fate is judged at the first of these times, and again at the next while it is undecided.
     rtol, finer_rtol : float
-        Relative tolerances of the motions that are judged, the second of which tells what rounding
-        does to those of the first.
+        Relative tolerances of the motions that are judged, and of their repetition, which shows the
+        effect of rounding.
     parted : float
-        Distance of two motions beyond which they have parted.
+        Two motions have diverged when their distance exceeds this.
     neighbours : int
-        Motions beside one that is irregular which are followed as well.
+        Number of motions that are followed beside an irregular one.
     offset : float
-        How far beside it they begin.
+        Initial distance of these neighbours.
     bracket : float
-        Share of the values of a parameter to which the change of a fate is narrowed.
+        Width to which the parameter at which a fate changes is bracketed, relative to its range.
     hovers : float
-        Distance from a saddle, over the extent of one that is a cycle, below which a motion hovers
-        at it.
+        A motion hovers at a saddle when it is this close to it, relative to the extent of a saddle
+        that is a cycle.
     longest : float
-        Time that the motions of one search for a change are followed in all.
+        Total time of all motions in one search for a change of fate.
     span : float
-        Time that a motion is followed for its exponents.
+        Time over which Lyapunov exponents are averaged.
     interval : float
         Time between two orthonormalizations of the deviations.
     lost : float
-        Ratio of two deviations below which the smaller is lost in rounding: the interval is halved.
+        The interval is halved if the ratio of two deviations falls below this, where rounding
+        would destroy the smaller one.
     significance : float
-        Half-widths of its 95 % interval beyond which an exponent is told from 0.
+        An exponent differs from 0 if it is more than this many half-widths of its 95 % confidence
+        interval away.
     least_error : float
-        What errors of integration may add to an exponent.
+        Error of an exponent that integration errors may cause.
     still : float
-        Speed of the flow below which a motion is at rest.
+        A motion is at rest when the speed of the flow is below this.
     decays : float
-        Decays of the slowest deviation by 1/e after which a motion has settled.
+        A motion has settled after this many times 1/rate of its slowest deviation.
     steady : float
-        Change of the velocity in such a decay, over its size, up to which a motion drifts steadily.
+        A motion drifts steadily if its velocity changes by less than this share in 1/rate of the
+        slowest deviation.
 
     Examples
     --------

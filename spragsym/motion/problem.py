@@ -1,16 +1,18 @@
-"""One motion to integrate: its constants, where it starts, how long it runs, and the modes of its
-field.
+"""The initial value problem that an integrator solves, and its errors.
 
-The field is continuous, and analytic in each of its modes: contact or not, belt ahead of the mass
-or behind. A mode is left :data:`OVERSHOOT` beyond its border, so that two crossings are never
-closer than 2 OVERSHOOT: that ends chatter by rounding, lets a motion start exactly on a kink, and
-costs an error of the order of OVERSHOOT², or OVERSHOOT^1.5 where the motion only grazes the border,
-far below rounding. Lengths, times and levels are numbers beside 1 (:mod:`~spragsym.motion.scales`).
+A :class:`Problem` holds the field, its constants, the initial state and the duration. The field is
+piecewise smooth: it is analytic in each mode (contact open or closed, belt faster or slower than
+the mass). Integrators stop at each border between modes and restart in the next mode.
 
-An exponential of the friction law, as in (10), makes a layer where the mass nearly sticks that a
-step from far away cannot see: all its derivatives are below rounding there. So it is left out where
-it is below the tolerance, and the border of the layer (``near``) is one more that the integrator
-stops at.
+A mode is left :data:`OVERSHOOT` beyond its border. Two crossings are therefore at least
+2 OVERSHOOT apart, which stops chatter by rounding and lets a motion start exactly on a border. The
+error is of order OVERSHOOT², or OVERSHOOT^1.5 where the motion only grazes the border, far below
+rounding. Lengths, times and levels are of order 1 (:mod:`~spragsym.motion.scales`).
+
+An exponential in the friction law, as in (10), has a boundary layer near sticking. A step from far
+away cannot detect it, because all derivatives of the exponential are below rounding there. So the
+exponential is omitted where it is below the tolerance, and the edge of the layer (``near``) is one
+more border at which the integrator stops.
 """
 
 from __future__ import annotations
@@ -39,21 +41,21 @@ RELATIVE_TOLERANCE = Range(
     remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most",
 )
 
-#: Default number of steps after which a motion is given up.
+#: Default maximum number of steps of a motion.
 MAX_STEPS = 10_000_000
 
-#: Steps between two looks at signals, for Python hears Ctrl-C only then, and at whether steps have
-#: collapsed: at most a second or so.
+#: Steps between two checks for signals, since Python notices Ctrl-C only there, and for steps that
+#: have collapsed: a second at most, or so.
 BURST = 20_000
 
 
 class Event(IntEnum):
-    """Border of the piecewise smooth field that the motion crosses at an event.
+    """Kind of event: which border of the piecewise smooth field the motion crosses, and how.
 
-    The first two are of the contact. One that presses on either of two faces leaves its own face
-    where the normal force passes 0, and regains it. The mass overtakes the belt, or the belt the
-    mass, where the sliding speed passes 0; where friction holds the mass there, it sticks, until it
-    slips.
+    ``CONTACT_LOST`` and ``CONTACT_REGAINED``: the gap passes 0. ``FACE_LEFT`` and
+    ``FACE_REGAINED``: the same for a contact that presses on either of two faces, where its normal
+    force passes 0. ``MASS_OVERTAKES`` and ``BELT_OVERTAKES``: the sliding speed passes 0. ``STICK``
+    and ``SLIP``: friction begins to hold the mass on the belt, or ceases to.
 
     Examples
     --------
@@ -75,25 +77,25 @@ class Event(IntEnum):
 
 @dataclass(frozen=True)
 class Problem:
-    """One motion: its constants and initial state, and what to keep of it."""
+    """Initial value problem from time 0 to ``t_end``; the solution is kept from ``t_record`` on."""
 
     constants: Any
     start: Values
     t_end: float
     t_record: float
     rtol: float
-    #: None for the limit that each integrator has of its own.
+    #: None: the default of the integrator.
     max_steps: int | None
-    #: The field, for a given reach of the exponentials of the friction law.
+    #: ``field_of(reach)``: the field without exponentials of the friction law below exp(−reach).
     field_of: Callable[[float], Field]
-    #: Units of its numbers, where these are not the model's.
+    #: Units of all numbers, if these differ from the model's.
     scales: MotionScales | None = None
     options: MotionOptions = attribute(default_factory=MotionOptions)
 
     @property
     def reach(self) -> float:
-        """Minus the exponent of an exponential of the friction law beyond which it is left out,
-        below the tolerance.
+        """Exponent beyond which exp(−exponent) in the friction law is below the tolerance, and
+        omitted.
         """
         return 5 - math.log(self.rtol)
 
@@ -104,34 +106,32 @@ class Problem:
 
     @cached_property
     def own_scales(self) -> MotionScales:
-        """Units in which the motion is carried: 1 where its numbers are in them."""
+        """Units to convert the problem to before integration: all 1 if it is in these already."""
         if self.scales:
             return MotionScales((1.0,) * len(self.field.coordinates), 1.0, ())
         return scales_of(self.field, self.constants, self.start)
 
     def time(self, t: float) -> float:
-        """A time in the model's unit."""
+        """The time ``t`` in the model's unit."""
         return t * self.scales.time if self.scales else t
 
     @property
     def belt(self) -> float:
         """Sliding speed of a mass at rest; 1 for a model without friction."""
-        still = [0.0] * self.field.size
-        slip = next(
-            (border for border in self.field.borders if "mass_overtakes" in border.crossings), None
-        )
-        return (
-            1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
-        )
+        for border in self.field.borders:
+            if "mass_overtakes" in border.crossings:
+                at_rest = [0.0] * self.field.size
+                return float(border.level(at_rest, self.constants, self.field.modes[0]))
+        return 1.0
 
 
 def too_many_steps(problem: Problem, most: int, t: float, state: FloatArray) -> ConvergenceError:
-    """The error of a motion that has used its steps, as many as were asked for or as there are for
-    any.
-    """
+    """The error of a motion that is incomplete at time ``t`` after ``most`` steps."""
     if _is_far(problem, state):
         return out_of_range(problem, t, state)
-    made, more = ("max_steps = ", "a larger max_steps, ") if problem.max_steps else ("", "")
+    made, more = "", ""
+    if problem.max_steps:
+        made, more = "max_steps = ", "a larger max_steps, "
     return ConvergenceError(
         f"{made}{most} steps were made by t = {problem.time(t):.6g} of "
         f"{problem.time(problem.t_end):g}; give {more}a "
@@ -151,18 +151,19 @@ def check_stiffness(
     left: float,
     most: float = 1e6,
 ) -> None:
-    """Raise where steps of a mean length are bounded by stability, and more than ``most`` of them
-    would be left, so that an implicit method takes over; or more than there are of a motion that is
-    far from all that it began with.
+    """Raise StiffError if stability limits the mean ``step`` of an explicit method, and the time
+    ``left`` would take more than ``most`` steps, so that an implicit method takes over. Raise
+    ConvergenceError if the motion runs away instead.
     """
     if not left > most * step:
         return
     if left > (problem.max_steps or MAX_STEPS) * step and _is_far(problem, state):
         raise out_of_range(problem, problem.t_end - left, state)
     values, constants, field = [float(value) for value in state], problem.constants, problem.field
-    matrix = field.matrix(values, constants, field.initial_mode(values, constants))
-    # Stability bounds a step where it is longer than this, times the fastest decay.
-    if np.isfinite(matrix).all() and -step * np.linalg.eigvals(matrix).real.min() > 0.5:
+    jacobian = field.matrix(values, constants, field.initial_mode(values, constants))
+    # Explicit methods are unstable if step × fastest decay rate exceeds a number of order 1: a mean
+    # step near that is limited by stability, not by accuracy.
+    if np.isfinite(jacobian).all() and -step * np.linalg.eigvals(jacobian).real.min() > 0.5:
         raise StiffError(
             f"the motion is stiff: steps of {problem.time(step):.2g} are bounded by stability, "
             f"with {problem.time(left):.6g} to go"
@@ -170,19 +171,19 @@ def check_stiffness(
 
 
 def _is_far(problem: Problem, state: Sequence[float] | FloatArray) -> bool:
-    """Whether a coordinate that does not come around is beyond a million units of the motion:
-    nothing of its own size holds it.
-    """
-    places = state[: len(problem.field.coordinates)]
+    """True if a coordinate that is not periodic exceeds a million of the motion's units."""
+    position = state[: len(problem.field.coordinates)]
     return any(
-        abs(float(place)) > 1e6 for k, place in enumerate(places) if k not in problem.field.periodic
+        abs(float(q)) > 1e6 for k, q in enumerate(position) if k not in problem.field.periodic
     )
 
 
 def out_of_range(
     problem: Problem | None = None, t: float = 0.0, state: Sequence[float] | FloatArray = ()
 ) -> ConvergenceError:
-    """The error of a motion whose numbers overflow, or grow until its steps do not do."""
+    """The error of a motion that grows without bound: its numbers overflow, or, with a ``problem``,
+    its steps become too short at time ``t`` and ``state``.
+    """
     why = "it left the range of numbers"
     if problem is not None:
         units = problem.scales.states if problem.scales else 1.0
@@ -195,7 +196,10 @@ def out_of_range(
 
 
 def kinds_of(field: Field) -> dict[tuple[int, int], Event]:
-    """Names of crossings of the borders, by number, to levels of a sign; nothing for some."""
+    """Kind of event by (number of the border, sign of its level after the crossing).
+
+    Sign 0 is sticking. Crossings that are no event are missing.
+    """
     return {
         (row, sign): Event[name.upper()]
         for row, border in enumerate(field.borders)
@@ -213,7 +217,7 @@ def prepare(
     rtol: float,
     max_steps: int = MAX_STEPS,
 ) -> Problem:
-    """The problem of these arguments, each of which is checked."""
+    """The problem with these arguments; raises ParameterError for invalid ones."""
     constants = model.field.constants(p.scalars(*model.parameters))
     if error := undirected(model, constants, start):
         raise error
@@ -230,7 +234,9 @@ def prepare(
 
 
 def undirected(model: Model, constants: Values, start: Values) -> ParameterError | None:
-    """The error of a motion that starts with a spring that has no length, and so no direction."""
+    """The error of a start at which a spring has length 0, so that its force has no direction;
+    None for other starts.
+    """
     position, geometry = start[: len(model.coordinates)], undecorated(model.algebra.geometry)
     for (dx, dy, _), spring in zip(
         geometry(*position, *of_statics(model, constants)), model.about["springs"], strict=True

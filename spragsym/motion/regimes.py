@@ -1,5 +1,5 @@
-"""Long-run behaviour of a motion: regimes, the limit that it has, and whether two limits are
-one.
+"""Long-run behaviour of a motion: its regime (:class:`Regime`), its limit (:class:`Outcome`), and
+whether two motions have the same limit (:func:`same_limit`).
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from ..results.result import Named
 from .holding import held_along
 from .scales import scales_of
 
-#: Equilibria of one set of parameters, found by Newton's method, that differ by less than this are
-#: one, in units of the motion.
+#: Equilibria computed by Newton's method are the same if they differ by less than this, in units of
+#: the motion.
 SAME_STATE = 1e-6
 
 
 class Regime(IntEnum):
-    """Limit of a motion: what it settles to, or approaches.
+    """Long-run behaviour of a motion: the kind of limit that it settles to or approaches.
 
     Examples
     --------
@@ -40,23 +40,23 @@ class Regime(IntEnum):
     """
 
     FAILED = 0
-    """There is no result; the reason says why."""
+    """No result, for the reason given."""
     EQUILIBRIUM = 1
-    """Rests at a steady-sliding equilibrium that attracts it, or does not repel it where nothing
-    damps; or sticks for good.
+    """Rests at a steady-sliding equilibrium that attracts it, or, without damping, does not repel
+    it; or sticks for good.
     """
     LIMIT_CYCLE = 2
-    """Repeats itself on a cycle that attracts it."""
+    """Is on a cycle that attracts it."""
     LIFT_OFF = 3
-    """Has no contact with the belt, and too little energy ever to come back to it."""
+    """Has no contact with the belt, and too little energy ever to return to it."""
     UNSETTLED = 4
-    """None of these, and none that it is seen to approach: a long transient, quasi-periodic or
+    """None of these, and does not visibly approach one: a long transient, quasi-periodic or
     irregular.
     """
     APPROACHES_EQUILIBRIUM = 5
-    """Decays to an equilibrium at the rate of the linearization there, and is still on its way."""
+    """Decays to an equilibrium at the rate of its linearization, but is not yet there."""
     APPROACHES_CYCLE = 6
-    """Winds onto a cycle at the rate of the cycle's multipliers, and is still on its way."""
+    """Approaches a cycle at the rate of its multipliers, but is not yet there."""
 
     @property
     def attractor(self) -> str:
@@ -68,7 +68,7 @@ class Regime(IntEnum):
         return "lift-off" if self == Regime.LIFT_OFF else ""
 
 
-#: Columns of what motions come to: two codes, then numbers.
+#: Columns of the limit of a motion: two codes, then numbers.
 LIMITS: tuple[Column, ...] = (
     Column("regime", "1", "what the motion settles to or approaches", Regime),
     Column("equilibrium", "1", "index of the equilibrium that it comes to; -1 for none"),
@@ -84,38 +84,37 @@ LIMITS: tuple[Column, ...] = (
 
 @dataclass(frozen=True)
 class Outcome(Named):
-    """The attractor that a motion reaches or approaches, and how fast.
+    """The attractor that a motion reaches or approaches, with the rate of approach.
 
-    A number of ``rest`` or ``cycle`` is an attribute of its name too, as ``rest_x``, ``rest_y`` and
-    ``cycle_vy``; NaN for none.
+    Each number of ``rest`` and ``cycle`` is an attribute by its name, too, as ``rest_x``,
+    ``rest_y`` and ``cycle_vy``; NaN for none.
 
     Attributes
     ----------
     regime : Regime
     equilibrium : int
-        For EQUILIBRIUM and APPROACHES_EQUILIBRIUM its index among ``equilibria(p)`` at the friction
+        For EQUILIBRIUM and APPROACHES_EQUILIBRIUM the index among ``equilibria(p)`` at the friction
         μ(V); −1 otherwise.
     rest : tuple of float, length n
-        The coordinates of that equilibrium, in the order of the model, without a clock's; empty
+        Coordinates of that equilibrium, in the order of the model, without the clock's phase; empty
         for none.
     rate : float
-        Of the approach in the long run, exp(−rate τ), from the limit's own eigenvalues or
-        multipliers; infinite where sticking ends all deviations. Along a set of states that
-        friction holds nothing is approached. NaN where there is none.
+        Asymptotic rate of the approach exp(−rate τ), from the eigenvalues or multipliers of the
+        limit; infinite if sticking ends all deviations. Deviations along a set of states held by
+        friction do not decay, and do not count. NaN for no limit.
     distance : float
-        What is left to the limit when the motion ends: relative to the motion's reach for a cycle,
-        in L_0 for rest.
+        Distance to the limit at the end of the motion: relative to the motion's extent for a cycle,
+        over L_0 for rest.
     period, cycle_mean, cycle_rms : float
-        Of the cycle itself: period, mean of x, the first coordinate, and root mean square of x
-        about zero over one whole period. NaN for no cycle, and the last two where x turns around:
-        then the cycle is one modulo a turn.
+        Period of the cycle, and mean and root mean square about zero of x, the first coordinate,
+        over this period. NaN for no cycle. The last two are NaN if x rotates: then the cycle is
+        closed modulo a turn.
     cycle : tuple of float, length 2 n
-        The cycle's state where x is largest (there x' = 0), its first coordinate that moves, or
-        where that passes 0 if it turns around and never back: one point, which with the equations
-        is the whole orbit. Empty for no cycle.
+        State of the cycle where x, its first coordinate that moves, is largest, so that x' = 0; or
+        where x passes 0, if it rotates in one direction. Empty for no cycle.
     names : tuple of str, length 2 n
-        Of the coordinates, then of their rates. Those that come around after 2π are in the turn
-        from −π + 0.0123 on.
+        Names of the coordinates, then of their rates. Coordinates of period 2π are in the turn that
+        begins at −π + 0.0123.
     """
 
     schema = LIMITS
@@ -159,8 +158,7 @@ class Outcome(Named):
 
     @property
     def limit(self) -> Regime:
-        """The attractor behind the regime."""
-        # The attractor behind a regime.
+        """The kind of attractor, whether it is reached or approached."""
         attractor = {
             Regime.APPROACHES_EQUILIBRIUM: Regime.EQUILIBRIUM,
             Regime.APPROACHES_CYCLE: Regime.LIMIT_CYCLE,
@@ -177,27 +175,27 @@ class Outcome(Named):
 
     @property
     def cycle_spread(self) -> float:
-        """Root mean square of x about its mean over one period."""
+        """Standard deviation of x over one period."""
         if self.period > 0:
             return float(np.sqrt(max(self.cycle_rms**2 - self.cycle_mean**2, 0.0)))
         return float("nan")
 
 
-#: Boxes of connected sets of rest, the least and the largest of each coordinate: (k, 2, n).
+#: Boxes around k connected sets of rest: lower and upper end of each coordinate, (k, 2, n).
 Sets: TypeAlias = FloatArray
 
 
 @dataclass(frozen=True)
 class RestSets:
-    """The connected sets of states in which friction holds where nothing moves, of scalar
-    parameters, each of them one attractor.
+    """The connected sets of states of rest that friction holds, for scalar parameters. Each set
+    counts as one attractor.
     """
 
     p: ParameterSet
 
     @cached_property
     def boxes(self) -> Sets | None:
-        """Boxes of all sets; None where these are not told apart."""
+        """Boxes around all sets; None if the sets could not be computed completely."""
         try:
             found = sticking_states(self.p)
         except (ParameterError, ConvergenceError, ModelError):
@@ -212,11 +210,14 @@ class RestSets:
 
     @cached_property
     def convex(self) -> bool:
-        """Whether all states in which friction holds are proved to form one convex set."""
+        """True if all states that friction holds are proved to form one convex set."""
         return is_convex(self.p)
 
     def in_one(self, one: FloatArray, other: FloatArray, near: FloatArray) -> bool | None:
-        """Whether two places of rest lie in one set; None where that is not known."""
+        """True if two positions of rest, (n,), are in the same set; None if that is not known.
+
+        ``near`` is the tolerance in each coordinate.
+        """
         model = self.p.model
         field, constants = model.field, model.field.constants(self.p.scalars(*self.p.ranges))
         ends = [field.at_rest(position.tolist(), constants) for position in (one, other)]
@@ -241,10 +242,11 @@ def same_limit(
     constants: Values,
     sets: RestSets | None = None,
 ) -> bool | None:
-    """Whether two motions of one set of parameters have one limit, by all numbers of its state, in
-    units of the motion there; None where that is not known.
+    """True if two motions with the same parameters have the same limit; None if that is not known.
 
-    Each of the ``sets`` of rest is one limit. What has no limit is not told apart.
+    Equilibria are compared by their coordinates, cycles by period, averages and one state, in units
+    of the motion. Each of the ``sets`` of rest is one limit. Motions without a limit count as
+    equal.
     """
     if one.limit != other.limit:
         return False
@@ -259,31 +261,25 @@ def same_limit(
             return True
         pair = np.array(one.rest), np.array(other.rest)
         return sets is not None and sets.in_one(*pair, near * units[: len(one.rest)])
-    # Two cycles, by period, averages, and the one state that stands for each, all found by Newton's
-    # method.
-    turns = np.isnan(one.cycle_mean), np.isnan(other.cycle_mean)
-    if turns[0] != turns[1]:
+    rotates = bool(np.isnan(one.cycle_mean))  # the averages of a rotating x are NaN
+    if rotates != np.isnan(other.cycle_mean):
         return False
-    averages = np.subtract([one.cycle_mean, one.cycle_rms], [other.cycle_mean, other.cycle_rms])
-    off = magnitude(
-        [
-            *apart(one.cycle, other.cycle, periodic) / units,
-            *(() if turns[0] else averages / units[0]),
-        ]
-    )
-    reach = max(abs(each.cycle[0] - each.cycle_mean) for each in (one, other)) / units[0]
-    # An x that stands still beside what moves has no reach but rounding.
-    far = 10 * SETTLED_SHARE * (1.0 if turns[0] else reach)
+    differences, amplitude = apart(one.cycle, other.cycle, periodic) / units, 1.0
+    if not rotates:
+        averages = np.subtract([one.cycle_mean, one.cycle_rms], [other.cycle_mean, other.cycle_rms])
+        differences = np.append(differences, averages / units[0])
+        amplitude = max(abs(each.cycle[0] - each.cycle_mean) for each in (one, other)) / units[0]
+    # The amplitude is 0 if x stands still: then rounding of the state sets the tolerance.
+    tolerance = max(10 * SETTLED_SHARE * amplitude, SAME_STATE * magnitude(one.cycle / units))
     return bool(
-        abs(one.period / other.period - 1) < SETTLED_SHARE
-        and off < max(far, SAME_STATE * magnitude(one.cycle / units))
+        abs(one.period / other.period - 1) < SETTLED_SHARE and magnitude(differences) < tolerance
     )
 
 
 def _sets_that_hold(
     rest: FloatArray, sets: Sets, periodic: WholeTurns, near: FloatArray
 ) -> tuple[int, ...]:
-    """Rows of the sets whose boxes hold a place; boxes of several may meet."""
+    """Indices of the sets whose boxes contain a position; boxes may overlap."""
     found = []
     for row, (low, high) in enumerate(sets):
         place = in_one_turn(rest, periodic, low - near)

@@ -1,11 +1,13 @@
-"""Cycles: what a motion winds onto, by the closed orbit itself and its multipliers, and whether it
-nears it at that rate.
+"""The cycle that a motion approaches, by its return map (Poincaré map).
 
-Newton's method with the derivative of the flow (:class:`Onward`) gives the cycle from two states
-that are alike, where x is largest, the first coordinate that moves on the cycle, or of an x that
-turns around and never back, where it passes 0.
-Coordinates that come around are alike after a turn. Of several numbers of rounds the smallest comes
-first, and the least period is looked for, so that a cycle is never counted twice.
+The section is where x is largest; x is the first coordinate that moves on the cycle. For an x that
+rotates in one direction the section is where it passes a whole turn. Periodic coordinates are
+compared modulo a turn.
+
+:func:`on_cycle` looks for two returns that are close to each other. Shooting (:class:`Onward`) then
+computes the closed orbit near them, and its least period, so that a cycle is never counted twice.
+The motion is on the cycle, or approaches it, if its last returns converge as the linearized return
+map predicts, and if the return map itself contracts at about that rate.
 """
 
 from __future__ import annotations
@@ -40,7 +42,7 @@ class Onward:
     backend: str
 
     def with_lead(self, lead: int) -> Onward:
-        """The motion with rounds marked by another coordinate."""
+        """The same with another leading coordinate, whose maxima mark the periods."""
         field_of = self.problem.field_of
         return replace(
             self,
@@ -55,8 +57,8 @@ class Onward:
         )
 
     def statistics(self, states: FloatArray, duration: float) -> list[MotionStatistics]:
-        """Measures on the way from each of many states; an error where one of them cannot be
-        continued.
+        """Statistics of the motions from several states over a duration; raises the error of a
+        motion that cannot be integrated.
         """
         motions = [
             replace(self.problem, start=tuple(state), t_end=duration, t_record=0.0)
@@ -70,19 +72,19 @@ class Onward:
         return measured
 
     def _differences(self, state: FloatArray, _: object, duration: float, __: object) -> FlowResult:
-        """``flow_map`` by differences of the plain flow; crossings are not reported."""
-        # Differences of a flow are taken over this.
+        """:meth:`Flow.flow_map` by central differences, without crossings and parameters."""
         step = 1e-5
-        m, off = state.size, step * np.eye(state.size)
+        m, offsets = state.size, step * np.eye(state.size)
         statistics, *others = self.statistics(
-            np.vstack([state, state + off, state - off]), duration
+            np.vstack([state, state + offsets, state - offsets]), duration
         )
         ahead, behind = np.split(np.array([other.last for other in others]), 2)
         none, unknown = np.zeros((m, 0)), np.full((m, m), np.nan)
         extrema = [
-            Extremum(t, -1, -1, top, unknown, none)
-            for t, top in zip(statistics.maxima_t.tolist(), statistics.maxima, strict=True)
+            Extremum(t, -1, -1, maximum, unknown, none)
+            for t, maximum in zip(statistics.maxima_t.tolist(), statistics.maxima, strict=True)
         ]
+        # The statistics integrate u = x − x(begin) and u².
         begin, (shift, square, *_) = float(state[0]), statistics.integrals.tolist()
         integrals = shift + begin * duration, square + begin * (2 * shift + begin * duration)
         return FlowResult(
@@ -95,15 +97,19 @@ class Onward:
         )
 
     def closed(self, state: FloatArray, fixed: int, period: float, scale: FloatArray) -> Closed:
-        """The closed orbit to all digits, with the derivative of its return; ConvergenceError
-        without one near, in ``scale``.
+        """The closed orbit near a state and period, by shooting, and the derivative of its return
+        map.
+
+        The section is where component ``fixed`` of the state has the value in ``state``. ``scale``,
+        (2 n − 1,), are the sizes of the other components, which bound the distance of the orbit.
+        Raises ConvergenceError if there is none.
         """
         reach = 4 * self.problem.options.close * float(scale.max())
         guess = Iterate(state[None], period, ())
         on_section = through(state, np.eye(state.size)[fixed], guess)
         flow = Flow(self.field, self.backend, options=self.problem.options.shooting)
         if self.backend == "compiled":
-            # Tolerance of its plain flow, and how closely orbits close by differences of that.
+            # It has no variational equations; differences limit how closely orbits close.
             rtol, closed = min(self.problem.rtol, 1e-12), 1e-9
             fine = replace(self, problem=replace(self.problem, rtol=rtol))
             options = replace(flow.options, last_step=closed, closed=closed)
@@ -115,26 +121,26 @@ class Onward:
         if orbit.lead != self.field.lead:
             raise ConvergenceError("another coordinate marks the rounds of the orbit")
         start = orbit.state
-        aside, speeds = off_jumps(orbit), orbit.rate(start)
-        if aside is not orbit:  # as it arrives there
-            speeds = orbit.monodromy @ speeds
-        if speeds[fixed] == 0:
+        shifted, rates = off_jumps(orbit), orbit.rate(start)
+        if shifted is not orbit:  # the field jumps at the start: take the rates before
+            rates = orbit.monodromy @ rates
+        if rates[fixed] == 0:
             raise ConvergenceError("the orbit does not pass through the section")
-        back = np.eye(start.size)
-        back[:, fixed] -= speeds / speeds[fixed]  # along the flow to the section again
-        slope = section(section(back @ orbit.monodromy, fixed).T, fixed).T
-        largest = magnitude(aside.multipliers.others)
+        projection = np.eye(start.size)  # along the flow onto the section
+        projection[:, fixed] -= rates / rates[fixed]
+        slope = section(section(projection @ orbit.monodromy, fixed).T, fixed).T
+        largest = magnitude(shifted.multipliers.others)
         return Closed(self, orbit, largest, fixed, scale, slope * scale / scale[:, None])
 
 
 @dataclass(frozen=True)
 class Closed:
-    """A closed orbit that begins on a section, all over which the number at the place ``fixed`` has
-    one value.
+    """A closed orbit that begins on a section, on which component ``fixed`` of the state is
+    constant.
 
-    The ``slope``, (2 n − 1, 2 n − 1), is the derivative of the return map in the other numbers,
-    each in units of its ``scale``. Its eigenvalues are the multipliers, of which ``largest`` is the
-    size of the largest.
+    ``slope``, (2 n − 1, 2 n − 1), is the derivative of the return map in the other components, each
+    in units of its ``scale``. Its eigenvalues are the Floquet multipliers; ``largest`` is the
+    largest modulus.
     """
 
     onward: Onward
@@ -150,14 +156,16 @@ class Closed:
         return self.orbit.state
 
     def scaled(self, states: FloatArray) -> FloatArray:
-        """States of the section, its own or others, in whole turns near, in units of the scale."""
+        """States (…, 2 n) as points of the section, (…, 2 n − 1), in units of the scale; periodic
+        coordinates are shifted by whole turns to the orbit's.
+        """
         return (
             section(_near(states, self.state, self.orbit.field.periodic), self.fixed) / self.scale
         )
 
     def returned(self, places: FloatArray) -> FloatArray:
-        """The return map: where motions from places on the section next meet it, after about a
-        period.
+        """The return map: points of the section, (k, 2 n − 1) in units of the scale, to those at
+        which the motions return to it after about a period.
         """
         states = np.insert(places * self.scale, self.fixed, self.state[self.fixed], axis=1)
         statistics = self.onward.statistics(states, 1.1 * self.orbit.period)
@@ -181,22 +189,22 @@ class Closed:
 
 
 def section(states: FloatArray, fixed: int) -> FloatArray:
-    """States of a section without the number that is ``fixed`` there: x, y, y' for two coordinates
-    where x' = 0.
-    """
+    """States without component ``fixed``: for two coordinates and x' = 0 these are x, y, y'."""
     return np.delete(states, fixed, axis=-1)
 
 
 def _marks(statistics: MotionStatistics, fixed: int) -> tuple[FloatArray, FloatArray]:
-    """Times and states of the passages of a section: where x is largest, or passes a whole turn."""
+    """Times and states at which a motion passes the section: x is largest, or, if ``fixed`` is x
+    itself, passes a whole turn.
+    """
     if fixed != statistics.lead:
         return statistics.maxima_t, statistics.maxima
     return statistics.passages_t, statistics.passages
 
 
 def leads(statistics: MotionStatistics, problem: Problem) -> bool:
-    """Whether rounds of a motion may be seen where its leading coordinate is largest: it moves, and
-    has not all but ceased to.
+    """True if the leading coordinate oscillates or rotates, by more than noise, and its range has
+    not fallen to less than half during the motion.
     """
     options, (low, high) = problem.options, statistics.reach
     if high - low <= options.noise * problem.rtol * magnitude(statistics.last):
@@ -205,29 +213,30 @@ def leads(statistics: MotionStatistics, problem: Problem) -> bool:
         return True
     if len(statistics.maxima) < options.returns:
         return False
-    tops, lows = (each[:, statistics.lead] for each in (statistics.maxima, statistics.minima))
-    third = len(tops) // 3
-    first, last = np.ptp([*tops[:third], *lows[:third]]), np.ptp([*tops[-third:], *lows[-third:]])
+    maxima, minima = statistics.maxima[:, statistics.lead], statistics.minima[:, statistics.lead]
+    third = len(maxima) // 3
+    first = np.ptp([*maxima[:third], *minima[:third]])
+    last = np.ptp([*maxima[-third:], *minima[-third:]])
     return bool(last > first / 2)
 
 
 def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
-    """The cycle that the motion is on, or winds onto."""
+    """The outcome of a motion that is on a cycle or approaches one; None for other motions."""
     options, tol = onward.problem.options, onward.problem.options.settled
     periodic, lead = onward.problem.field.periodic, statistics.lead
-    # An x that turns around and never back has no maxima.
+    # An x that rotates in one direction has no maxima.
     turning = len(statistics.maxima) < options.returns and makes_turns(lead, periodic)
     fixed = lead if turning else len(statistics.last) // 2 + lead
     times, places = _marks(statistics, fixed)
     if len(times) < options.returns:
         return None
     places = _near(places, in_one_turn(places[-1], periodic), periodic)
-    # A section is at x' = 0, or at a whole number of turns, which need not be the first one of an
-    # x that turns with another angle.
+    # The section is x' = 0, or x at a whole number of turns: not always 0, if x turns with another
+    # angle.
     places[:, fixed] = TURN * np.round(places[-1, fixed] / TURN) if turning else 0.0
     states = section(places, fixed)
-    # Extents of x, y and y' over all turning points; those across the belt count as 1 % of that
-    # along it, or of a turn, at least.
+    # Scales: ranges of the components over maxima and minima, at least 1 % of that of x, or of a
+    # turn.
     extent = np.ptp(
         section(_near(np.vstack([places, statistics.minima]), places[-1], periodic), fixed), axis=0
     )
@@ -239,11 +248,10 @@ def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
             cycle = onward.closed(places[-1], fixed, period, scale)
             largest = cycle.largest
             rounds = max(1, round(k * cycle.orbit.period / period))
-            off = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
-            distance = magnitude(off[0])
-            # A multiplier this close to 1 in size is told neither from a stable nor
-            # from an unstable one.
-            if largest < 1 - 1e-6 and distance <= 4 * options.close and _nears(cycle, off):
+            deviations = states[::-1][::rounds] - cycle.scaled(cycle.state)  # latest first
+            distance = magnitude(deviations[0])
+            # A multiplier of modulus 1 − 1e-6 and more may be of an unstable cycle.
+            if largest < 1 - 1e-6 and distance <= 4 * options.close and _nears(cycle, deviations):
                 regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
                 rate = -math.log(largest) / cycle.orbit.period if largest else math.inf
                 return _described(cycle, regime, rate, distance)
@@ -251,122 +259,118 @@ def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
 
 
 def _near(states: FloatArray, point: FloatArray, periodic: WholeTurns) -> FloatArray:
-    """States with periodic coordinates shifted by whole turns nearer to a place."""
+    """States with periodic coordinates shifted by whole turns to the nearest of ``point``."""
     return point + apart(states, point, periodic)
 
 
 def _candidates(states: FloatArray, close: float) -> Iterator[int]:
-    """Numbers of returns after which the last states came close to what they had been, and closer
-    each time; fewest first.
+    """Possible numbers of returns in one period of a cycle, smallest first, three at most.
 
-    A motion that winds onto a cycle from alternate sides is close after two rounds before it is
-    after one: so divisors are tried before the number itself. A multiple of a number that was tried
-    has to be much closer than that.
+    After such a number the last states are close to the earlier ones, and approach each other. A
+    motion that approaches a cycle from alternate sides is close after two returns before it is
+    after one: so the divisors of a number are tried before it. A multiple of a number that was
+    tried must be much closer than that.
     """
     tried: list[int] = []
 
-    def apart(k: int) -> float:
+    def distance(k: int) -> float:
         return magnitude(states[-1] - states[-1 - k])
 
     for k in range(1, (len(states) - 1) // 2 + 1):
-        last, before = apart(k), magnitude(states[-1 - k] - states[-1 - 2 * k])
+        last, before = distance(k), magnitude(states[-1 - k] - states[-1 - 2 * k])
         if (
             max(last, before) > close
             or last > 2 * before + close**3
             or _drifts_past(states[::-1][::k])
         ):
             continue
-        for number in (*(j for j in range(1, k) if k % j == 0 and apart(j) <= 4 * close), k):
-            multiple = any(number % j == 0 and apart(number) > 0.5 * apart(j) for j in tried)
-            # Cycles that are looked for, of one motion.
+        for number in (*(j for j in range(1, k) if k % j == 0 and distance(j) <= 4 * close), k):
+            multiple = any(number % j == 0 and distance(number) > 0.5 * distance(j) for j in tried)
             if number not in tried and not multiple and len(tried) < 3:
                 tried.append(number)
                 yield number
 
 
 def _drifts_past(states: FloatArray) -> bool:
-    """Whether states, latest first, go on in one direction by steps that shrink too slowly to end
-    near, or not at all.
+    """True if states, latest first, drift in one direction, by steps that do not shrink fast enough
+    to end near.
     """
     steps = states[:-1] - states[1:]
     if len(steps) < 3:
         return False
     sizes = np.linalg.norm(steps, axis=1)
-    # Least cosine between neighbouring steps that go in one direction.
+    # Steps have one direction if the cosine between neighbours is 0.98 at least.
     if (
         not sizes.min() > 0
         or ((steps[1:] * steps[:-1]).sum(axis=1) < 0.98 * sizes[1:] * sizes[:-1]).any()
     ):
         return False
-    shrink = (sizes[0] / sizes[-1]) ** (1 / (len(sizes) - 1))
-    # A drift whose end is farther than this goes past what is near.
-    return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > 0.5)
+    ratio = (sizes[0] / sizes[-1]) ** (1 / (len(sizes) - 1))
+    # The remaining drift is the sum of a geometric series.
+    return bool(ratio >= 1 or sizes[0] * ratio / (1 - ratio) > 0.5)
 
 
-def _nears(cycle: Closed, off: FloatArray) -> bool:
-    """Whether the motion is at the cycle, or nears it as the linearized map says and will go on
-    doing so.
+def _nears(cycle: Closed, deviations: FloatArray) -> bool:
+    """True if the motion is on the cycle, or approaches it as the linearized return map predicts
+    and will continue to.
 
-    ``off`` is what lacked at its returns, latest first.
+    ``deviations`` are those of its returns from the cycle, latest first.
     """
-    options, sizes = cycle.onward.problem.options, np.abs(off).max(axis=1)
+    options, sizes = cycle.onward.problem.options, np.abs(deviations).max(axis=1)
     tol = options.settled
     if sizes[: max(2, len(sizes) // 2)].max() <= tol:
         return True
-    if len(off) < 2 or magnitude(off[0] - cycle.slope @ off[1]) > options.missed * sizes[1] + tol:
+    if len(deviations) < 2:
         return False
-    return _goes_on(cycle, off[0])
+    error = magnitude(deviations[0] - cycle.slope @ deviations[1])
+    return error <= options.missed * sizes[1] + tol and _contracts(cycle, deviations[0])
 
 
-def _goes_on(cycle: Closed, off: FloatArray) -> bool:
-    """Whether the return map itself contracts wherever its linearization leads, half as fast at
-    least on the average.
+def _contracts(cycle: Closed, deviation: FloatArray) -> bool:
+    """True if the return map itself contracts, on average at least at half the logarithmic rate of
+    its linearization, for all deviations as large as the present one.
 
-    The linearization maps the states none of whose modal parts is larger than the motion's now into
-    themselves, and a motion that decays slowly turns through all of them. Motions have neared a
-    cycle at its rate 0.04 of its extent away, and left it.
+    These are deviations with the same moduli of modal components: a motion that decays slowly
+    passes through all of them. The test is needed: motions have approached a cycle at its linear
+    rate up to 0.04 of its extent, and then left it.
     """
     options = cycle.onward.problem.options
     tol = options.settled
     values, vectors = np.linalg.eig(cycle.slope)
-    if (
-        abs(np.linalg.det(vectors)) <= 1e-9
-    ):  # they nearly coincide: the coordinates of the section instead
+    if abs(np.linalg.det(vectors)) <= 1e-9:  # nearly defective: use the section's coordinates
         vectors = np.eye(len(vectors))
     slowest = int(np.argmax(np.abs(values)))
-    left = np.abs(np.linalg.solve(vectors, off))[slowest]
-    places = np.array(list(_same_size(off, values, vectors)))
+    present = np.abs(np.linalg.solve(vectors, deviation))[slowest]
+    samples = np.array(list(_same_size(deviation, values, vectors)))
     start = cycle.scaled(cycle.state)
-    images = cycle.returned(start + places) - start
-    missed = np.abs(images - places @ cycle.slope.T).max(axis=1)
-    if not (missed <= options.missed * np.abs(places).max(axis=1) + tol).all():
+    images = cycle.returned(start + samples) - start
+    errors = np.abs(images - samples @ cycle.slope.T).max(axis=1)
+    if not (errors <= options.missed * np.abs(samples).max(axis=1) + tol).all():
         return False
     growth = [
-        math.log(max(part, tol) / max(left, tol))
-        for part in np.abs(np.linalg.solve(vectors, images.T))[slowest].tolist()
+        math.log(max(component, tol) / max(present, tol))
+        for component in np.abs(np.linalg.solve(vectors, images.T))[slowest].tolist()
     ]
-    slowest_rate = math.log(max(abs(values[slowest]), tol))
-    return bool(left <= tol or math.fsum(growth) <= 0.5 * len(growth) * slowest_rate)
+    linear = math.log(max(abs(values[slowest]), tol))
+    return bool(present <= tol or math.fsum(growth) <= 0.5 * len(growth) * linear)
 
 
 def _same_size(
-    off: FloatArray, values: ComplexArray, vectors: ComplexArray
+    deviation: FloatArray, values: ComplexArray, vectors: ComplexArray
 ) -> Iterator[FloatArray]:
-    """Differences whose modal parts have the sizes of those of ``off``: either sign of real ones,
-    eight phases of a pair.
+    """Deviations whose modal components have the same moduli: both signs of each real mode, eight
+    phases of a complex pair.
     """
-    parts = np.linalg.solve(vectors, off)
-    turns = np.exp(0.25j * np.pi * np.arange(8)) if values.imag.any() else np.ones(1)
-    for turn, *signs in itertools.product(turns, *[(1, -1)] * int(np.sum(values.imag == 0))):
-        factors = np.where(values.imag > 0, turn, np.conj(turn))
+    components = np.linalg.solve(vectors, deviation)
+    phases = np.exp(0.25j * np.pi * np.arange(8)) if values.imag.any() else np.ones(1)
+    for phase, *signs in itertools.product(phases, *[(1, -1)] * int(np.sum(values.imag == 0))):
+        factors = np.where(values.imag > 0, phase, np.conj(phase))
         factors[values.imag == 0] = signs
-        yield (vectors @ (factors * parts)).real
+        yield (vectors @ (factors * components)).real
 
 
 def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> Outcome:
-    """The outcome, with averages over the cycle's one period, and the state of the cycle that
-    stands for it.
-    """
+    """The outcome: with averages over one period of the cycle, and its state on the section."""
     orbit, (mean, rms) = cycle.orbit, cycle.orbit.moments()
     turning, top = cycle.fixed == orbit.field.lead, orbit.top
     state = cycle.state if turning or top is None else top.state

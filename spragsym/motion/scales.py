@@ -1,9 +1,9 @@
-"""Scales of a motion, and the motion in units of them.
+"""Nondimensionalization of a motion: its characteristic scales, and the field in units of them.
 
-An integrator's absolute tolerances, how far beyond a border a mode is left, and which speed is no
-speed, are numbers beside 1. They hold for a motion whose numbers are of order 1: so every motion is
-carried in units of its own. These are powers of four, which scale without rounding; 1 is kept for
-numbers between 1/32 and 32, so that motions of a common size are carried as they are.
+Absolute tolerances, the distance beyond a border at which a mode is left, and the speed below which
+nothing moves, are meant for numbers of order 1. So every motion is integrated in units of its own
+scales. The units are powers of four, which convert without rounding. The unit is 1 for scales
+between 1/32 and 32, so that motions of a common size are integrated as they are.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..models.field import FLOATS, Border, Field, Mode, Values, Vector
+from ..models.field import FLOATS, Border, Field, Values, Vector
 from ..models.parameters import FloatArray
 from ..numerics.arithmetic import Number
 from ..numerics.vectors import TURN
@@ -34,10 +34,11 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class MotionScales:
     """Units of a motion: of each coordinate, of time, of the level of each border, and of each
-    square root that its accelerations take, as of a spring's length, in their order.
+    square root in the accelerations, as of a spring's length, in the order of evaluation.
 
-    Times, states and what is made of them are given back in the model's units by what is called
-    as they are, as ``scales.solution(scaled)``; :attr:`inverse` takes them the other way.
+    A method converts an object of the same name to the model's units, as in
+    ``scales.solution(scaled)``; those of :attr:`inverse` convert the other way. Only
+    :meth:`problem` converts from the model's units.
     """
 
     places: tuple[float, ...]
@@ -63,7 +64,7 @@ class MotionScales:
 
     @property
     def inverse(self) -> MotionScales:
-        """Units that take numbers of the model to those of the scaled motion."""
+        """Reciprocal units, which convert from the model's units to these."""
         return MotionScales(
             tuple(1.0 / unit for unit in self.places),
             1.0 / self.time,
@@ -72,7 +73,7 @@ class MotionScales:
         )
 
     def problem(self, problem: Problem) -> Problem:
-        """A problem in these units."""
+        """A problem in the model's units converted to these."""
         start = np.array(problem.start, dtype=float) / self.states
         return replace(
             problem,
@@ -84,11 +85,11 @@ class MotionScales:
         )
 
     def samples(self, samples: PiecewisePolynomial) -> PiecewisePolynomial:
-        """A motion by its samples."""
+        """Samples of a motion."""
         return PiecewisePolynomial(self.time * samples.t, self.states[:, None] * samples.states)
 
     def crossing(self, it: Crossing) -> Crossing:
-        """A border passed."""
+        """A border crossing."""
         return it._replace(t=self.time * it.t, state=self.states * it.state)
 
     def solution(self, solution: Solution) -> Solution:
@@ -115,7 +116,7 @@ class MotionScales:
         )
 
     def flow_result(self, it: FlowResult) -> FlowResult:
-        """A flow over a time with its derivatives."""
+        """A flow map with its derivatives."""
         length = self.places[0]
         first, square = it.integrals
         return replace(
@@ -149,7 +150,7 @@ class MotionScales:
         )
 
     def outcome(self, it: Outcome) -> Outcome:
-        """The limit of a motion; the distance to rest is a length, that to a cycle a share."""
+        """The limit of a motion. The distance to rest is a length, that to a cycle is relative."""
         length = self.places[0]
         return replace(
             it,
@@ -164,17 +165,19 @@ class MotionScales:
 
 
 def scales_of(field: Field, constants: Values, start: Sequence[float]) -> MotionScales:
-    """Scales of the motion from a state.
+    """Scales of the motion from an initial state.
 
-    The unit of time is that of the fastest stiffness, 1/√|∂q″/∂q|; where nothing is stiff, that of
-    the damping, or of what changes the speed at the start. Coordinates of one unit share theirs.
-    Lengths have the largest undeformed length of a spring along a line, or else, as other
-    coordinates, the largest of the coordinates at the start, of how far they go at its rates and
-    accelerations, there or where an angle is turned by its unit, in the unit of time, and of the
-    way on which friction that holds is used up,
-    unless an angle uses it up within a turn.
-    Angles have the unit 1. Of a motion about which this says nothing all units are 1, and
-    of a field that does not tell the units of its coordinates.
+    The unit of time is that of the largest stiffness, 1/√|∂q″/∂q|. Without stiffness it is that of
+    the damping, 1/|∂q″/∂q′|, or else the time in which accelerations change the initial rates.
+
+    Angles have the unit 1. Other coordinates with the same physical unit share one scale. For
+    lengths it is the largest undeformed length of a spring along a line, if there is one. Otherwise
+    it is the largest of: the initial coordinates; the distances covered in the unit of time at the
+    initial rates, at the initial accelerations, and at those that a turn of an angle by 1 adds; the
+    displacement that exhausts a holding friction, unless an angle exhausts it within a turn.
+
+    All units are 1 if none of these is positive, or if the field does not state the units of its
+    coordinates.
 
     Parameters
     ----------
@@ -184,7 +187,7 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Motion
 
     Returns
     -------
-    Scales
+    MotionScales
 
     Examples
     --------
@@ -200,112 +203,117 @@ def scales_of(field: Field, constants: Values, start: Sequence[float]) -> Motion
         return MotionScales((1.0,) * n, 1.0, (1.0,) * len(field.borders))
     lengths = field.lengths(state, constants)
     try:
-        time, ways = _time_and_ways(field, constants, state)
-    except (ArithmeticError, ValueError):  # the motion has no rates at the start
-        time, ways = 1.0, np.abs(state[:n])
+        time, distances = _time_and_distances(field, constants, state)
+    except (ArithmeticError, ValueError):  # the field is undefined at the start
+        time, distances = 1.0, np.abs(state[:n])
     places = []
     for unit in field.units:
-        alike = [way for way, other in zip(ways, field.units, strict=True) if other == unit]
-        sizes = lengths if unit == "m" and lengths else alike
+        same_unit = [
+            way for way, other in zip(distances, field.units, strict=True) if other == unit
+        ]
+        sizes = lengths if unit == "m" and lengths else same_unit
         places.append(1.0 if unit == "rad" else _power(max(sizes)))
     found = MotionScales(tuple(places), _power(time), (1.0,) * len(field.borders))
     levels = (_level(border, field, constants, state, found) for border in field.borders)
     return replace(found, levels=tuple(levels), roots=_roots(field, constants, state, found))
 
 
-def _time_and_ways(field: Field, constants: Values, state: list[float]) -> tuple[float, FloatArray]:
-    """The unit of time, and how far each coordinate goes in it."""
+def _time_and_distances(
+    field: Field, constants: Values, state: list[float]
+) -> tuple[float, FloatArray]:
+    """The unit of time, and the distance that each coordinate covers in it, (n,)."""
     n = len(field.coordinates)
     positions, rates = np.abs(state[:n]), np.abs(state[n:])
-    alike = np.array([[one == other for one in field.units] for other in field.units])
-    turning = np.array([unit == "rad" for unit in field.units])
-    stiff, damped, pull = 0.0, 0.0, np.zeros(n)
-    for mode in _modes(field, constants, state):
-        slopes = field.matrix(state, constants, mode)[n:]
-        acceleration = field.rates(state, constants, mode)[n:]
-        stiff = max(stiff, float(np.abs(slopes[:, :n][alike]).max()))
-        damped = max(damped, float(np.abs(slopes[:, n:][alike]).max()))
-        turned = np.abs(slopes[:, :n][:, turning]).max(axis=1, initial=0.0)
-        pull = np.max([pull, np.abs(acceleration), turned], axis=0)
-    fastest = float(rates.max())
-    rate = math.sqrt(stiff) or damped or (float(pull.max()) / fastest if fastest else 0.0)
+    same_unit = np.array([[one == other for one in field.units] for other in field.units])
+    angles = np.array([unit == "rad" for unit in field.units])
+    stiffness, damping, acceleration = 0.0, 0.0, np.zeros(n)
+    # The modes in which the motion begins and may continue.
+    for mode in {field.initial_mode(state, constants), field.mode_at_rest(state, constants)}:
+        jacobian = field.matrix(state, constants, mode)[n:]
+        initial = np.abs(field.rates(state, constants, mode)[n:])
+        stiffness = max(stiffness, float(np.abs(jacobian[:, :n][same_unit]).max()))
+        damping = max(damping, float(np.abs(jacobian[:, n:][same_unit]).max()))
+        by_angle = np.abs(jacobian[:, :n][:, angles]).max(axis=1, initial=0.0)
+        acceleration = np.max([acceleration, initial, by_angle], axis=0)
+    speed = float(rates.max())
+    rate = math.sqrt(stiffness) or damping or (float(acceleration.max()) / speed if speed else 0.0)
     if not 0.0 < rate < math.inf:
-        return 1.0, np.max([positions, rates, pull], axis=0)
-    ways = np.max([positions, rates / rate, pull / rate**2], axis=0)
+        return 1.0, np.max([positions, rates, acceleration], axis=0)
+    distances = np.max([positions, rates / rate, acceleration / rate**2], axis=0)
     for border in field.borders:
         if border.stays or not border.slopes:
             continue
+        # The level is the reserve of a holding friction; displacements use it up.
         held = next(mode for mode in field.modes if border.sign(mode))
-        level, slopes = (each(state, constants, held) for each in (border.level, border.slopes))
+        level = border.level(state, constants, held)
         steepest = dict.fromkeys(field.units, 0.0)
-        for unit, slope in zip(field.units, slopes, strict=False):
+        for unit, slope in zip(field.units, border.slopes(state, constants, held), strict=False):
             steepest[unit] = max(steepest[unit], abs(slope))
         if steepest.get("rad", 0.0) * TURN > abs(level):
-            continue  # within a turn an angle uses it up, however far the others would have to go
+            continue
         for i, unit in enumerate(field.units):
             if steepest[unit]:
-                ways[i] = max(ways[i], abs(level) / steepest[unit])
-    return 1.0 / rate, ways
-
-
-def _modes(field: Field, constants: Values, state: list[float]) -> set[Mode]:
-    """Modes in which the motion begins or may go on."""
-    return {field.initial_mode(state, constants), field.mode_at_rest(state, constants)}
+                distances[i] = max(distances[i], abs(level) / steepest[unit])
+    return 1.0 / rate, distances
 
 
 def _level(
     border: Border, field: Field, constants: Values, state: list[float], scales: MotionScales
 ) -> float:
-    """The unit of a border's level: by how much it changes over the units of the state."""
+    """The unit of a border's level: its change over the units of the state.
+
+    The change is the level's rate times the unit of time, for one coordinate at a time with unit
+    rate and acceleration, at the state and one unit away from it.
+    """
     if not border.kink:
         return 1.0
     n, units = len(field.coordinates), scales.states.tolist()
     mode = next((mode for mode in field.modes if border.sign(mode)), field.modes[0])
-    sizes = [0.0]
-    for share in (0.0, 1.0):
-        at = [value + share * unit for value, unit in zip(state[:n], units, strict=False)]
+    changes = [0.0]
+    for offset in (0.0, 1.0):
+        position = [value + offset * unit for value, unit in zip(state[:n], units, strict=False)]
         for i in range(n):
             rates = [0.0] * n
-            pulls = rates.copy()
+            accelerations = rates.copy()
             rates[i] = units[n + i]
-            pulls[i] = units[n + i] / scales.time
+            accelerations[i] = units[n + i] / scales.time
             try:
-                rate = border.rate([*at, *rates], pulls, constants, mode)
+                rate = border.rate([*position, *rates], accelerations, constants, mode)
             except (ArithmeticError, ValueError):
                 continue
-            sizes.append(abs(float(rate)) * scales.time)
-    return _power(max(sizes))
+            changes.append(abs(float(rate)) * scales.time)
+    return _power(max(changes))
 
 
 def _roots(
     field: Field, constants: Values, state: list[float], scales: MotionScales
 ) -> tuple[float, ...]:
-    """Units of square roots: of the largest value of each where the state is, and a unit off."""
+    """Units of the square roots in the accelerations: of the largest value of each, at the state
+    and one unit to either side.
+    """
     units, sampled = scales.states.tolist(), list[list[float]]()
-    for share in (-1.0, 0.0, 1.0):
-        at, seen = [v + share * unit for v, unit in zip(state, units, strict=True)], list[float]()
+    for offset in (-1.0, 0.0, 1.0):
+        at = [v + offset * unit for v, unit in zip(state, units, strict=True)]
+        values = list[float]()
 
-        def sqrt(value: float, seen: list[float] = seen) -> float:
-            seen.append(math.sqrt(value))
-            return seen[-1]
+        def sqrt(value: float, values: list[float] = values) -> float:
+            values.append(math.sqrt(value))
+            return values[-1]
 
         xp = SimpleNamespace(**{**vars(FLOATS), "sqrt": sqrt})
         try:
             field.acceleration(at, constants, field.initial_mode(at, constants), xp)
         except (ArithmeticError, ValueError):
             continue
-        sampled.append(seen)
+        sampled.append(values)
     return tuple(_power(max(values)) for values in zip(*sampled, strict=False))
 
 
 def _power(value: float) -> float:
-    """The unit nearest to a number; 1 for 0."""
-    # Binary digits beyond which a unit is not 1.
+    """The power of four nearest to a scale; 1 for scales between 1/32 and 32, and for 0."""
     if not 0.0 < value < math.inf or abs(math.log2(value)) <= 5:
         return 1.0
-    # Binary digits between one unit and the next.
-    digits = 2
-    return math.ldexp(1.0, digits * round(math.log2(value) / digits))
+    return math.ldexp(1.0, 2 * round(math.log2(value) / 2))
 
 
 def _times(values: Iterable[Any], factors: Iterable[float]) -> list[Any]:
@@ -314,28 +322,32 @@ def _times(values: Iterable[Any], factors: Iterable[float]) -> list[Any]:
 
 @cache
 def scaled(field: Field, scales: MotionScales) -> Field:
-    """A field in units of its scales; parameters and forces stay as they are."""
+    """The field in units of ``scales``: its functions take and return scaled numbers. Parameters
+    and forces keep the model's units.
+    """
     units, time = scales.states.tolist(), scales.time
-    faster = [time**2 / length for length in scales.places]
-    slower = [1.0 / factor for factor in faster]
+    # Factors of the accelerations to scaled units, and back.
+    to_scaled = [time**2 / length for length in scales.places]
+    to_model = [1.0 / factor for factor in to_scaled]
     inner = field.sized(scales.levels).with_lead(field.lead) if field.sized else field
 
     def at(state: Vector) -> list[Any]:
         return _times(state, units)
 
-    def elsewhere(function: Callable[..., Any] | None) -> Any:
+    def of_scaled(function: Callable[..., Any] | None) -> Any:
         return function and (lambda state, *rest: function(at(state), *rest))
 
     def rows(function: Callable[..., Any], columns: Sequence[float]) -> Callable[..., Any]:
-        def found(state: Vector, *rest: Any) -> list[list[Any]]:
-            whole = (_times(row, columns) for row in function(at(state), *rest))
-            return [_times(row, repeat(factor)) for row, factor in zip(whole, faster, strict=True)]
+        def converted(state: Vector, *rest: Any) -> list[list[Any]]:
+            matrix = (_times(row, columns) for row in function(at(state), *rest))
+            pairs = zip(matrix, to_scaled, strict=True)
+            return [_times(row, repeat(factor)) for row, factor in pairs]
 
-        return found
+        return converted
 
     def border(that: Border, size: float) -> Border:
         def rate(state: Vector, accelerations: Vector, *rest: Any) -> Number:
-            return that.rate(at(state), _times(accelerations, slower), *rest) * (time / size)
+            return that.rate(at(state), _times(accelerations, to_model), *rest) * (time / size)
 
         def slopes(state: Vector, *rest: Any) -> list[Any]:
             assert that.slopes is not None
@@ -347,25 +359,25 @@ def scaled(field: Field, scales: MotionScales) -> Field:
             level=lambda state, *rest: that.level(at(state), *rest) * (1.0 / size),
             rate=rate,
             beyond=lambda mode, *given: that.beyond(mode, *map(at, given[:1]), *given[1:]),
-            jumps=elsewhere(that.jumps),
+            jumps=of_scaled(that.jumps),
             slopes=slopes if that.slopes else None,
-            stays=elsewhere(that.stays),
+            stays=of_scaled(that.stays),
         )
 
-    pulls, above = elsewhere(inner.acceleration), inner.airborne
+    acceleration, airborne = of_scaled(inner.acceleration), inner.airborne
     return replace(
         inner,
         name=f"{field.name}:{scales.places}:{time}:{scales.levels}:{scales.roots}",
-        acceleration=lambda *given: _times(pulls(*given), faster),
+        acceleration=lambda *given: _times(acceleration(*given), to_scaled),
         jacobian=rows(inner.jacobian, units),
         by_parameters=rows(inner.by_parameters, [1.0] * len(field.parameters)),
         borders=tuple(map(border, inner.borders, scales.levels)),
-        initial_mode=elsewhere(inner.initial_mode),
+        initial_mode=of_scaled(inner.initial_mode),
         forces=tuple(
             (name, lambda states, constants, force=force: force(np.array(at(states)), constants))
             for name, force in inner.forces
         ),
-        airborne=above and (lambda constants, state: above(constants, state * scales.states)),
+        airborne=airborne and (lambda constants, state: airborne(constants, state * scales.states)),
         lengths=lambda *_: (),
         natural=field,
         scales=scales,

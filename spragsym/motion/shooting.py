@@ -1,5 +1,14 @@
-"""Closed orbits by multiple shooting: Newton's method on the states between equal mesh intervals of
-one round, and the period.
+"""Closed orbits by multiple shooting.
+
+The period is divided into k equal mesh intervals. The unknowns are the states (k, m) at their
+beginnings, the period, and any free parameters. The equations: the flow map takes each state to the
+next one (a gap of 0), a phase condition, and one further condition per free parameter.
+:func:`closed_orbit` solves them by Newton's method, with the derivatives of the flow from the
+variational equations.
+
+An :class:`Iterate` is a point in the space of unknowns, an :class:`Orbit` an iterate whose mesh
+intervals have been integrated. Other functions choose the mesh, reduce an orbit to its least
+period, and estimate its error.
 """
 
 from __future__ import annotations
@@ -28,10 +37,8 @@ from .solution import Crossing, Extremum, FlowResult
 
 @dataclass(frozen=True)
 class Iterate:
-    """An orbit that need not close yet: states (k, m) between its k equal mesh intervals, period,
-    and values of the parameters.
-
-    Newton's method moves the parameters that are ``free`` too.
+    """Iterate of Newton's method: ``states`` (k, m) at the beginnings of k equal mesh intervals,
+    the period, and the values of all parameters, of which those with indices ``free`` are unknown.
     """
 
     states: FloatArray
@@ -41,11 +48,11 @@ class Iterate:
 
     @property
     def interval(self) -> float:
-        """Time from one state to the next."""
+        """Length of a mesh interval."""
         return self.period / len(self.states)
 
     def moved(self, step: FloatArray) -> Iterate:
-        """After a step in states, period and the free parameters."""
+        """The next iterate, by a step in states, period and free parameters."""
         size = self.states.size
         values = list(self.values)
         for index, change in zip(self.free, step[size + 1 :], strict=True):
@@ -54,7 +61,7 @@ class Iterate:
         return Iterate(states, self.period + float(step[size]), tuple(values), self.free)
 
     def at(self, index: int, value: float) -> Iterate:
-        """The guess at another value of one parameter."""
+        """The iterate with another value of one parameter, by its index."""
         return replace(self, values=(*self.values[:index], value, *self.values[index + 1 :]))
 
     @property
@@ -64,13 +71,13 @@ class Iterate:
 
     @property
     def coordinates(self) -> FloatArray:
-        """Unknowns of Newton's method: states, period, free parameters."""
+        """Vector of the unknowns: states, period, free parameters; (k m + 1 + free,)."""
         return np.concatenate([self.states.ravel(), [self.period], self.varied])
 
 
 @dataclass(frozen=True)
 class Orbit:
-    """An iterate with its mesh intervals integrated."""
+    """An iterate with the results of the flow map over its mesh intervals. It may have gaps."""
 
     flow: Flow
     guess: Iterate
@@ -84,12 +91,12 @@ class Orbit:
 
     @property
     def options(self) -> ShootingOptions:
-        """Options of the orbit."""
+        """Options of shooting."""
         return self.flow.options
 
     @property
     def states(self) -> FloatArray:
-        """States between the mesh intervals."""
+        """States at the beginnings of the mesh intervals, (k, m)."""
         return self.guess.states
 
     @property
@@ -116,7 +123,7 @@ class Orbit:
         return rate(self.field, state, self.constants)
 
     def bound(self) -> Orbit:
-        """The orbit with all parameters given, none free."""
+        """The orbit with all parameters fixed."""
         return replace(self, guess=replace(self.guess, free=()))
 
     @cached_property
@@ -126,30 +133,30 @@ class Orbit:
 
     @cached_property
     def gaps(self) -> FloatArray:
-        """Ends of the mesh intervals less the beginnings of the next: what comes around closes
-        after whole turns.
+        """Residual: end of each mesh interval minus the beginning of the next, shape (k, m).
+        Periodic coordinates are compared modulo whole turns.
         """
         return apart(self.ends, np.roll(self.states, -1, axis=0), self.field.periodic)
 
     @property
     def largest_gap(self) -> float:
-        """Largest gap."""
+        """Largest absolute gap."""
         return magnitude(self.gaps)
 
     @cached_property
     def windings(self) -> dict[int, int]:
-        """Turns in one round, by the places of coordinates that come around."""
+        """Number of turns in one period, by the index of each periodic coordinate."""
         moved = (self.ends - self.states).sum(axis=0) / TURN
         return {index: round(float(moved[index])) for index in self.field.periodic}
 
     @property
     def winding(self) -> int:
-        """Turns that the first coordinate makes in one round."""
+        """Number of turns of the first coordinate in one period."""
         return self.windings.get(0, 0)
 
     @cached_property
     def bounds(self) -> tuple[FloatArray, FloatArray]:
-        """Least and largest of every number of the state over one round, each of shape (m,)."""
+        """Smallest and largest value of each component of the state over one period, (m,) each."""
         states = np.hstack(
             [
                 self.flow.samples(each, self.constants, self.guess.interval).states
@@ -160,12 +167,14 @@ class Orbit:
 
     @cached_property
     def errors(self) -> FloatArray:
-        """Errors of the numbers of the state at its start, and of the period, (m + 1,)."""
+        """Errors of the components of the first state, and of the period, (m + 1,)."""
         return errors_of(self)
 
     @cached_property
     def leads(self) -> bool:
-        """Whether the leading coordinate moves, by more than its error."""
+        """True if the leading coordinate, whose maxima mark the periods, moves by more than its
+        error.
+        """
         lead = self.field.lead
         values = [extremum.state[lead] for extremum in self.extrema() if extremum.border == -1]
         extent = np.ptp([*values, *self.states[:, lead]])
@@ -173,31 +182,31 @@ class Orbit:
 
     @cached_property
     def lead(self) -> int:
-        """Place of the first coordinate that moves, by more than its error."""
+        """Index of the first coordinate that moves by more than its error."""
         if self.field.lead == 0 and self.leads:
             return 0
         low, high = self.bounds
         return int((high - low > self.options.moves * self.errors[:-1]).argmax())
 
     def with_lead(self) -> Orbit:
-        """The orbit with extrema of the first coordinate that moves."""
+        """The orbit with :attr:`lead` as the leading coordinate, integrated again if it changes."""
         lead = self.lead
         if lead == self.field.lead:
             return self
         return integrated(replace(self.flow, field=self.field.with_lead(lead)), self.guess)
 
     def at(self, t: float) -> FloatArray:
-        """The state at a time of the round, from the nearest state before it."""
+        """The state at a time within the period, integrated from the nearest state before."""
         interval = self.guess.interval
         which = min(int(t / interval), len(self.states) - 1)
-        start, left = self.states[which], t - which * interval
-        if not left > 1e-14 * interval:
+        start, remaining = self.states[which], t - which * interval
+        if not remaining > 1e-14 * interval:
             return start
-        return self.flow.flow_map(start, self.constants, left).state
+        return self.flow.flow_map(start, self.constants, remaining).state
 
     @cached_property
     def monodromy(self) -> FloatArray:
-        """Derivative of one round by its start."""
+        """Monodromy matrix: derivative of the flow over one period by the first state, (m, m)."""
         product = np.eye(self.field.size)
         for each in self.flow_results:
             product = each.by_state @ product
@@ -205,7 +214,7 @@ class Orbit:
 
     @property
     def sticks(self) -> bool:
-        """Whether it stays on a border on its way: deviations across that end there."""
+        """True if the orbit sticks for some time, which ends all deviations across the border."""
         borders = self.field.borders
         return bool(self.field.stays(self.mode(self.state))) or any(
             borders[crossing.border].stays and not crossing.sign for crossing in self.crossings()
@@ -213,22 +222,20 @@ class Orbit:
 
     @cached_property
     def multipliers(self) -> Multipliers:
-        """Floquet multipliers of the orbit: where it sticks, the smallest one is 0, whatever
-        rounding leaves.
-        """
+        """Floquet multipliers. If the orbit sticks, the smallest one is set to exactly 0."""
         m = self.field.deviations
         flows = [self.rate(state)[:m] for state in self.states]
         found = multipliers_of([each.by_state[:m, :m] for each in self.flow_results], flows)
-        lasting = np.arange(len(found.others)) < len(found.others) - self.sticks
+        nonzero = np.arange(len(found.others)) < len(found.others) - self.sticks
         return replace(
             found,
-            others=np.where(lasting, found.others, 0.0),
-            errors=np.where(lasting, found.errors, 0.0),
+            others=np.where(nonzero, found.others, 0.0),
+            errors=np.where(nonzero, found.errors, 0.0),
         )
 
     def slopes(self, *rows: FloatArray) -> FloatArray:
-        """Derivatives of the gaps by states, period and free parameters, (k m, k m + 1 +
-        parameters), above further rows.
+        """Jacobian of the gaps by states, period and free parameters, (k m, k m + 1 + free), above
+        the given rows, which are those of further conditions.
         """
         (k, m), parameters = self.states.shape, len(self.guess.free)
         matrix = np.zeros((k * m, k * m + 1 + parameters))
@@ -241,7 +248,7 @@ class Orbit:
         return np.vstack([matrix, *rows])
 
     def crossings(self) -> tuple[Crossing, ...]:
-        """All crossings of one round, in time from its start."""
+        """All border crossings of one period, with times from its beginning."""
         return tuple(
             c._replace(t=c.t + i * self.guess.interval)
             for i, each in enumerate(self.flow_results)
@@ -249,8 +256,9 @@ class Orbit:
         )
 
     def maxima(self) -> list[Extremum]:
-        """Turns at which the leading coordinate is largest, the start first: where it is one it may
-        be counted at neither end.
+        """Maxima of the leading coordinate, in time, that at the start included.
+
+        An integrator may miss an extremum at either end of its interval: one at the start is added.
         """
         found = [
             extremum
@@ -264,38 +272,41 @@ class Orbit:
 
     @property
     def top(self) -> Extremum | None:
-        """The turn at which the leading coordinate is largest; of several that are alike but for
-        rounding the one at which the next number of the state is.
+        """The largest maximum of the leading coordinate, None if there is none.
+
+        Of several that are equal up to rounding, the one with the largest next component of the
+        state, so that the choice does not depend on rounding.
         """
-        # Numbers that differ by less are alike.
-        found, near = self.maxima(), 1e-6 * extent(self)
+        found, tolerance = self.maxima(), 1e-6 * extent(self)
         for index in (self.field.lead, self.field.lead + 1):
-            most = max((turn.state[index] for turn in found), default=0.0)
-            found = [turn for turn in found if turn.state[index] >= most - near]
+            largest = max((maximum.state[index] for maximum in found), default=0.0)
+            found = [each for each in found if each.state[index] >= largest - tolerance]
         return next(iter(found), None)
 
     def extrema(self) -> tuple[Extremum, ...]:
-        """All turns of one round, with derivatives by the start of the round."""
-        interval, found, before = self.guess.interval, [], np.eye(self.field.size)
-        shift = np.zeros_like(self.flow_results[0].by_parameters)
+        """All extrema of one period, with derivatives by the first state of the period."""
+        interval, found = self.guess.interval, []
+        by_state = np.eye(self.field.size)
+        by_parameters = np.zeros_like(self.flow_results[0].by_parameters)
         for i, each in enumerate(self.flow_results):
             found += [
                 extremum._replace(
                     t=extremum.t + i * interval,
-                    by_state=extremum.by_state @ before,
-                    by_parameters=extremum.by_parameters + extremum.by_state @ shift,
+                    by_state=extremum.by_state @ by_state,
+                    by_parameters=extremum.by_parameters + extremum.by_state @ by_parameters,
                 )
                 for extremum in each.extrema
             ]
-            before, shift = each.by_state @ before, each.by_parameters + each.by_state @ shift
+            by_parameters = each.by_parameters + each.by_state @ by_parameters
+            by_state = each.by_state @ by_state
         return tuple(found)
 
     def samples(self) -> PiecewisePolynomial:
-        """One round by the polynomials through its samples."""
+        """One period as a piecewise polynomial."""
         return self.flow.samples(self.state, self.constants, self.period)
 
     def moments(self) -> tuple[float, float]:
-        """Mean and root mean square of the first coordinate; NaN where it turns around."""
+        """Mean and root mean square over one period of the first coordinate; NaN if it winds."""
         if self.winding:
             return math.nan, math.nan
         mean, square = (
@@ -309,9 +320,7 @@ class Orbit:
 
 
 def in_scales(orbit: Orbit) -> Orbit:
-    """An orbit in units of its motion, in which shooting has its tolerances; itself where these
-    are 1.
-    """
+    """The orbit in units of its motion, in which the tolerances of shooting are meant."""
     field, constants = orbit.field, orbit.constants
     if field.scales:
         return orbit
@@ -322,14 +331,15 @@ def in_scales(orbit: Orbit) -> Orbit:
 
 
 def natural(orbit: Orbit) -> Orbit:
-    """An orbit in the units of the model."""
+    """The orbit in the units of the model."""
     field = orbit.field
-    return (
-        _converted(orbit, field.natural, field.scales) if field.natural and field.scales else orbit
-    )
+    if field.natural and field.scales:
+        return _converted(orbit, field.natural, field.scales)
+    return orbit
 
 
 def _converted(orbit: Orbit, field: Field, scales: MotionScales) -> Orbit:
+    """The orbit multiplied by ``scales``; ``field`` is the field in the resulting units."""
     guess = orbit.guess
     states, period = guess.states * scales.states, guess.period * scales.time
     return replace(
@@ -340,14 +350,12 @@ def _converted(orbit: Orbit, field: Field, scales: MotionScales) -> Orbit:
     )
 
 
-#: Further equations: ``conditions(orbit)`` gives their values (r,) and slopes (r, unknowns).
+#: Further equations: ``conditions(orbit)`` gives their residuals (r,) and Jacobian (r, unknowns).
 Conditions: TypeAlias = Callable[[Orbit], tuple[FloatArray, FloatArray]]
 
 
 def rate(field: Field, state: Sequence[float] | FloatArray, constants: Values) -> FloatArray:
-    """The derivative of a state in time; not a number where there is none, as at the anchor of a
-    spring.
-    """
+    """Time derivative of a state, (m,); NaN where it is undefined, as at the anchor of a spring."""
     numbers = [float(value) for value in state]
     try:
         return field.rates(numbers, constants, field.initial_mode(numbers, constants))
@@ -356,7 +364,10 @@ def rate(field: Field, state: Sequence[float] | FloatArray, constants: Values) -
 
 
 def integrated(flow: Flow, guess: Iterate) -> Orbit:
-    """A guess integrated."""
+    """The orbit of an iterate: its mesh intervals are integrated, with derivatives.
+
+    Raises ConvergenceError if a free parameter is out of its range, or the period not positive.
+    """
     field, free = flow.field, guess.free
     try:
         for index in free:
@@ -384,20 +395,22 @@ def closed_orbit(
     reach: float = np.inf,
     options: ShootingOptions | None = None,
 ) -> Orbit:
-    """The closed orbit near a guess, which may be integrated already, under further conditions, as
-    many as there are free parameters and one.
+    """The closed orbit near a guess, by Newton's method.
 
-    ``reach`` bounds how far the states may move from the guess; ``options`` are those of the flow
-    where none are given. Raises ConvergenceError where there is none.
+    ``conditions`` are the phase condition and one further condition per free parameter.
+    ``reach`` is the largest distance of the states from those of the guess, and ``options`` replace
+    those of the flow. Raises ConvergenceError if Newton's method does not converge within these
+    limits.
     """
     options = options or flow.options
     orbit = integrated(flow, guess) if isinstance(guess, Iterate) else guess
-    start, size, before = orbit.guess, orbit.states.size, np.inf
+    start, size, previous = orbit.guess, orbit.states.size, np.inf
     for iteration in range(options.steps):
         values, rows = zip(*(each(orbit) for each in conditions), strict=True)
         residual = np.concatenate([orbit.gaps.ravel(), *values])
         if magnitude(residual) <= rounding(orbit):
-            # of orbits that are not isolated, as where nothing damps, a step leads anywhere
+            # Orbits that are not isolated, as of a model without damping, have a nearly singular
+            # Jacobian: another step would lead away.
             return orbit
         try:
             step = np.linalg.solve(orbit.slopes(*rows), -residual)
@@ -405,28 +418,28 @@ def closed_orbit(
             raise ConvergenceError("Newton's method meets a singular matrix") from error
         width = magnitude(step)
         scale = 1 + max(magnitude(orbit.states), orbit.period)
-        small = width <= options.last_step * scale or (
-            width <= 1e-8 * scale and width > 0.2 * before
-        )
-        # An interval that could be subdivided no further carries what rounds at its beginning to
-        # its end, as many times larger.
-        carried = options.closed * max(1.0, growth(orbit) / options.growth)
-        if small and magnitude(residual) <= carried * (1 + magnitude(orbit.states)):
+        stagnates = width <= 1e-8 * scale and width > 0.2 * previous
+        converged = width <= options.last_step * scale or stagnates
+        # Rounding at the beginning of a mesh interval grows up to its end, by more than allowed if
+        # the mesh could not be refined.
+        tolerance = options.closed * max(1.0, growth(orbit) / options.growth)
+        if converged and magnitude(residual) <= tolerance * (1 + magnitude(orbit.states)):
             return orbit
-        if iteration and width > 1e3 * before:
+        if iteration and width > 1e3 * previous:
             break
         guess = orbit.guess.moved(step)
         if magnitude(guess.states - start.states) > reach or not np.isfinite(step[:size]).all():
             break
         if not 0.5 < guess.period / start.period < 2:
             break
-        orbit, before = integrated(flow, guess), width
+        orbit, previous = integrated(flow, guess), width
     raise ConvergenceError("Newton's method finds no closed orbit there; start nearer to one")
 
 
 def through(point: FloatArray, normal: FloatArray, guess: Iterate) -> Conditions:
-    """Phase condition of orbits of as many mesh intervals as a guess: the first state stays in a
-    plane through a place.
+    """Phase condition: the first state lies in the plane through ``point`` with this ``normal``.
+
+    ``guess`` only gives the number of unknowns.
     """
     row = np.zeros((1, len(guess.coordinates)))
     row[0, : len(normal)] = normal
@@ -434,7 +447,9 @@ def through(point: FloatArray, normal: FloatArray, guess: Iterate) -> Conditions
 
 
 def across(orbit: Orbit, point: FloatArray | None = None) -> Conditions:
-    """The plane across the flow at the first state of an orbit, through that or another place."""
+    """Phase condition: the plane normal to the flow at the first state of an orbit, through that
+    state or through ``point``.
+    """
     first = orbit.state
     normal = orbit.rate(first)
     point = first if point is None else point
@@ -442,30 +457,30 @@ def across(orbit: Orbit, point: FloatArray | None = None) -> Conditions:
 
 
 def phase(orbit: Orbit, guess: Iterate) -> Conditions:
-    """The phase of a guess at an orbit: where the leading coordinate is largest, if it begins
-    there, or as it is.
+    """Phase condition for a guess near an orbit: the leading coordinate has an extremum at the
+    start if it has one in the guess; otherwise the plane of :func:`across`.
     """
     m, speed = orbit.field.size, len(orbit.field.coordinates) + orbit.field.lead
-    # Where the leading coordinate changes faster, it is not largest.
-    if abs(guess.states[0, speed]) > 1e-8:
+    if abs(guess.states[0, speed]) > 1e-8:  # no extremum
         return across(replace(orbit, guess=guess))
     return through(np.zeros(m), np.eye(m)[speed], guess)
 
 
 def remeshed(orbit: Orbit, pieces: int, begin: float = 0.0) -> Iterate:
-    """An orbit in ``pieces`` equal mesh intervals from the time ``begin`` on: each state from the
-    nearest one before it.
+    """The orbit on ``pieces`` equal mesh intervals, the first of which starts at time ``begin``.
 
-    Carried once around from one state, the error of a strongly unstable orbit would grow beyond
-    Newton's reach.
+    Each state is integrated from the nearest old one before it: integrated from the first state
+    alone, the error of a strongly unstable orbit would grow too large for Newton's method.
     """
     times = (begin + np.arange(pieces) * orbit.period / pieces) % orbit.period
     return replace(orbit.guess, states=np.array([orbit.at(t) for t in times.tolist()]))
 
 
 def refined_mesh(orbit: Orbit, first: bool = False) -> Iterate | None:
-    """The orbit in twice as many mesh intervals where the derivatives over one have grown large;
-    None elsewhere, and where it has as many as it may, or a ``first`` guess.
+    """The orbit on twice as many mesh intervals if deviations grow too much over one interval.
+
+    None if they do not, or if the maximum number of intervals is reached; ``first`` selects the
+    maximum for a first guess.
     """
     options, pieces = orbit.options, len(orbit.states)
     if growth(orbit) <= options.growth:
@@ -475,27 +490,27 @@ def refined_mesh(orbit: Orbit, first: bool = False) -> Iterate | None:
 
 
 def off_jumps(orbit: Orbit) -> Orbit:
-    """The orbit, or where it begins as it passes a jump of the field, which derivatives then lack,
-    from a little later on.
+    """An orbit of which no mesh interval begins on a jump of the field.
+
+    There the derivatives of the flow lack the saltation matrix: they do not take the rate at the
+    beginning of an interval to that at its end. Such an orbit is integrated again, on a mesh that
+    is shifted by 0.3 intervals.
     """
-    flows = [orbit.rate(state) for state in orbit.states]
-    ends = zip(orbit.flow_results, flows, [*flows[1:], flows[0]], strict=True)
+    rates = [orbit.rate(state) for state in orbit.states]
+    ends = zip(orbit.flow_results, rates, [*rates[1:], rates[0]], strict=True)
     if not orbit.field.sticking_borders or all(
-        norm(each.by_state @ one - due) < orbit.options.trivial * norm(due)
-        for each, one, due in ends
+        norm(each.by_state @ first - last) < orbit.options.trivial * norm(last)
+        for each, first, last in ends
     ):
         return orbit
-    # How far from a jump of the field it is looked how far from all of them an orbit may
-    # begin, in mesh intervals.
     return integrated(orbit.flow, remeshed(orbit, len(orbit.states), 0.3 * orbit.guess.interval))
 
 
 def offset_from_jumps(orbit: Orbit) -> float:
-    """Time by which a mesh is shifted so that its intervals begin farthest from jumps of the field;
-    0 where none begins near one.
+    """Shift of the mesh in time that moves its nodes farthest away from jumps of the field; 0 if no
+    node is near one.
 
-    A state on the wrong side of a jump goes another way: Newton's method does not take the states
-    of mesh intervals across.
+    Newton's method may move a node across a jump only by continuing on the wrong side of it.
     """
     interval, borders = orbit.guess.interval, orbit.field.borders
     times = sorted(
@@ -504,27 +519,26 @@ def offset_from_jumps(orbit: Orbit) -> float:
     if not times:
         return 0.0
     width, begin = max((later - t, t) for t, later in pairwise([*times, times[0] + interval]))
-    # Mesh intervals begin no nearer to a jump of the field than this share of the longest
-    # time between jumps, each in its interval.
-    return (
-        (begin + width / 2) % interval if min(times[0], interval - times[-1]) < 0.1 * width else 0.0
-    )
+    # A node is near a jump if it is closer than a tenth of the longest time without jumps.
+    if min(times[0], interval - times[-1]) < 0.1 * width:
+        return (begin + width / 2) % interval
+    return 0.0
 
 
 def subdivided(flow: Flow, guess: Iterate) -> Orbit:
-    """A guess integrated, in as many mesh intervals as its growth asks for."""
+    """The orbit of a guess, on a mesh that is refined until deviations grow little per interval."""
     orbit = integrated(flow, guess)
-    while cut := refined_mesh(orbit, first=True):
-        orbit = integrated(flow, cut)
+    while refined := refined_mesh(orbit, first=True):
+        orbit = integrated(flow, refined)
     return orbit
 
 
 def least_period(orbit: Orbit) -> Orbit:
-    """The orbit over its least period: rounds are one if they differ by no more than the orbit's
-    error.
+    """The orbit over its least period.
 
-    Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by
-    very little. Every prime number of rounds is tried that there may be, by :func:`_most_rounds`.
+    The orbit may be several rounds of a shorter one. Every prime number of rounds up to
+    :func:`_most_rounds` is tried. The rounds are the same orbit if they differ by no more than the
+    orbit's error: just after a period doubling two rounds differ by very little.
     """
     most = _most_rounds(orbit)
     for rounds in (k for k in range(2, most + 1) if all(k % j for j in range(2, k))):
@@ -536,15 +550,15 @@ def least_period(orbit: Orbit) -> Orbit:
 
 
 def _most_rounds(orbit: Orbit) -> int:
-    """Most rounds that an orbit may consist of.
+    """Upper bound of the number of rounds that an orbit may consist of.
 
-    A coordinate that turns around makes a whole turn in each, and the leading one is largest once
-    at least, unless a border hides that. Every one goes up and down by its range, no faster than
-    it does anywhere.
+    In each round a coordinate with turns makes at least one, and the leading coordinate has at
+    least one maximum. Every other coordinate goes up and down by its range, no faster than its
+    largest rates.
     """
     maxima = len(orbit.maxima()) if orbit.leads and not orbit.windings.get(orbit.field.lead) else 0
-    most = [abs(turns) for turns in (*orbit.windings.values(), maxima) if turns]
-    if 1 in most:
+    bounds = [abs(turns) for turns in (*orbit.windings.values(), maxima) if turns]
+    if 1 in bounds:
         return 1
     low, high = orbit.bounds
     n, options = len(orbit.field.coordinates), orbit.options
@@ -552,38 +566,38 @@ def _most_rounds(orbit: Orbit) -> int:
         extent = float(high[index] - low[index])
         if extent > options.moves * orbit.errors[index] and not orbit.windings.get(index):
             up, down = high[n + index], -low[n + index]
-            most.append(
-                int((1 + options.same_range) * orbit.period / (extent / up + extent / down))
-            )
-    return min(most, default=1)
+            shortest = extent / up + extent / down
+            bounds.append(int((1 + options.same_range) * orbit.period / shortest))
+    return min(bounds, default=1)
 
 
 def _divided(orbit: Orbit, rounds: int) -> Orbit | None:
-    """The orbit over a part of its period, if it closes after that; None where it does not.
+    """The orbit over its period divided by ``rounds``; None if it does not close after that time.
 
-    Every number of the state has its own range and error. Beside a state at which an orbit all but
-    rests any time closes it: the shorter one has the same ranges, or is another.
+    Near an equilibrium an orbit almost closes after any time. So the shorter orbit must have the
+    same ranges of all components, too.
     """
     errors, ranges, options = orbit.errors[:-1], _ranges(orbit), orbit.options
-    off = np.abs(apart(orbit.at(orbit.period / rounds), orbit.state, orbit.field.periodic))
-    if not (off <= np.maximum(options.same_state * ranges, 10 * errors)).all():
+    gap = np.abs(apart(orbit.at(orbit.period / rounds), orbit.state, orbit.field.periodic))
+    if not (gap <= np.maximum(options.same_state * ranges, 10 * errors)).all():
         return None
-    near = options.same_range * ranges + options.moves * errors
+    tolerance = options.same_range * ranges + options.moves * errors
     with suppress(ConvergenceError):
         guess = Iterate(orbit.state[None], orbit.period / rounds, orbit.values)
         guess = subdivided(orbit.flow, guess).guess
+        at_guess = phase(orbit, guess)
         try:
-            shorter = closed_orbit(orbit.flow, guess, phase(orbit, guess), reach=magnitude(near))
+            shorter = closed_orbit(orbit.flow, guess, at_guess, reach=magnitude(tolerance))
         except ConvergenceError:
-            # where nothing damps orbits are not isolated, and Newton's matrix is singular
+            # Without damping, orbits are not isolated and the Jacobian is singular.
             shorter = integrated(orbit.flow, guess)
-        if (np.abs(_ranges(shorter) - ranges) <= near).all():
+        if (np.abs(_ranges(shorter) - ranges) <= tolerance).all():
             return shorter
     return None
 
 
 def _ranges(orbit: Orbit) -> FloatArray:
-    """Ranges of all numbers of the state, a turn of those that turn around."""
+    """Ranges of all components of the state, (m,); 2π for coordinates that make turns."""
     low, high = orbit.bounds
     ranges = high - low
     ranges[[index for index, turns in orbit.windings.items() if turns]] = TURN
@@ -591,8 +605,8 @@ def _ranges(orbit: Orbit) -> FloatArray:
 
 
 def difference(orbit: Orbit) -> float:
-    """The largest distance between ends of mesh intervals with and without derivatives: what the
-    step control of either missed.
+    """Largest difference between the ends of mesh intervals integrated with and without
+    derivatives, which have different steps: an estimate of the integration error.
     """
     ends = [
         orbit.flow.plain(state, orbit.constants, orbit.guess.interval).state
@@ -602,8 +616,10 @@ def difference(orbit: Orbit) -> float:
 
 
 def errors_of(orbit: Orbit, differs: float = 0.0) -> FloatArray:
-    """Errors of the first state's numbers and of the period: row sums of the inverse of Newton's
-    matrix, times what does not close, rounding, or ``differs``.
+    """Error estimates of the first state and the period, (m + 1,).
+
+    These are the row sums of |J⁻¹|, with the Jacobian J of shooting, times the largest of the gaps,
+    rounding, and ``differs``, which may be :func:`difference`.
     """
     size = orbit.field.size
     _, rows = phase(orbit, orbit.guess)(orbit)
@@ -618,16 +634,16 @@ def error_of(orbit: Orbit, differs: float = 0.0) -> float:
 
 
 def extent(orbit: Orbit, units: FloatArray | float = 1.0) -> float:
-    """Range of the turns of an orbit: the largest of all components, in their units."""
+    """Size of an orbit: the largest range of a component over extrema and mesh, in ``units``."""
     states = [*(extremum.state for extremum in orbit.extrema()), *orbit.states, *orbit.ends]
     return float((np.ptp(states, axis=0) / units).max())
 
 
 def growth(orbit: Orbit) -> float:
-    """Largest derivative over one mesh interval."""
+    """Largest derivative of the flow over one mesh interval."""
     return max(magnitude(each.by_state) for each in orbit.flow_results)
 
 
 def rounding(orbit: Orbit) -> float:
-    """Size of what rounding adds to the gaps of an orbit."""
+    """Estimated rounding error of the gaps of an orbit."""
     return 4e-16 * magnitude(orbit.states) * math.sqrt(orbit.period)

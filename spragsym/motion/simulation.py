@@ -1,4 +1,7 @@
-"""Motion in time: a model integrated from an initial state."""
+"""Motion in time: :func:`simulate` integrates a model from an initial state and returns a
+:class:`Trajectory`, from which averages, forces, energy, events, spectrum and the long-run limit
+are computed.
+"""
 
 from __future__ import annotations
 
@@ -61,39 +64,40 @@ def simulate(
     max_steps: int = MAX_STEPS,
     **values: float | None,
 ) -> Trajectory:
-    """Integrate the motion of a model from an initial state, the article's (8)–(11) among them.
+    """Integrate the equations of motion of a model from an initial state; for the article's model
+    these are (8)–(11).
 
-    The integrator is restarted at every kink of the field, y = 0 and x' = V for the article's
-    model, whether or not the events are kept.
+    The integrator is restarted at every kink of the field, whether or not the events are kept. The
+    kinks of the article's model are y = 0 and x' = V.
 
     Parameters
     ----------
     p : Parameters of any model
         Scalars.
     start : array_like, shape (2 n,), optional
-        Coordinates, then rates.
+        Initial coordinates, then initial rates.
     t_end : float
-        Until when, in the model's unit of time: sqrt(m/k_c).
+        Duration in the model's unit of time; for the article's model sqrt(m/k_c).
     rtol : float
-        Relative tolerance of a step, in [1e-13, 1e-2]; the absolute one is a thousandth of it, in
-        units of the motion's own (:mod:`spragsym.motion.scales`).
+        Relative tolerance of a step, in [1e-13, 1e-2]. The absolute tolerance is a thousandth of
+        it, in the motion's own units (:mod:`spragsym.motion.scales`).
     events : bool
         Keep the events.
     estimate_error : bool
-        Run again, from a start within rounding of this one and at the tightest tolerance there is,
-        by heyoka where it is installed, and keep the difference as ``error``.
+        Integrate a second time, from a start that differs by rounding and with the tightest
+        tolerance there is, by heyoka if it is installed. The difference is kept as ``error``.
     backend : {"heyoka", "compiled", "scipy"}, optional
-        Taylor series (extra ``fast``), or DOP853 in compiled code (the article's model) or in
-        Python; by default the first of these that is installed. They agree to the tolerance.
+        Taylor series (extra ``fast``), or DOP853 in compiled code (the article's model only) or in
+        Python. The default is the first of these that is installed. They agree to the tolerance.
     max_steps : int
-        Where to give up. A smooth motion takes a few steps per time unit; a stiff one, of large d,
-        up to d times the friction, as it creeps. Ten million take heyoka some ten seconds to a
-        minute, and several GB to keep.
+        Maximum number of steps. A smooth motion takes a few steps per time unit. A stiff motion,
+        with large d, takes up to d times the friction, as it creeps. Ten million steps take heyoka
+        some ten seconds to a minute, and several GB of memory.
     **values : float, optional
-        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``, and the initial state number
-        by number, by the names of the model's coordinates and rates, as ``x0, y0, vx0, vy0``; 0
-        where nothing is given. For the article's model that is rest at x = y = 0, which lies on a
-        kink.
+        Values of parameters that replace those of ``p``, as ``V=0.5, d=10.0``. Also single numbers
+        of the initial state, by the names of the model's coordinates and rates followed by 0, as
+        ``x0, y0, vx0, vy0``; they are 0 unless given. For the article's model that is rest at
+        x = y = 0, which lies on a kink.
 
     Returns
     -------
@@ -102,12 +106,12 @@ def simulate(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, and a start at which a spring has no length: at the
-        article's anchor (8) is singular.
+        For invalid arguments, and for a start at which a spring has length 0: there its direction
+        is undefined, and (8) is singular.
     ConvergenceError
-        When the integrator cannot go on, or has made ``max_steps``.
+        When the integrator fails, or has made ``max_steps``.
     MissingExtraError
-        When the backend asked for is not installed.
+        When the requested backend is not installed.
 
     Notes
     -----
@@ -143,18 +147,18 @@ def simulate(
 
 @dataclass(frozen=True, eq=False)
 class Trajectory(Named):
-    """A motion in time, as accurate between the samples as on them.
+    """A motion in time: samples, and the polynomial of each step through them.
 
-    The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and
-    all events among them: ``degree + 1`` to a step, consecutive steps sharing one. The motion is
-    the polynomial through them, so that integrals and values in between lose nothing against the
-    integration. A coordinate or its rate is an attribute of its name, as ``tr.x`` and ``tr.vx``.
+    The samples are the Gauss–Lobatto points of every step of the integrator: ``degree + 1`` points
+    per step, the ends of the step and all events among them; neighbouring steps share a point.
+    Values between the samples, and integrals, are as accurate as the integration itself. Each
+    coordinate and rate is an attribute by its name, as ``tr.x`` and ``tr.vx``.
 
     Attributes
     ----------
     model : Model
-        Its page says the units; the article's are sqrt(m/k_c) for times, L_0 for lengths, k_c L_0
-        for forces.
+        The model, whose page states the units. The article's are sqrt(m/k_c) for times, L_0 for
+        lengths, k_c L_0 for forces.
     p : Parameters of the model
         Scalars.
     t : ndarray, shape (k,)
@@ -162,20 +166,20 @@ class Trajectory(Named):
     state : ndarray, shape (2 n, k)
         The n coordinates, then their rates; x, y, x', y' for the article's model.
     events : Events or None
-        Contact lost and regained, slip reversed, sticking begun and ended; None when not asked for.
+        Contact lost and regained, slip reversed, sticking begun and ended; None if not requested.
     rtol : float
-        The relative tolerance of a step that was used: less than what was asked for where a border
-        is curved, and at least 1e-12 where ``implicit``.
+        The relative tolerance of a step that was used. It is smaller than the requested one for a
+        field with curved borders, and at least 1e-12 if ``implicit``.
     backend : str
-        Which integrator ran.
+        The integrator that was used.
     error : ndarray, shape (k,), or None
-        Estimated: largest of the 2 n |differences| up to this time to a second run, as tight as
-        there is and from a start within rounding, over 0.9, as that run has an error too; NaN where
-        none of the same method is a hundred times as tight, nor one of another there, so that the
-        error is not known; None when not asked for.
+        Estimated error: the largest difference, of all components and up to each time, to a second
+        run with the tightest tolerance and a start that differs by rounding; divided by 0.75,
+        because that run has an error too. NaN if no second run was possible: it must have a
+        tolerance at least a hundred times smaller, or be by another method. None if not requested.
     implicit : bool
-        Whether the motion is stiff, and SciPy's Radau carried it, as the steps of ``backend``
-        collapsed.
+        True if the motion is stiff: the steps of ``backend`` collapsed, and SciPy's Radau
+        integrated it.
     """
 
     schema = (
@@ -227,13 +231,12 @@ class Trajectory(Named):
         return self.data()
 
     def as_table(self) -> Table:
-        """First, smallest, largest and last value of each coordinate and rate, in place of all
-        samples.
+        """First, smallest, largest and last value of each coordinate and rate.
 
         Returns
         -------
         Table
-            Titles, units, and a row for each extreme.
+            Titles, units, and a row for each coordinate and rate.
 
         Examples
         --------
@@ -242,24 +245,18 @@ class Trajectory(Named):
         >>> len(tr.as_table().rows)
         2
         """
-        said, t = self._schema, self.t
-        rows = [
-            (
-                said.heading(key),
-                *(
-                    said.cell(key, value)
-                    for value in (values[0], values.min(), values.max(), values[-1])
-                ),
-            )
-            for key, values in zip(self.components, self.state, strict=True)
-        ]
+        schema, t = self._schema, self.t
+        rows = []
+        for name, values in zip(self.components, self.state, strict=True):
+            row = values[0], values.min(), values.max(), values[-1]
+            rows.append((schema.heading(name), *(schema.cell(name, value) for value in row)))
         shown = {"model": self.model.name, "p": self.p, "rtol": self.rtol}
         shown["backend"] = "SciPy's Radau" if self.implicit else self.backend
         if self.events is not None:
             shown["events"] = len(self.events)
         title = caption(
-            said,
-            f"Trajectory, t = {said.cell('t', t[0])} to {said.cell('t', t[-1])}",
+            schema,
+            f"Trajectory, t = {schema.cell('t', t[0])} to {schema.cell('t', t[-1])}",
             shown,
             f"{len(t)} samples",
         )
@@ -267,7 +264,7 @@ class Trajectory(Named):
 
     @cached_property
     def samples(self) -> PiecewisePolynomial:
-        """The polynomials through the samples."""
+        """The motion as a piecewise polynomial."""
         return PiecewisePolynomial(self.t, self.state)
 
     @cached_property
@@ -278,12 +275,12 @@ class Trajectory(Named):
         return self.samples.weights()
 
     def integral(self, values: ArrayLike) -> float:
-        """Integral over time of ``values``, given at the samples.
+        """Integral over time of a quantity that is given at the samples.
 
         Parameters
         ----------
         values : array_like, shape (n,)
-            Numbers at the samples.
+            The quantity at the n samples.
 
         Returns
         -------
@@ -300,7 +297,7 @@ class Trajectory(Named):
         return float(np.sum(self.weights * np.asarray(values)))
 
     def __call__(self, t: ArrayLike) -> FloatArray:
-        """Coordinates, then their rates, at any times within the trajectory, shape (2 n, …)."""
+        """Interpolate: coordinates, then rates, at times within the trajectory, shape (2 n, …)."""
         times = as_numbers("t", t)
         if times.size and not (self.t[0] <= times.min() and times.max() <= self.t[-1]):
             raise ParameterError(
@@ -310,13 +307,14 @@ class Trajectory(Named):
         return self.samples(times)
 
     def after(self, transient: float | None) -> Trajectory:
-        """Motion after the time ``transient``, three quarters of the end if None, as a trajectory;
-        an error if nothing is left.
+        """The part of the trajectory after the time ``transient``.
+
+        Raises ParameterError if the trajectory ends before.
 
         Parameters
         ----------
         transient : float or None
-            Time at which the part begins.
+            Time at which the part begins; None for three quarters of the end time.
 
         Returns
         -------
@@ -350,13 +348,12 @@ class Trajectory(Named):
         return replace(self, t=late.t, state=late.states, events=events, error=error)
 
     def mean(self, transient: float | None = None, *, of: str | None = None) -> float:
-        """Time average of x, a model's first coordinate, (or ``of="y"``, ``"vx"``, ``"vy"``) after
-        ``transient``.
+        """Time average of a coordinate or rate after ``transient``.
 
         Parameters
         ----------
         transient : float, optional
-            Time before which nothing counts, by default three quarters of the motion.
+            Time before which the motion is ignored, by default three quarters of its end time.
         of : str, optional
             A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
 
@@ -377,15 +374,15 @@ class Trajectory(Named):
     def rms(
         self, transient: float | None = None, *, of: str | None = None, about: str = "zero"
     ) -> float:
-        """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the
+        """Root mean square of a coordinate or rate after ``transient``, about zero or about its
         mean.
 
-        The article's Figure 7b shows the root mean square of x, from zero.
+        The article's Figure 7b shows the root mean square of x about zero.
 
         Parameters
         ----------
         transient : float, optional
-            Time before which nothing counts, by default three quarters of the motion.
+            Time before which the motion is ignored, by default three quarters of its end time.
         of : str, optional
             A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
         about : str
@@ -409,12 +406,13 @@ class Trajectory(Named):
     def largest(
         self, transient: float | None = None, *, of: str | None = None, about: str = "zero"
     ) -> float:
-        """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean.
+        """Largest absolute value of a coordinate or rate after ``transient``, or with
+        ``about="mean"`` its largest distance from the mean.
 
         Parameters
         ----------
         transient : float, optional
-            Time before which nothing counts, by default three quarters of the motion.
+            Time before which the motion is ignored, by default three quarters of its end time.
         of : str, optional
             A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
         about : str
@@ -432,7 +430,7 @@ class Trajectory(Named):
         0.3996
         """
         late, row = self.after(transient), row_of(of, self.components)
-        extrema = late.samples(np.append(late._turns(row), late.t[[0, -1]]))[row]
+        extrema = late.samples(np.append(late._extrema_t(row), late.t[[0, -1]]))[row]
         return magnitude(extrema - late._centre(of, about))
 
     def outcome(
@@ -442,20 +440,21 @@ class Trajectory(Named):
         tol: float | None = None,
         options: MotionOptions | None = None,
     ) -> Outcome:
-        """Limit that the motion settles to or approaches, how fast, and what is left, judged by
-        what follows ``transient``.
+        """The limit that the motion settles to or approaches, the rate of approach and the
+        remaining distance, judged by the motion after ``transient``.
 
-        The same as a :class:`~spragsym.results.Sweep` tells of it. A cycle is found by Newton's
-        method on the flow and its derivatives, which integrates a few periods more.
+        A :class:`~spragsym.results.Sweep` gives the same. A cycle is computed by Newton's method
+        (shooting), which integrates a few more periods.
 
         Parameters
         ----------
         transient : float, optional
-            Time before which nothing counts, by default three quarters of the motion.
+            Time before which the motion is ignored, by default three quarters of its end time.
         tol : float, optional
-            Share of the motion's reach that may be left, 1e-4 where it is left out.
+            Largest distance to the limit of a motion that has settled, relative to the extent of
+            the motion; by default 1e-4.
         options : MotionOptions, optional
-            Numbers by which a limit is told.
+            Tolerances by which a limit is recognized.
 
         Returns
         -------
@@ -487,24 +486,23 @@ class Trajectory(Named):
         return found
 
     def period(self, transient: float | None = None, *, tol: float | None = None) -> float:
-        """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has
-        not, and at rest.
+        """Period of the cycle to which the motion after ``transient`` has settled.
 
-        It has settled when what is left to the cycle is at most ``tol`` of the motion's reach. The
-        period is the cycle's own, whatever is left. For what a motion only approaches see
-        :meth:`outcome`.
+        NaN at rest, and if the motion has not settled. For a cycle that the motion only approaches
+        see :meth:`outcome`. The period is that of the cycle, whatever the distance to it.
 
         Parameters
         ----------
         transient : float, optional
-            Time before which nothing counts, by default three quarters of the motion.
+            Time before which the motion is ignored, by default three quarters of its end time.
         tol : float, optional
-            Share of the motion's reach that may be left, 1e-4 where it is left out.
+            Largest distance to the limit of a motion that has settled, relative to the extent of
+            the motion; by default 1e-4.
 
         Returns
         -------
         float
-            In units of time; NaN where there is none.
+            In the model's unit of time.
 
         Examples
         --------
@@ -517,15 +515,16 @@ class Trajectory(Named):
         return outcome.period if outcome.regime == Regime.LIMIT_CYCLE else float("nan")
 
     def converged(self, transient: float | None = None, *, tol: float | None = None) -> bool:
-        """Whether the motion after ``transient`` has settled to rest or to a cycle, within ``tol``
+        """True if the motion after ``transient`` has settled to rest or to a cycle, within ``tol``
         (see :meth:`outcome`).
 
         Parameters
         ----------
         transient : float, optional
-            Time before which nothing counts, by default three quarters of the motion.
+            Time before which the motion is ignored, by default three quarters of its end time.
         tol : float, optional
-            Share of the motion's reach that may be left, 1e-4 where it is left out.
+            Largest distance to the limit of a motion that has settled, relative to the extent of
+            the motion; by default 1e-4.
 
         Returns
         -------
@@ -541,7 +540,8 @@ class Trajectory(Named):
         return self.outcome(transient, tol=tol).regime in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
 
     def statistics(self) -> MotionStatistics:
-        """Measures on the way by :func:`~spragsym.motion.integrators.measure`, from the samples.
+        """Maxima, minima, integrals and event counts of the motion, as
+        :func:`~spragsym.motion.integrators.measure` accumulates them during an integration.
 
         Returns
         -------
@@ -562,8 +562,9 @@ class Trajectory(Named):
         return statistics_of(self.samples, counts, self.model.field)
 
     def energy(self) -> FloatArray:
-        """Kinetic and stored energy, contact and applied forces included, at the samples; with
-        terms of the kinetic energy linear in the rates, or without them, Jacobi's integral.
+        """Energy at the samples: kinetic energy and the potentials of springs, contacts and applied
+        forces. If the kinetic energy has terms that are linear in the rates, or without rates, this
+        is Jacobi's integral.
 
         Returns
         -------
@@ -577,13 +578,13 @@ class Trajectory(Named):
         True
         """
         algebra, given = self.model.algebra, self._arguments()
-        places = np.split(self.state, 2)[0]
-        strain = algebra.strain_energy(*places, *given, *self._pushing())
+        position = np.split(self.state, 2)[0]
+        strain = algebra.strain_energy(*position, *given, *self._in_contact())
         return strain + algebra.energy_besides_strain(*self.state, *given)
 
     def friction_power(self) -> FloatArray:
-        """Rate at which friction changes that energy, at the samples: positive where it drives the
-        motion.
+        """Power of friction at the samples: the rate at which it changes :meth:`energy`, positive
+        while it drives the motion.
 
         Returns
         -------
@@ -596,34 +597,33 @@ class Trajectory(Named):
         >>> bool(tr.friction_power().max() > 0 > tr.friction_power().min())
         True
         """
-        rates = np.split(self.state, 2)[1]
+        position, rates = np.split(self.state, 2)
+        # A sliding speed is linear in the rates: its rate for zero rates and the accelerations
+        # equal to the rates is minus the speed at which the mass itself slides.
         slides = self.model.algebra.border_rates(
-            *self.state[: len(rates)], *(0.0 * rates), *rates, *self._arguments()
+            *position, *(0.0 * rates), *rates, *self._arguments()
         )[len(self.model.contacts) :]
-        return sum(
-            (
-                self.friction_force(entry["name"]) * -slide
-                for entry, slide in zip(self.model.frictions, slides, strict=False)
-            ),
-            np.zeros(self.t.shape),
-        )
+        power = np.zeros(self.t.shape)
+        for entry, slide in zip(self.model.frictions, slides, strict=False):
+            power = power + self.friction_force(entry["name"]) * -slide
+        return power
 
     @property
     def friction(self) -> FloatArray:
-        """The force of the only friction at the samples: see :meth:`friction_force`."""
+        """Friction force at the samples, for one friction: see :meth:`friction_force`."""
         return self.friction_force()
 
     def friction_force(self, contact: str | None = None) -> FloatArray:
-        """The force of friction at the samples, positive in the belt's direction; while it sticks,
-        what holds the mass. ``contact`` names one of several.
+        """Friction force at the samples, positive in the belt's direction; while the mass sticks,
+        the force that holds it.
 
-        Where it jumps, between both sides: so that integrals over the steps before and after are
-        right.
+        At a sample where the force jumps, the value is the mean of both sides, weighted with the
+        lengths of the steps before and after, so that integrals are right.
 
         Parameters
         ----------
         contact : str, optional
-            Name of one of several contacts.
+            Name of the contact, if the model has several with friction.
 
         Returns
         -------
@@ -638,52 +638,46 @@ class Trajectory(Named):
         """
         rubbing = self.model.rubbing
         name = rubbing[forces.contact_named(self.model, contact, rubbing)]
-        sides = self._sides()
-        felt = [1] * self.model.about["layers"]
-        pushing = self._pushing()
-        gaps = np.diff(self.t)
-        before = np.concatenate([sides[:, :1], sides[:, :-1]], axis=1)
+        force = getattr(self.model.algebra, forces.named("friction_force", name))
+        in_contact = self._in_contact()
+        in_layers = [1] * self.model.about["layers"]
         names = [entry["name"] for entry in self.model.contacts]
-        rubs = pushing.copy()
-        rubs[self._faces] = 1  # on the other face too
-        presses = rubs[[names.index(one) for one in rubbing]]
-        # What is not pressed has no friction. In lift-off a sliding speed may change its sign far
-        # from 0 between samples, where the law of the other side overflows.
-        pressed = presses[rubbing.index(name)] != 0
+        pressed = in_contact.copy()
+        pressed[self._two_faced] = 1  # on either face
+        pressed = pressed[[names.index(one) for one in rubbing]]
+        # A contact that is open has no friction. While it is open, its sliding speed may change
+        # sign far from 0 between two samples, where the law of the other sign overflows.
+        closed = pressed[rubbing.index(name)] != 0
+
+        def with_signs(signs: IndexArray) -> FloatArray:
+            signs = np.where(pressed | (signs != 0), signs, 1)
+            values = force(*self.state, *self._arguments(), *in_contact, *signs, *in_layers)
+            return np.where(closed, values, 0.0)
+
+        after = self._slip_signs()
+        before = np.concatenate([after[:, :1], after[:, :-1]], axis=1)
         with np.errstate(over="ignore", invalid="ignore"):
-            own, last = (
-                np.where(
-                    pressed,
-                    getattr(self.model.algebra, forces.named("friction_force", name))(
-                        *self.state,
-                        *self._arguments(),
-                        *pushing,
-                        *np.where(presses | (side != 0), side, 1),
-                        *felt,
-                    ),
-                    0.0,
-                )
-                for side in (sides, before)
-            )
-        share = np.divide(gaps[:-1], gaps[:-1] + gaps[1:])
-        jumps = (sides != before).any(axis=0)
-        own[1:-1] += np.where(jumps, last - own, 0.0)[1:-1] * share
-        return own
+            values, limits_before = with_signs(after), with_signs(before)
+        steps = np.diff(self.t)
+        weight_before = np.divide(steps[:-1], steps[:-1] + steps[1:])
+        jumps = (after != before).any(axis=0)
+        values[1:-1] += np.where(jumps, limits_before - values, 0.0)[1:-1] * weight_before
+        return values
 
     @property
     def sticking(self) -> float:
-        """The share of time in which the mass sticks to the belt: 0 where friction does not hold
-        (see ``page.friction``). Of several contacts :meth:`sticking_share` tells it of one.
+        """Share of time in which the mass sticks to the belt, of a model with one friction; 0 if
+        its friction law cannot hold (see ``page.friction``). See :meth:`sticking_share`.
         """
         return self.sticking_share()
 
     def sticking_share(self, contact: str | None = None) -> float:
-        """The share of time in which friction sticks; ``contact`` names one of several.
+        """Share of time in which the mass sticks at a contact.
 
         Parameters
         ----------
         contact : str, optional
-            Name of one of several contacts.
+            Name of the contact, if the model has several with friction.
 
         Returns
         -------
@@ -697,12 +691,12 @@ class Trajectory(Named):
         >>> 0 < tr.sticking_share() < 1
         True
         """
-        sides = self._sides()[forces.contact_named(self.model, contact, self.model.rubbing)]
-        return float(np.diff(self.t)[sides[:-1] == 0].sum() / (self.t[-1] - self.t[0]))
+        signs = self._slip_signs()[forces.contact_named(self.model, contact, self.model.rubbing)]
+        return float(np.diff(self.t)[signs[:-1] == 0].sum() / (self.t[-1] - self.t[0]))
 
     def power(self) -> FloatArray:
-        """Rate at which friction, dampers and forces without a potential change that energy, at the
-        samples.
+        """Rate of change of :meth:`energy` at the samples: the power of friction, dampers and
+        forces without a potential.
 
         Returns
         -------
@@ -715,19 +709,18 @@ class Trajectory(Named):
         >>> tr.power().shape == tr.t.shape
         True
         """
-        pushing = self._pushing() if self.model.clock else ()
+        in_contact = self._in_contact() if self.model.clock else ()
         return self.friction_power() + self.model.algebra.power_besides_friction(
-            *self.state, *self._arguments(), *pushing
+            *self.state, *self._arguments(), *in_contact
         )
 
     def spring_force(self, spring: str | None = None) -> FloatArray:
-        """Tension of an inclined spring at the samples, negative where it pushes; ``spring`` names
-        one of several.
+        """Tension of an inclined spring at the samples, negative in compression.
 
         Parameters
         ----------
         spring : str, optional
-            Name of one of several inclined springs.
+            Name of the spring, if the model has several inclined ones.
 
         Returns
         -------
@@ -746,13 +739,12 @@ class Trajectory(Named):
         return forces.forces_of(self.model)[name](self.state, self._arguments())
 
     def contact_force(self, contact: str | None = None) -> FloatArray:
-        """Normal force of the contact at the samples: 0 where the mass has lifted off; ``contact``
-        names one of several.
+        """Normal force of a contact at the samples, 0 while the mass has lifted off.
 
         Parameters
         ----------
         contact : str, optional
-            Name of one of several contacts.
+            Name of the contact, if the model has several.
 
         Returns
         -------
@@ -774,17 +766,17 @@ class Trajectory(Named):
     def spectrum(
         self, transient: float | None = None, *, of: str | None = None, points: int = 4096
     ) -> Spectrum:
-        """Amplitudes over frequency, in cycles per unit of time, of the motion after
-        ``transient``.
+        """Amplitude spectrum of a coordinate or rate after ``transient``; frequencies are in cycles
+        per unit of time.
 
         Parameters
         ----------
         transient : float, optional
-            Time before which nothing counts, by default three quarters of the motion.
+            Time before which the motion is ignored, by default three quarters of its end time.
         of : str, optional
             A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
         points : int
-            Points at equal steps from which it is taken.
+            Number of equidistant points of which the spectrum is taken.
 
         Returns
         -------
@@ -800,23 +792,24 @@ class Trajectory(Named):
         return spectrum_of(self.after(transient).samples, row_of(of, self.components), points)
 
     def decay_rate(self, transient: float = 0.0, *, of: str | None = None) -> float:
-        """The rate at which the swings of a coordinate shrink after ``transient``, by least
-        squares; negative where they grow.
+        """Exponential decay rate of the swings of a coordinate after ``transient``, negative if
+        they grow.
 
-        NaN where there are fewer than two swings. For motions that decay to rest; towards a cycle
-        see :meth:`outcome`.
+        The logarithm of the swings, from each extremum to the next, is fitted linearly in time. NaN
+        for fewer than two swings. For motions that decay to rest; towards a cycle see
+        :meth:`outcome`.
 
         Parameters
         ----------
         transient : float
-            Time before which nothing counts.
+            Time before which the motion is ignored.
         of : str, optional
             A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
 
         Returns
         -------
         float
-            In one over the unit of time.
+            In 1 over the unit of time.
 
         Examples
         --------
@@ -826,13 +819,14 @@ class Trajectory(Named):
         0.0126
         """
         row, late = row_of(of, self.model.coordinates), self.after(transient)
-        turns = np.sort(late._turns(row))
-        extrema, middle = late.samples(turns)[row], (turns[1:] + turns[:-1]) / 2
+        times = np.sort(late._extrema_t(row))
+        extrema, middles = late.samples(times)[row], (times[1:] + times[:-1]) / 2
         swings = np.abs(np.diff(extrema))
-        kept = swings > 1e-13 * max(np.abs(extrema).max(initial=0.0), 1e-300)
-        if np.count_nonzero(kept) < 2:
+        above_rounding = swings > 1e-13 * max(np.abs(extrema).max(initial=0.0), 1e-300)
+        swings, middles = swings[above_rounding], middles[above_rounding]
+        if len(swings) < 2:
             return float("nan")
-        slope, _ = np.polyfit(middle[kept] - middle[kept][0], np.log(swings[kept]), 1)
+        slope, _ = np.polyfit(middles - middles[0], np.log(swings), 1)
         return -float(slope)
 
     def to_dataset(self) -> Dataset:
@@ -863,17 +857,14 @@ class Trajectory(Named):
                 data[contact] = (at, np.array(self.events.contact))
         return storage.dataset(data, coords, self._attributes(), self._in_model_units)
 
-    # --------------------------------------------------------------------------------------------
-    # inner parts
-
     def _values(self, of: str | None) -> FloatArray:
         return self.state[row_of(of, self.components)]
 
     def _centre(self, of: str | None, about: str) -> float:
         return self.mean(0.0, of=of) if one_of("about", about, ("zero", "mean")) == "mean" else 0.0
 
-    def _turns(self, row: int) -> FloatArray:
-        """Times of all local extrema: of a coordinate, where its rate passes 0."""
+    def _extrema_t(self, row: int) -> FloatArray:
+        """Times of all local extrema of a component: of a coordinate, the zeros of its rate."""
         n = len(self.components) // 2
         if row >= n:
             return self.samples.turns(row)
@@ -883,8 +874,9 @@ class Trajectory(Named):
         return [float(value) for value in self.model.arguments(self.p, "motion")]
 
     def _levels(self) -> tuple[FloatArray, FloatArray]:
-        """The contacts' borders, negative where there are none, and the sliding speeds at the
-        samples: a row for each.
+        """Gap of each contact, and sliding speed of each friction, at the samples: a row each.
+
+        The gap of a contact that never opens is −1.
         """
         levels = self.model.algebra.borders(*self.state, *self._arguments())
         gaps = [
@@ -893,41 +885,36 @@ class Trajectory(Named):
         ]
         return np.array(gaps), np.array(levels[len(gaps) :])
 
-    def _sides(self) -> IndexArray:
-        """The signs of the sliding speeds at the samples, 0 where the mass sticks: a row for each
-        friction.
-        """
+    def _slip_signs(self) -> IndexArray:
+        """Sign of each sliding speed at the samples, 0 while it sticks: a row per friction."""
         field, constants = self.model.field, self._arguments()
-        slips = self._levels()[1]
+        speeds = self._levels()[1]
         if not field.sticking_borders:
-            return np.where(slips >= 0, 1, -1)
+            return np.where(speeds >= 0, 1, -1)
         first = len(self.model.contacts)
-        sides = slice(first, first + len(slips))
-        return np.array(
-            [field.initial_mode(state, constants)[sides] for state in self.state.T.tolist()]
-        ).T
+        slots = slice(first, first + len(speeds))
+        modes = [field.initial_mode(state, constants) for state in self.state.T.tolist()]
+        return np.array([mode[slots] for mode in modes]).T
 
     @property
-    def _faces(self) -> BoolArray:
-        """Contacts that press on either of two faces."""
+    def _two_faced(self) -> BoolArray:
+        """True for each contact that presses on either of two faces."""
         return np.array([forces.presses_either(entry) for entry in self.model.contacts])
 
-    def _pushing(self) -> IndexArray:
+    def _in_contact(self) -> IndexArray:
+        """1 for each contact and sample in contact, 0 in lift-off."""
         return (self._levels()[0] < 0).astype(int)
 
     def _event_counts(self) -> IndexArray:
-        """Number of events of each kind, from the samples alone, which include all events."""
-        sides = self._sides()
-        lifted, stuck = (np.diff(part.astype(int)) for part in (self._levels()[0] > 0, sides == 0))
-        opens, turns = lifted[~self._faces], lifted[self._faces]
-        changes = (opens, 1), (np.diff(sides), -2), (stuck, 1), (turns, 1)
-        return np.array(
-            [
-                np.count_nonzero(change == way * first)
-                for change, first in changes
-                for way in (1, -1)
-            ]
-        )
+        """Number of events of each kind, in the order of :class:`Event`, from the samples, which
+        include all events.
+        """
+        signs = self._slip_signs()
+        opened = np.diff((self._levels()[0] > 0).astype(int))
+        stuck = np.diff((signs == 0).astype(int))
+        faces, reversals = self._two_faced, np.diff(signs) / -2
+        changes = opened[~faces], reversals, stuck, opened[faces]
+        return np.array([np.count_nonzero(each == step) for each in changes for step in (1, -1)])
 
     def _attributes(self) -> dict[str, Any]:
         values = dict(
@@ -939,14 +926,14 @@ class Trajectory(Named):
 
 
 def row_of(of: str | None, offered: tuple[str, ...]) -> int:
-    """Row of a component that is asked for; of the first unless told otherwise."""
+    """Index of the component named ``of``, 0 for None; raises ParameterError for other names."""
     return 0 if of is None else offered.index(one_of("of", of, offered))
 
 
 def started(
     p: ParameterSet, values: Mapping[str, ArrayLike | None]
 ) -> tuple[ParameterSet, dict[str, ArrayLike]]:
-    """Parameters with those among values by name, and the other values, of the initial state."""
+    """Split keyword values into ``p`` with new parameters, and numbers of the initial state."""
     given = {name: value for name, value in values.items() if value is not None}
     initial = {f"{name}0" for name in p.model.components} | {*given} - {*p.ranges}
     return (
@@ -961,9 +948,10 @@ def initial_state(
     initial: Mapping[str, ArrayLike],
     p: ParameterSet | None = None,
 ) -> dict[str, FloatArray]:
-    """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 where nothing is
-    given, of a clock the rate that it has at ``p``; ``start`` may be without that rate, and without
-    the phase too.
+    """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 unless given.
+
+    ``start`` has all numbers, ``initial`` single ones by name. The rate of a clock is that at
+    ``p``; ``start`` may lack it, or both it and the clock's phase, which is then 0.
     """
     names = [f"{name}0" for name in model.components]
     values: dict[str, ArrayLike] = dict.fromkeys(names, 0.0)
@@ -1003,7 +991,7 @@ def state_of(
     initial: Mapping[str, ArrayLike] | None = None,
     p: ParameterSet | None = None,
 ) -> FloatArray:
-    """One initial state as an array; rest where nothing is given."""
+    """:func:`initial_state` as an array of shape (2 n,), for scalar values."""
     return np.array(
         [
             as_number(name, value)
@@ -1015,41 +1003,41 @@ def state_of(
 def motion_of(
     field: Field, values: Sequence[float], state: FloatArray, t_end: float, **options: Any
 ) -> Trajectory:
-    """The motion of the model of a field, by the values of its parameters in order."""
+    """Simulate the model of a field, with the values of its parameters in order."""
     p = field.parameter_set(**dict(zip(field.parameters, values, strict=True)))
     return simulate(p, start=np.asarray(state), t_end=t_end, **options)
 
 
 def _error(found: Trajectory, problem: Problem) -> FloatArray:
-    """Largest difference so far to a motion from within rounding of the start, as tight as there
-    is, by heyoka where that is installed; NaN where no run is tight enough.
+    """Estimated error of a trajectory, as :attr:`Trajectory.error`, by a second run with the
+    tightest tolerance, by heyoka if it is installed.
     """
     offered = integrators.offered_for(found.model)
-    beside = tuple(value * (1.0 + np.finfo(float).eps) for value in problem.start)
+    rounded_start = tuple(value * (1.0 + np.finfo(float).eps) for value in problem.start)
     for backend in dict.fromkeys(("heyoka", found.backend, *offered)):
         if not integrators.is_there(backend):
             continue
         tightest = TIGHTEST if backend == "heyoka" else RTOL
+        tight = replace(problem, rtol=tightest, start=rounded_start)
         try:
-            other = _run(
-                found.model, found.p, replace(problem, rtol=tightest, start=beside), backend
-            )
+            other = _run(found.model, found.p, tight, backend)
         except ConvergenceError:
             continue
-        alike = other.implicit == found.implicit and (found.implicit or backend == found.backend)
-        # Share of a tolerance up to which another one of the same method tells its
-        # error, rounding aside.
-        if not alike or other.rtol <= 0.0101 * found.rtol:
-            at = other(np.minimum(found.t, other.t[-1]))
-            # Share of that error which the tighter run has, at most: of SciPy's
-            # finest run up to a ninth, as the error of its interpolant does not fall
-            # as the tolerance does.
-            difference = np.abs(found.state - at).max(axis=0) / (1.0 - 0.25)
+        same_method = other.implicit == found.implicit and (
+            found.implicit or backend == found.backend
+        )
+        # A run by the same method shows the error if its tolerance is a hundred times smaller.
+        if not same_method or other.rtol <= 0.0101 * found.rtol:
+            states = other(np.minimum(found.t, other.t[-1]))
+            # The second run's own error is at most a quarter of this one's. (Of SciPy's tightest
+            # run it is up to a ninth, as its interpolant's error does not fall with the tolerance.)
+            difference = np.abs(found.state - states).max(axis=0) / (1.0 - 0.25)
             return np.maximum.accumulate(difference)
     return np.full(found.t.shape, np.nan)
 
 
 def _run(model: Model, p: ParameterSet, problem: Problem, backend: str) -> Trajectory:
+    """Integrate a problem with a backend."""
     solution = integrators.integrate(problem, backend)
     events = events_of(problem.field, solution.crossings)
     return Trajectory(

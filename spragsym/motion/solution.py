@@ -1,5 +1,9 @@
-"""What an integrator gives: a motion by its samples and the borders passed, or the flow over a
-time: its end and derivatives.
+"""Results of an integrator, and the transition of a motion from one mode to the next at a border.
+
+:class:`Solution` is a motion: samples and border crossings. :class:`FlowResult` is the flow map
+over a given time: final state, its derivatives by the initial state and the parameters, crossings
+and extrema. :class:`CarriedState` moves a state and its derivatives across a border; where the
+field jumps, by the saltation matrix. :class:`Events` are the crossings as users see them.
 """
 
 from __future__ import annotations
@@ -22,14 +26,14 @@ from ..results.result import Rows
 from .lobatto import PiecewisePolynomial, sample_times
 from .problem import Event, Problem, kinds_of
 
-#: A border that was passed no longer ago is met to first order: the square of that, in the
-#: motion's unit of time, is below rounding.
+#: A border that was passed less than this time ago is located to first order: the square of this
+#: time, in the motion's unit, is below rounding.
 AT_ONCE = 1e-8
 
 
 class Crossing(NamedTuple):
-    """A border passed: when, which, to which sign of its level, the state there, and from which
-    sign.
+    """A border crossing: time, index of the border, sign of its level after the crossing, state,
+    and sign before. Sign 0 is sticking.
     """
 
     t: float
@@ -41,9 +45,11 @@ class Crossing(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class CarriedState:
-    """A state of a motion, with its derivatives by the start and by ``directions`` of the
-    parameters: ``columns``, None where none are carried. Both are moved in place where the field
-    jumps.
+    """A state (m,) during an integration, with the solution of the variational equations.
+
+    ``columns``, (m, m + k), are the derivatives of the state by the initial state and along the k
+    ``directions``, (k, P), in the space of parameters; both are None if derivatives are not
+    integrated. Methods change ``state`` and ``columns`` in place.
     """
 
     problem: Problem
@@ -52,45 +58,53 @@ class CarriedState:
     columns: FloatArray | None = None
 
     def initial_mode(self) -> Mode:
-        """The mode in which a motion begins; a state that sticks, and its derivatives, are
-        projected onto the border.
+        """Mode in which a motion begins at the state. If that sticks, the state is first projected
+        onto the border, as by :meth:`project`.
         """
         mode = self.problem.field.initial_mode(self.state.tolist(), self.problem.constants)
         self.project(mode)
         return mode
 
     def project(self, mode: Mode) -> None:
-        """Project the state onto the border on which it stays in a mode, and its derivatives onto
-        the tangent of that.
+        """Project the state onto each border on which it stays in a mode, and the derivatives onto
+        the border's tangent space.
         """
         field = self.problem.field
         for border in field.stays(mode):
-            at, values = border.place, self.state.tolist()
-            ways = [(*mode[:at], side, *mode[at + 1 :]) for side in (1, -1)]
-            rates = [field.level_rate(border, values, self.problem.constants, way) for way in ways]
-            fastest = ways[int(np.argmax(np.abs(rates)))]
+            slot, values = border.place, self.state.tolist()
+            sliding = [(*mode[:slot], sign, *mode[slot + 1 :]) for sign in (1, -1)]
+            rates = [
+                field.level_rate(border, values, self.problem.constants, each) for each in sliding
+            ]
+            fastest = sliding[int(np.argmax(np.abs(rates)))]
             self.saltation(border, (fastest, mode))
 
     def passed(self, row: int, mode: Mode, t: float) -> tuple[Mode, tuple[Crossing, ...]]:
-        """Continuation of a motion behind a border: its next mode, and the crossings, none where
-        there is no kink; of several at one instant the border's own is the first. What is left at
-        the same instant is left with it.
+        """Continue a motion across the border number ``row``: the next mode, and the crossings.
 
-        Where the field jumps, the state and its derivatives are moved: they go on from the border
-        itself, not from where it was noticed; so does one that leaves a border on which it stayed,
-        from which errors of steps may have taken it. An error where the border does not say how.
+        Borders without a kink give no crossing. Further borders that are crossed at the same
+        instant are crossed too; their crossings follow.
+
+        Where the field jumps, state and derivatives are moved as if the modes had been switched on
+        the border itself, not where the integrator noticed it. A state that leaves sticking is
+        first projected onto its border, from which integration errors may have moved it.
+
+        Raises ConvergenceError where the field jumps and the border brings no derivatives, but
+        derivatives are integrated.
         """
         done, crossings = set[int](), list[Crossing]()
-        following: int | None = row
-        while following is not None:
-            done.add(following)
-            mode, found = self._through(following, mode, t)
+        border: int | None = row
+        while border is not None:
+            done.add(border)
+            mode, found = self._through(border, mode, t)
             crossings += found
-            following = self._met(mode, done)
+            border = self._next_border(mode, done)
         return mode, tuple(crossings)
 
-    def _met(self, mode: Mode, done: set[int]) -> int | None:
-        """A border that is left at the same instant, but for rounding; None where there is none."""
+    def _next_border(self, mode: Mode, done: set[int]) -> int | None:
+        """Index of another border that the motion leaves at the same instant, up to rounding, or
+        None.
+        """
         field, constants = self.problem.field, self.problem.constants
         values = self.state.tolist()
         for row, border in enumerate(field.borders):
@@ -106,150 +120,156 @@ class CarriedState:
         return None
 
     def _through(self, row: int, mode: Mode, t: float) -> tuple[Mode, tuple[Crossing, ...]]:
-        """:meth:`passed` through one border, and what begins or ends to stick with it."""
+        """:meth:`passed` across one border, including frictions that begin or cease to stick at
+        that crossing.
+        """
         field, constants = self.problem.field, self.problem.constants
         if field.sticking_borders:
             CarriedState(self.problem, self.state).project(mode)
         border = field.borders[row]
         last = border.beyond(mode, self.state.tolist(), constants)
         crossings = list[Crossing]()
-        # What else begins or ends to stick at the same instant does so through a border of its own;
-        # not where the contact opens on which it sticks.
-        changed = (index for index, (a, b) in enumerate(zip(mode, last, strict=True)) if a != b)
-        others = [index for index in changed if index != border.place and border.slopes]
-        for index in (border.place, *others):
+        # Another friction that begins or ceases to stick at the same instant crosses a border of
+        # its own, unless it ceases to stick because its contact opens.
+        changed = (slot for slot, (a, b) in enumerate(zip(mode, last, strict=True)) if a != b)
+        others = [slot for slot in changed if slot != border.place and border.slopes]
+        for slot in (border.place, *others):
             at = self.state.tolist(), constants
-            if index != border.place:
+            if slot != border.place:
                 row, border = min(
                     (
                         (number, that)
                         for number, that in enumerate(field.borders)
-                        if that.place == index and that.sign(mode)
+                        if that.place == slot and that.sign(mode)
                     ),
                     key=lambda each: each[1].sign(mode) * each[1].level(*at, mode),
                 )
-            after = (*mode[:index], last[index], *mode[index + 1 :]) if others else last
+            after = (*mode[:slot], last[slot], *mode[slot + 1 :]) if others else last
             sign, came = int(border.sign(after)), int(border.sign(mode))
             crossing = Crossing(t, row, sign, self.state.copy(), came)
             if border.jumps is not None and border.jumps(*at):
                 if border.slopes is not None:
-                    late, there = self.saltation(border, (mode, after))
-                    crossing = crossing._replace(t=max(t - late, 0.0), state=there)
+                    delay, on_border = self.saltation(border, (mode, after))
+                    crossing = crossing._replace(t=max(t - delay, 0.0), state=on_border)
                 elif self.directions is not None:
                     raise ConvergenceError(JUMPED)
-            crossings += [crossing] * border.kink
+            if border.kink:
+                crossings.append(crossing)
             mode = after
         return mode, tuple(crossings)
 
     def saltation(self, border: Border, modes: tuple[Mode, Mode]) -> tuple[float, FloatArray]:
-        """Move the state and its derivatives by the saltation matrix 1 + (f⁺ − f⁻) ∇h/ḣ⁻ of a
-        border h = 0 between two modes; by how long ago it was passed, and the state there.
+        """Switch from one mode to another on the border h = 0: apply the saltation matrix
+        1 + (f⁺ − f⁻) ∇h/ḣ⁻ to the derivatives, and correct the state.
 
-        Where that is so long ago that its square counts, they are carried back to the border in one
-        mode, and on from there in the other.
+        Returns the delay, the time for which the motion has been beyond the border, and the state
+        on the border. A delay below :data:`AT_ONCE` is corrected to first order. For a longer one
+        the motion is integrated back to the border in the first mode, and forward again in the
+        second.
         """
-        border_at = self._back(border, modes[0])
-        if border_at is None:
+        located = self._located(border, modes[0])
+        if located is None:
             return 0.0, self.state.copy()
-        late, there, own, rate = border_at
+        delay, on_border, columns, rate = located
         directions, m = self.directions, len(self.state)
-        field, constants, values = self.problem.field, self.problem.constants, there.tolist()
-        before, behind = (field.rates(values, constants, mode) for mode in modes)
-        jump = (behind - before) / rate
+        field, constants, values = self.problem.field, self.problem.constants, on_border.tolist()
+        before, after = (field.rates(values, constants, mode) for mode in modes)
+        jump = (after - before) / rate
         if self.columns is not None and border.slopes is not None and directions is not None:
-            slopes = np.array(border.slopes(values, constants, modes[0]), dtype=float)
-            turned = slopes[:m] @ own
-            turned[m:] += slopes[m:] @ directions.T if directions.size else 0.0
-            own = own + np.outer(jump, turned)
-        if abs(late) > AT_ONCE and there is not self.state:
-            self.state[:], own = replace(self, state=there, columns=own).later(modes[1], late)
+            gradient = np.array(border.slopes(values, constants, modes[0]), dtype=float)
+            level_change = gradient[:m] @ columns
+            level_change[m:] += gradient[m:] @ directions.T if directions.size else 0.0
+            columns = columns + np.outer(jump, level_change)
+        if abs(delay) > AT_ONCE and on_border is not self.state:
+            switched = replace(self, state=on_border, columns=columns)
+            self.state[:], columns = switched.later(modes[1], delay)
         else:
-            there = self.state - late * before
+            on_border = self.state - delay * before
             self.state[:] += jump * border.level(values, constants, modes[0])
         if self.columns is not None:
-            self.columns[:] = own
-        return late, there
+            self.columns[:] = columns
+        return delay, on_border
 
-    def _back(
+    def _located(
         self, border: Border, mode: Mode
     ) -> tuple[float, FloatArray, FloatArray, float] | None:
-        """Time since a border was passed, with state, derivatives and the level's rate there: by
-        Newton's method, if that leads back a short time, else to first order; None where nothing
-        brings a motion across.
+        """The delay since a border was passed; state, derivatives and rate of the level there.
+
+        Newton's method in the delay, if that converges to a short one; else the present state, with
+        the delay to first order. None if the level has rate 0.
         """
         field, constants = self.problem.field, self.problem.constants
-        own = np.empty((len(self.state), 0)) if self.columns is None else self.columns
 
-        def ago(at: FloatArray) -> tuple[float, float]:
-            values = at.tolist()
+        def newton_step(state: FloatArray) -> tuple[float, float]:
+            values = state.tolist()
             rate = field.level_rate(border, values, constants, mode)
             return (float(border.level(values, constants, mode)) / rate if rate else math.inf), rate
 
-        first, rate = ago(self.state)
+        first, rate = newton_step(self.state)
         if not rate:
             return None
-        late = first
-        # Newton's method leads back to a border that was passed no longer ago than this.
-        latest = 1.0
-        if AT_ONCE < abs(late) < latest:
-            # Steps of Newton's method, at most.
+        delay, longest = first, 1.0
+        if AT_ONCE < abs(delay) < longest:
             for _ in range(5):
-                there, along = self.later(mode, -late)
-                more, rate_there = ago(there)
-                if abs(more) <= AT_ONCE:
-                    return late, there, along, rate_there
-                late += more
-                if not abs(late) < latest:
+                on_border, columns = self.later(mode, -delay)
+                change, rate_there = newton_step(on_border)
+                if abs(change) <= AT_ONCE:
+                    return delay, on_border, columns, rate_there
+                delay += change
+                if not abs(delay) < longest:
                     break
-        return first, self.state, own, rate
+        columns = np.empty((len(self.state), 0)) if self.columns is None else self.columns
+        return first, self.state, columns, rate
 
     def later(self, mode: Mode, duration: float) -> tuple[FloatArray, FloatArray]:
-        """The state and its derivatives a short time on in a mode, by the classical Runge–Kutta
-        method of fourth order.
+        """The state and its derivatives after a short time of either sign in a mode, by the
+        classical Runge–Kutta method of fourth order.
         """
         columns, m = self.columns, len(self.state)
-        begun = self.state if columns is None else np.append(self.state, columns)
+        whole = self.state if columns is None else np.append(self.state, columns)
         rates = rates_of(self.problem, mode, None if columns is None else self.directions)
-        # Steps of the Runge-Kutta method back to the border are no longer than this.
-        parts = math.ceil(abs(duration) / 0.01)
-        step = duration / parts
-        for _ in range(parts):
-            first = rates(0.0, begun)
-            second = rates(0.0, begun + step / 2 * first)
-            third = rates(0.0, begun + step / 2 * second)
-            last = rates(0.0, begun + step * third)
-            begun = begun + step / 6 * (first + 2 * second + 2 * third + last)
-        return begun[:m], begun[m:].reshape(m, -1)
+        # A step of 0.01, in the motion's unit of time, has an error below that of the integrators.
+        steps = math.ceil(abs(duration) / 0.01)
+        step = duration / steps
+        for _ in range(steps):
+            first = rates(0.0, whole)
+            second = rates(0.0, whole + step / 2 * first)
+            third = rates(0.0, whole + step / 2 * second)
+            last = rates(0.0, whole + step * third)
+            whole = whole + step / 6 * (first + 2 * second + 2 * third + last)
+        return whole[:m], whole[m:].reshape(m, -1)
 
 
 def rates_of(
     problem: Problem, mode: Mode, directions: FloatArray | None, xp: object = FLOATS
 ) -> Callable[[float, FloatArray], FloatArray]:
-    """The right-hand side in a mode: of a state, and unless ``directions`` is None of its
-    derivatives behind it, row by row.
+    """Right-hand side ``rates(t, whole)`` of the equations of motion in a mode.
+
+    ``whole`` is the state; unless ``directions`` is None it is followed by the derivatives of the
+    state, row by row, and the right-hand side by that of the variational equations.
     """
     field, constants = problem.field, problem.constants
     m, n = field.size, len(field.coordinates)
 
     def rates(_: float, whole: FloatArray) -> FloatArray:
         state = whole[:m].tolist()
-        own = field.rates(state, constants, mode, xp)
+        state_rates = field.rates(state, constants, mode, xp)
         if directions is None:
-            return own
-        change = field.matrix(state, constants, mode, xp) @ whole[m:].reshape(m, -1)
+            return state_rates
+        column_rates = field.matrix(state, constants, mode, xp) @ whole[m:].reshape(m, -1)
         if directions.size:
-            slopes = np.array(field.by_parameters(state, constants, mode, xp), dtype=float)
-            change[n:, m:] += slopes @ directions.T
-        return np.append(own, change)
+            by_parameters = np.array(field.by_parameters(state, constants, mode, xp), dtype=float)
+            column_rates[n:, m:] += by_parameters @ directions.T
+        return np.append(state_rates, column_rates)
 
     return rates
 
 
 class Extremum(NamedTuple):
-    """A zero of a rate: of a border's level, which is extremal there, or (border −1) of the leading
-    coordinate.
+    """A local extremum of the level of a border or, with ``border`` −1, of the leading coordinate.
 
-    ``direction`` is the sign of the rate's own rate: −1 at a largest value.
+    ``direction`` is the sign of the second derivative in time: −1 at a maximum. ``by_state``
+    (m, m) and ``by_parameters`` (m, k) are the derivatives of ``state``, (m,), at fixed time.
     """
 
     t: float
@@ -262,12 +282,11 @@ class Extremum(NamedTuple):
 
 @dataclass(frozen=True)
 class FlowResult:
-    """Flow over a time: where it ends, (m,), and derivatives of that.
+    """Flow map over a given time: final ``state``, (m,), and its derivatives.
 
-    Those by the state at the start, (m, m), are the product over the smooth pieces, with saltation
-    matrices where the field jumps between them; those by the parameters, (m, k), are along k
-    directions. The ``integrals`` of the first coordinate and of its square over time are NaN where
-    the integrator does not carry them along.
+    ``by_state``, (m, m), by the initial state, includes the saltation matrices at jumps of the
+    field. ``by_parameters``, (m, k), is along k directions. ``integrals`` over time, of the first
+    coordinate and of its square, are NaN unless the integrator provides them.
     """
 
     state: FloatArray
@@ -278,32 +297,31 @@ class FlowResult:
     integrals: tuple[float, ...] = (np.nan, np.nan)
 
 
-#: Carries a state on: ``flow_map(state, constants, duration, directions)``, directions of shape (k,
-#: P).
+#: ``flow_map(state, constants, duration, directions)``, with directions of shape (k, P).
 FlowMap: TypeAlias = Callable[[FloatArray, Values, float, FloatArray], FlowResult]
 
 
 def parted(
     state: FloatArray, columns: FloatArray | None
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """A state and its derivatives by the start and by the parameters; empty where there are
-    none.
+    """Split into state, derivatives by the initial state, and derivatives by the parameters; the
+    last two are empty without ``columns``.
     """
     whole = np.empty((0, 0)) if columns is None else columns.copy()
     return state.copy(), whole[:, : len(state)], whole[:, len(state) :]
 
 
-#: Times and states of some steps at their Lobatto points, shapes (steps, DEGREE + 1) and (steps, 2
-#: n, DEGREE + 1).
+#: Times and states of some steps at their Lobatto points: shapes (steps, DEGREE + 1) and
+#: (steps, 2 n, DEGREE + 1).
 Samples: TypeAlias = tuple[FloatArray, FloatArray]
 
 
 @dataclass(frozen=True)
 class Solution:
-    """A motion as polynomials, its crossings of kinks, and how it was carried.
+    """A motion as a piecewise polynomial, with its border crossings.
 
-    An implicit method carried it where explicit steps collapsed; ``rtol`` is the tolerance used, 0
-    until it is known.
+    ``implicit`` is True if an implicit method integrated it. ``rtol`` is the relative tolerance
+    used, 0 until it is known.
     """
 
     samples: PiecewisePolynomial
@@ -315,15 +333,13 @@ class Solution:
 def assembled(
     pieces: Sequence[Samples], crossings: Sequence[Crossing], t_record: float
 ) -> Solution:
-    """From samples by steps to samples in a row."""
-    # A piece by itself, which may be large, is not copied.
-    t, states = (
-        pieces[0]
-        if len(pieces) == 1
-        else (np.concatenate(parts) for parts in zip(*pieces, strict=True))
-    )
+    """Join the samples of consecutive steps into one motion, which begins at ``t_record``."""
+    t, states = pieces[0]
+    if len(pieces) > 1:  # one piece, which may be large, is not copied
+        t = np.concatenate([each[0] for each in pieces])
+        states = np.concatenate([each[1] for each in pieces])
     for crossing in crossings:
-        t, states = _met_in_time(t, states, crossing)
+        t, states = _joined_at(t, states, crossing)
     samples = PiecewisePolynomial(
         np.append(t[:, :-1].ravel(), t[-1, -1]),
         np.append(
@@ -337,50 +353,51 @@ def assembled(
     return Solution(samples, tuple(crossing for crossing in crossings if crossing.t >= t_record))
 
 
-def _met_in_time(t: FloatArray, states: FloatArray, crossing: Crossing) -> Samples:
-    """Steps of which one ends and the next begins where a border was met, each by its own
-    polynomial, if they do not meet where that was noticed; so shortly behind it that the mode is
-    told by the sample.
+def _joined_at(t: FloatArray, states: FloatArray, crossing: Crossing) -> Samples:
+    """Move the common time of two steps, where the state jumps, back to the border crossing.
+
+    The integrator noticed the crossing late, at the end of a step, and corrected the state there.
+    Both steps are resampled by their own polynomials, so that the first ends and the second begins
+    just behind the border: by so little that the gap between them is 4 OVERSHOOT, and by so much
+    that the sample is in the new mode.
     """
     row = int(np.searchsorted(t[:, -1], crossing.t))
     if row + 1 >= len(t):
         return t, states
-    apart, late = magnitude(states[row + 1, :, 0] - states[row, :, -1]), t[row, -1] - crossing.t
-    # Steps that are farther apart than this where a border was noticed meet so far behind
-    # it.
-    behind = 4 * OVERSHOOT
-    if apart <= behind or not late < min(t[row, -1] - t[row, 0], t[row + 1, -1] - t[row, -1]):
+    gap, delay = magnitude(states[row + 1, :, 0] - states[row, :, -1]), t[row, -1] - crossing.t
+    remaining = 4 * OVERSHOOT
+    if gap <= remaining or not delay < min(t[row, -1] - t[row, 0], t[row + 1, -1] - t[row, -1]):
         return t, states
-    t, states, met = t.copy(), states.copy(), crossing.t + behind / apart * late
-    for which, ends in ((row, (t[row, 0], met)), (row + 1, (met, t[row + 1, -1]))):
-        own, t[which] = PiecewisePolynomial(t[which].copy(), states[which]), sample_times(*ends)
-        states[which] = own(t[which])
+    t, states, joint = t.copy(), states.copy(), crossing.t + remaining / gap * delay
+    for step, ends in ((row, (t[row, 0], joint)), (row + 1, (joint, t[row + 1, -1]))):
+        polynomial = PiecewisePolynomial(t[step].copy(), states[step])
+        t[step] = sample_times(*ends)
+        states[step] = polynomial(t[step])
     return t, states
 
 
 def without_chatter(solution: Solution, problem: Problem) -> Solution:
-    """Without crossings of a border after which the motion does not leave it by more than the error
-    of a step.
+    """The solution without chatter: crossings caused by integration errors of a motion that rests
+    on a border.
 
-    A motion that comes to rest on a border is on either side of it by that error, and passes it no
-    further.
+    A crossing is chatter if until the next crossing of the same border the level stays below the
+    error of a step, or if the motion was on that side of the border before.
     """
     t, states, chatter = solution.samples.t, solution.samples.states, set[int]()
-    least = max(10 * problem.rtol * float(max(states.max(), -states.min())), 2 * OVERSHOOT)
+    error = max(10 * problem.rtol * float(max(states.max(), -states.min())), 2 * OVERSHOOT)
     for row, border in enumerate(problem.field.borders):
         own = [crossing for crossing in solution.crossings if crossing.border == row]
         if not own or not border.crossings[0] or border.stays:
             continue
         level = np.abs(border.level(states, problem.constants, problem.field.modes[0]))
-        farthest = np.maximum.reduceat(
-            level, np.searchsorted(t, [crossing.t for crossing in own])
-        ).tolist()
-        before = -own[0].sign
-        for crossing, far in zip(own, farthest, strict=True):
-            after = crossing.sign * (far > least)
-            if after in (0, before):
+        begins = np.searchsorted(t, [crossing.t for crossing in own])
+        largest = np.maximum.reduceat(level, begins).tolist()
+        side = -own[0].sign
+        for crossing, distance in zip(own, largest, strict=True):
+            if not distance > error or crossing.sign in (0, side):
                 chatter.add(id(crossing))
-            before = after or before
+            else:
+                side = crossing.sign
     return replace(
         solution, crossings=tuple(each for each in solution.crossings if id(each) not in chatter)
     )
@@ -388,23 +405,23 @@ def without_chatter(solution: Solution, problem: Problem) -> Solution:
 
 @dataclass(frozen=True, eq=False)
 class Events(Rows):
-    """Passages of kinks of the field, in order of time.
+    """Events of a motion: its crossings of kinks of the field, in order of time.
 
     Attributes
     ----------
     t : ndarray, shape (k,)
-        Time. Contact is told to open or close 1e-12 of the gap's scale beyond its border, and so
-        late by that over the speed of the gap, which the error of a trajectory does not hold: that
-        is of its states.
+        Time. A contact counts as open or closed when the gap is 1e-12 of its scale beyond 0. The
+        time is late by that distance over the speed of the gap; the error of a trajectory, which is
+        of its states, does not include this.
     state : ndarray, shape (k, 2 n)
-        Coordinates and rates there: y = 0 or x' = V to 1e-12 of the motion's scales.
+        Coordinates and rates at the event: y = 0 or x' = V, up to 1e-12 of the motion's scales.
     which : ndarray of int, shape (k,)
         Codes of :class:`Event`.
     components : tuple of str
         Names of the coordinates and rates.
     contact : tuple of str, length k
-        The contact that opened or closed, or whose friction began or ended to stick or turned
-        around, by its name; nothing where there is one contact.
+        Name of the contact that opened or closed, or whose friction stuck, slipped or changed
+        direction; empty if the model has one contact.
     """
 
     schema = (
@@ -423,13 +440,12 @@ class Events(Rows):
         return len(self.t)
 
     def of(self, *kinds: Event | str) -> Events:
-        """The events of some kinds only, by members of :class:`Event` or their names, as
-        "stick".
+        """The events of given kinds.
 
         Parameters
         ----------
         *kinds : Event or str
-            Members or their names.
+            Members of :class:`Event` or their names, as "stick".
 
         Returns
         -------
@@ -450,7 +466,7 @@ class Events(Rows):
         return self.select(np.isin(self.which, chosen))
 
     def select(self, chosen: BoolArray) -> Events:
-        """The events that are marked.
+        """The events selected by a mask.
 
         Parameters
         ----------
@@ -477,12 +493,12 @@ class Events(Rows):
         )
 
     def on(self, contact: str) -> Events:
-        """The events of one of several contacts, by its name.
+        """The events of one of several contacts.
 
         Parameters
         ----------
         contact : str
-            Its name.
+            Name of the contact.
 
         Returns
         -------
@@ -513,7 +529,7 @@ class Events(Rows):
         return self.select(np.array(self.contact) == contact)
 
     def _shown(self) -> dict[str, Any]:
-        """Time, what happened, of several contacts to which, and the state by its names."""
+        """Columns of the table: time, kind, contact if there are several, components."""
         return {
             "t": self.t,
             "which": self.which,
@@ -523,13 +539,13 @@ class Events(Rows):
 
 
 def events_of(field: Field, crossings: Sequence[Crossing]) -> Events:
-    """The crossings that have a name for users."""
+    """The crossings that are events for users: those with a kind in :func:`kinds_of`."""
     kinds = kinds_of(field)
-    counted = [each for each in crossings if (each.border, each.sign) in kinds]
+    named = [each for each in crossings if (each.border, each.sign) in kinds]
     return Events(
-        np.array([each.t for each in counted]),
-        np.array([each.state for each in counted]).reshape(-1, field.size),
-        np.array([kinds[each.border, each.sign] for each in counted], dtype=np.intp),
+        np.array([each.t for each in named]),
+        np.array([each.state for each in named]).reshape(-1, field.size),
+        np.array([kinds[each.border, each.sign] for each in named], dtype=np.intp),
         field.components,
-        tuple(filter(None, (field.borders[each.border].contact for each in counted))),
+        tuple(filter(None, (field.borders[each.border].contact for each in named))),
     )

@@ -1,5 +1,7 @@
-"""DOP853 as SciPy has it, step for step, in code that was compiled on installation: for machines
-without heyoka.
+"""Integration of the article's model by DOP853 in compiled C, for machines without heyoka.
+
+The C code makes the same steps as SciPy's DOP853. It returns at each border, where
+:class:`~spragsym.motion.solution.CarriedState` gives the next mode.
 """
 
 from enum import IntEnum, auto
@@ -20,30 +22,28 @@ from .with_scipy import Flight
 
 
 class Stop(IntEnum):
-    """Why a call of the compiled code stopped, in the order of ``_carried.c``."""
+    """Reason for which a call of the compiled code stopped, in the order of ``_carried.c``."""
 
-    ENDED = 0
+    ENDED = 0  #: the end of the motion
     PASSED = auto()  #: a border
-    FULL = auto()  #: no room for more steps
-    TOO_SMALL = auto()  #: a step
-    TOO_MANY = auto()  #: steps
+    FULL = auto()  #: the arrays of samples are full
+    TOO_SMALL = auto()  #: the step is too small
+    TOO_MANY = auto()  #: too many steps
 
 
 def available() -> bool:
-    """Whether the extension module was built, and from the C library that was generated with the
-    rest.
-    """
+    """True if the extension module was built from the present generated C library."""
     return fits(f"{__package__}._carried")
 
 
 def version() -> str:
-    """Version of what decides the last bits of a result: the field, and the method's tables."""
+    """Versions that determine the last bits of a result: of the field, and of DOP853's tables."""
     return f"compiled {C_SOURCE}, DOP853 of scipy {metadata.version('scipy')}"
 
 
 @cache
 def _tables() -> FloatArray:
-    """The method's coefficients, which SciPy holds, one after the other."""
+    """SciPy's coefficients of DOP853 in one array."""
     from scipy.integrate import DOP853 as method
 
     parts = (
@@ -65,7 +65,7 @@ def tolerance(problem: Problem) -> float:
 
 
 def integrate(problem: Problem) -> Solution:
-    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
+    """Integrate a problem from 0 to ``t_end``: the motion from ``t_record`` on."""
     from . import _carried
 
     unit = unit_points()
@@ -74,29 +74,15 @@ def integrate(problem: Problem) -> Solution:
     elapsed = 0.0
     steps = 0
     constants, most = np.array(problem.constants), problem.max_steps or MAX_STEPS
-    # Time in a mode, and the length of the next step, of which the first is as SciPy chooses it.
-    clock = np.array(
-        [
-            0.0,
-            min(
-                Flight(problem, interpolated=True).solver(mode, state, problem.t_end).h_abs,
-                problem.t_end,
-            ),
-        ]
-    )
+    first_step = Flight(problem, interpolated=True).solver(mode, state, problem.t_end).h_abs
+    # Time within the mode, and length of the next step.
+    clock = np.array([0.0, min(first_step, problem.t_end)])
     times, states = np.empty((BURST, unit.size)), np.empty((BURST, 4, unit.size))
     pieces, crossings = list[Samples](), list[Crossing]()
     while elapsed < problem.t_end:
         begun, bound = float(clock[0]), problem.t_end - elapsed
-        limits = np.array(
-            [
-                tolerance(problem),
-                tolerance(problem) * 1e-3,
-                bound,
-                problem.t_record - elapsed,
-                most - steps,
-            ]
-        )
+        rtol, atol = problem.rtol, problem.rtol * 1e-3
+        limits = np.array([rtol, atol, bound, problem.t_record - elapsed, most - steps])
         given = np.array([*mode, problem.reach, HYSTERESIS, OVERSHOOT])
         outcome, border, made, kept = _carried.carry(
             constants, given, limits, _tables(), unit, state, clock, times, states
@@ -121,6 +107,6 @@ def integrate(problem: Problem) -> Solution:
             break
         mode, crossed = CarriedState(problem, state).passed(border, mode, elapsed)
         crossings += crossed
-        # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
+        # Time starts from 0 in every mode, which resolves short times after a crossing.
         clock[:] = 0.0, min(length, problem.t_end - elapsed)
     return assembled(pieces, crossings, problem.t_record)

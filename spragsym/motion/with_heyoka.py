@@ -1,5 +1,10 @@
-"""heyoka's Taylor method, with variational equations or without; borders between modes of the field
-are terminal events.
+"""Integration by heyoka's adaptive Taylor method, with or without the variational equations.
+
+:func:`equations` writes a field as heyoka expressions. :class:`BatchIntegrator` compiles them,
+once per field and tolerance. Each border between modes of the field is a terminal event, at which
+the motion continues in the next mode. Three kinds of result: the samples of a motion
+(:func:`integrate`), the flow map with derivatives (:func:`flow_integrator`), and statistics of many
+motions at once, accumulated while they are integrated (:func:`measured`).
 """
 
 from __future__ import annotations
@@ -48,33 +53,35 @@ from .solution import (
 #: Tolerance of flows with derivatives.
 TOLERANCE = 1e-17
 
-#: Derivatives are carried in this unit, so that they stay below the state: heyoka's error is
-#: relative to the largest of all.
+#: Derivatives are scaled by this, so that they stay smaller than the state: heyoka's error is
+#: relative to the largest variable.
 DEVIATION_UNIT = 1e-4
 
 
 @cache
 def library() -> ModuleType:
-    """The module, which from now on reports errors only: its warnings are of a cache that can't be
-    written, as in a read-only home, and of its search for crossings near a tangency.
+    """The module ``heyoka``, imported when first used.
+
+    Its logger is set to errors only: its warnings are about a cache that can't be written, as in a
+    read-only home, and about its event detection near a tangency.
     ``heyoka.set_logger_level_warning()`` brings them back.
     """
     with held():
         import heyoka as hy
     hy.set_logger_level_error()
-    # Generated functions take abs of parameters, and a field the functions of its numbers.
+    # Generated functions call abs of parameters; a field takes its functions from ``namespace``.
     hy.expression.__abs__ = lambda value: value * XP.sign(value)
     hy.expression.namespace = XP
     return hy
 
 
 class HeyokaFunctions:
-    """The namespace ``xp`` of heyoka's expressions, whose functions take numbers too, as the 2 of
-    sqrt(2).
+    """The namespace ``xp`` for heyoka expressions: sqrt, exp, ... of expressions or numbers. It
+    records all calls.
     """
 
     def __init__(self) -> None:
-        #: Names and arguments of all that was called.
+        #: Name and argument of each function call.
         self.called: list[tuple[str, Any]] = []
 
     def __getattr__(self, name: str) -> object:
@@ -98,8 +105,8 @@ class HeyokaFunctions:
         return hy.select(hy.gt(value, 0.0), 1.0, hy.select(hy.lt(value, 0.0), -1.0, 0.0))
 
     def tanh(self, value: Number) -> Number:
-        """By exponentials: where heyoka's rounds to 1, all its Taylor coefficients are zero, and a
-        step misses what follows.
+        """tanh by exponentials. Where heyoka's own tanh rounds to 1, all its Taylor coefficients
+        are zero, and a step would not see it fall again.
         """
         hy = library()
         self.called.append(("tanh", value))
@@ -109,18 +116,20 @@ class HeyokaFunctions:
         )
 
 
-#: One that serves where nobody asks what was called.
+#: The namespace for uses that do not read the record of calls.
 XP = HeyokaFunctions()
 
 
 @dataclass(frozen=True)
 class Approach:
-    """End of a step because of what its Taylor series does not see: ``watched`` passes zero upward
-    there.
+    """An event that ends a step where the Taylor series would fail to predict the field.
 
-    The ``argument`` of a root is least and small beside its unit, as the squared length of a spring
-    that passes its anchor, or an exponential or a hyperbolic tangent of the place is about to be
-    felt; those of the sliding speed are borders of the field.
+    ``watched`` crosses 0 upward there. Two cases:
+
+    - The ``argument`` of a square root has a small minimum: a spring passes close to its anchor,
+      where its length is nearly 0.
+    - An exponential or hyperbolic tangent of the coordinates, which was below rounding, is about
+      to matter. (Exponentials of a sliding speed are borders of the field instead.)
     """
 
     watched: Any
@@ -129,8 +138,8 @@ class Approach:
 
     @cached_property
     def value(self) -> Any:
-        """Function of the argument, which takes as long to compile as the field: few motions come
-        near an anchor.
+        """Compiled function of the argument. Compiled only if needed: it takes as long as the
+        field, and few motions come near an anchor.
         """
         return library().cfunc([self.argument], self.names)
 
@@ -138,43 +147,50 @@ class Approach:
     def of(
         cls, called: list[tuple[str, Any]], system: list[Any], roots: Sequence[float]
     ) -> list[Approach]:
-        """Subexpressions of all functions that were ``called``; units of the square ``roots``."""
+        """The approaches of a field: of each function call in ``called``, with the equations
+        ``system`` and the units ``roots`` of the square roots, in order.
+        """
         hy = library()
         names, found = [name for name, _ in system], list[Approach]()
         rates = {str(name) for name in names[len(names) // 2 :]}
         units = itertools.chain(roots, itertools.repeat(1.0))
-        # Minus the exponent from which on an exponential of the place is felt: there it
-        # is below rounding.
-        felt = 37.0
-        for name, given in called:
-            z = given * next(units) ** -2 if name == "sqrt" else given
-            seen = set(hy.get_variables(z))
-            if name == "sqrt" and seen:
+        # exp(−37) is the rounding of a number of order 1.
+        negligible = 37.0
+        for name, argument in called:
+            z = argument * next(units) ** -2 if name == "sqrt" else argument
+            variables = set(hy.get_variables(z))
+            if name == "sqrt" and variables:
                 rate = sum((hy.diff(z, name) * each for name, each in system), hy.expression(0.0))
-                # A step ends where a spring passes its anchor within its speed
-                # over this. Closer than the root of the tolerance a Taylor
-                # series does not see the least length, and goes on with negative
-                # ones.
+                # A step ends where a length grows after a minimum below a fifth of its rate. If
+                # the minimum is below the square root of the tolerance, the Taylor series does not
+                # see it, and continues with negative lengths.
                 found.append(cls(1e-3 * (rate - 10.0 * z), z, names))
-            elif name in ("exp", "tanh") and seen and not seen & rates:
-                outside = z + felt if name == "exp" else (felt**2 - 4.0 * z * z) / felt
-                found.append(cls(1e-3 * felt * outside / (felt**2 + z * z)))
+            elif name in ("exp", "tanh") and variables and not variables & rates:
+                distance = (
+                    z + negligible if name == "exp" else (negligible**2 - 4.0 * z * z) / negligible
+                )
+                found.append(cls(1e-3 * negligible * distance / (negligible**2 + z * z)))
         return found
 
 
 def equations(
     field: Field, *, measured: bool = False, directions: int | None = None
 ) -> tuple[list[Any], tuple[Any, Any, Any], list[Any], list[Approach]]:
-    """A field for heyoka: variables with their derivatives in time; state, constants and mode;
-    accelerations; approaches.
+    """A field as heyoka expressions: the system as pairs (variable, time derivative); the tuple
+    (state, constants, mode); the accelerations; the approaches.
 
-    Constants, mode and directions are its ``par[]``. The variables are the state; with so many
-    ``directions`` of the parameters its derivatives by the start and along those, column by column
-    in :data:`DEVIATION_UNIT`, and the integrals of the first coordinate and of its square; with
-    ``measured`` the integrals of a :class:`~spragsym.motion.measures.MotionStatistics`, scaled by
-    the last parameter, so that they stay below the states: heyoka's error is relative to the
-    largest of all.
-    The parameter before is the leading coordinate at the begin.
+    The variables are, in this order:
+
+    - the state;
+    - with a number of ``directions``: the derivatives of the state by the initial state and along
+      these directions in the space of parameters, column by column, scaled by
+      :data:`DEVIATION_UNIT`; then the integrals of the first coordinate and of its square;
+    - with ``measured``: the integrals of a :class:`~spragsym.motion.measures.MotionStatistics`.
+
+    heyoka's parameters ``par[]`` are the constants, the mode, and the components of the directions;
+    or with ``measured`` the leading coordinate at the beginning, and the factor by which the
+    integrals are scaled. They must stay smaller than the states, as heyoka's error is relative to
+    the largest variable.
     """
     hy = library()
     names, n, m = field.coordinates, len(field.coordinates), field.size
@@ -182,7 +198,8 @@ def equations(
     constants = len(field.constants([1.0] * parameters))
     end = constants + len(field.modes[0])
     state = hy.make_vars(*names, *(f"v{name}" for name in names))
-    given, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
+    given = [hy.par[i] for i in range(constants)]
+    mode = [hy.par[i] for i in range(constants, end)]
     accelerations = list(field.acceleration(state, given, mode, xp := HeyokaFunctions()))
     system = list(zip(state, [*state[n:], *accelerations], strict=True))
     if directions is not None:
@@ -190,7 +207,7 @@ def equations(
             make(state, given, mode, XP) for make in (field.jacobian, field.by_parameters)
         )
         for column in range(m + directions):
-            # No coordinate has a dot in its name.
+            # Names with a dot are no coordinate's.
             part = hy.make_vars(*(f"by.{i}.{column}" for i in range(m)))
             rates = [_dot(row, part) for row in jacobian]
             if column >= m:
@@ -202,16 +219,13 @@ def equations(
                 ]
             system += zip(part, [*part[n:], *rates], strict=True)
     if measured or directions is not None:
-        lead, others = state[field.lead], [*state[: field.lead], *state[field.lead + 1 : n]]
-        shift, scale = (
-            (lead - hy.par[end], hy.par[end + 1]) if measured else (state[0], DEVIATION_UNIT)
-        )
-        sums = [
-            scale * shift,
-            scale * shift * shift,
-            *(scale * other for other in others if measured),
-        ]
-        system += zip(hy.make_vars(*(f"sum.{i}" for i in range(len(sums)))), sums, strict=True)
+        shift, scale, others = state[0], DEVIATION_UNIT, []
+        if measured:
+            shift, scale = state[field.lead] - hy.par[end], hy.par[end + 1]
+            others = [*state[: field.lead], *state[field.lead + 1 : n]]
+        integrands = [scale * shift, scale * shift * shift, *(scale * other for other in others)]
+        integrals = hy.make_vars(*(f"sum.{i}" for i in range(len(integrands))))
+        system += zip(integrals, integrands, strict=True)
     roots = field.scales.roots if field.scales else ()
     return system, (state, given, mode), accelerations, Approach.of(xp.called, system[:m], roots)
 
@@ -220,24 +234,27 @@ def _dot(one: Sequence[Number], other: Sequence[Number]) -> Number:
     return sum(a * b for a, b in zip(one, other, strict=True))
 
 
-#: What stands for a border where the leading coordinate, that comes around, passes a whole turn.
+#: Number of the event "a periodic leading coordinate passes a whole turn", in place of a border's.
 PASSAGE = -2
 
-#: Motions that one integrator carries at once, where they are measured. Another number compiles
-#: other code, and may give other last bits.
+#: Motions that are integrated in parallel (SIMD) for statistics. Another number compiles other
+#: code, and may change the last bits of results.
 LANES = 8
 
 
 @dataclass
 class MotionState:
-    """A motion on its way: all that is carried of it, its mode, its steps so far, why it stopped,
-    and what is noted of it.
+    """A motion during its integration.
 
-    Of one by itself that is all crossings and turns. Of one among others it is how many events
-    there were of each kind, and the states where borders were last crossed; the ``latest`` turns of
-    x, by the sign of its second derivative, and where it passes a whole turn; and least and largest
-    x at turns. One that may be ``resting`` on a border has events that are told from chatter by
-    samples only. Its ``further`` parameters are directions, or what statistics are measured with.
+    ``carried`` are all variables of the integrator, ``further`` its parameters behind the mode: see
+    :func:`equations`. ``error`` is why the motion stopped, None while it runs.
+
+    A motion integrated alone keeps all ``crossings`` and ``extrema``. In a batch it keeps
+    statistics only: ``counts`` of events of each kind; in ``crossed`` the state at the last
+    crossing of each border; the ``latest`` extrema of the leading coordinate, by the sign of its
+    second derivative, and passages of a whole turn; in ``reach`` its least minimum and largest
+    maximum, by the same sign. A motion that is ``resting`` may rest on a border: then only samples
+    can tell its events from chatter.
     """
 
     problem: Problem
@@ -257,25 +274,22 @@ class MotionState:
     resting: bool = False
 
     def __post_init__(self) -> None:
-        """At the start."""
         self.carried = np.array(self.problem.start, dtype=float)
         self.mode = CarriedState(self.problem, self.carried).initial_mode()
 
     @property
     def most(self) -> int:
-        """Steps after which it is given up."""
-        # Steps after which a flow is abandoned.
+        """Maximum number of steps."""
         return self.problem.max_steps or 2_000_000
 
 
 @dataclass(frozen=True)
 class Propagation:
-    """What is carried in how many lanes.
+    """What a :class:`BatchIntegrator` integrates: number of lanes, and variables as in
+    :func:`equations`.
 
-    ``turning`` is that turns are told, of the leading coordinate and of levels. With ``measured``
-    those of the coordinate are, and the integrals of a
-    :class:`~spragsym.motion.measures.MotionStatistics` are carried along; with ``directions`` of
-    the parameters derivatives are.
+    ``turning``: extrema of the leading coordinate and of the levels of borders are detected;
+    ``measured``: those of the leading coordinate.
     """
 
     lanes: int = 1
@@ -285,9 +299,7 @@ class Propagation:
 
 
 class BatchIntegrator:
-    """A field compiled for motions in lanes, used again and again: each goes over to its next mode
-    where it passes a border.
-    """
+    """A compiled integrator of a field for several motions in parallel, one in each lane."""
 
     def __init__(self, field: Field, tol: float, carried: Propagation) -> None:
         hy = library()
@@ -295,7 +307,7 @@ class BatchIntegrator:
         self.derivatives = carried.directions is not None
         measured, turning = carried.measured, carried.turning
         self.kinds = kinds_of(field) if measured else {}
-        #: What is in the first lanes.
+        #: The motions in the first lanes.
         self.some: Sequence[MotionState] = ()
         system, seen, accelerations, approaches = equations(
             field, measured=measured, directions=carried.directions
@@ -311,8 +323,8 @@ class BatchIntegrator:
                 for i, b in enumerate(field.borders)
                 if b.kink
             ]
-        # What is constant in a mode has no zero, and heyoka takes no event of it: the rate of the
-        # sliding speed of a block on a ramp, or the force that would hold it there.
+        # heyoka accepts no constant event function, such as the rate of the sliding speed of a
+        # block on a ramp, or the force that would hold it there.
         levels = [self._border(row, border, seen) for row, border in enumerate(field.borders)]
         rates = [(row, rate) for row, rate in rates if hy.get_variables(hy.expression(rate))]
         self.solver = hy.taylor_adaptive_batch(
@@ -334,21 +346,20 @@ class BatchIntegrator:
                 for row, rate in rates
             ],
         )
-        # Views of what the integrator holds: each look at an attribute makes one anew.
+        # Views of the integrator's arrays: each access to an attribute would create a new one.
         self.state, self.pars, self.times, self.dense = (
             getattr(self.solver, name) for name in ("state", "pars", "time", "d_output")
         )
-        #: How many numbers of a mode are parameters: heyoka has none beyond the last that a field
-        #: takes.
+        #: How many numbers of a mode are parameters: heyoka drops those behind the last one used.
         self.told = max(0, min(len(field.modes[0]), len(self.pars) - self.constants))
 
     def _border(self, row: int, border: Border, seen: tuple[Any, Any, Any]) -> object:
-        """The terminal event of a border: a level that is positive within its mode; None where it
-        is constant.
+        """Terminal event of a border: its level, with the sign that is positive inside the mode;
+        None for a constant level.
 
-        The gap keeps one crossing from being found twice, which is what a cooldown is for. Where
-        the field jumps, the levels of both modes are 0, and are curved in the state: after a
-        crossing the new one may be negative by the error of a step, and its way up is no event.
+        No cooldown is needed: OVERSHOOT keeps one crossing from being found twice. Where the field
+        jumps, only downward crossings count: there the level is 0 in both modes, and after a
+        crossing the error of a step may make it negative, so that its way up would be an event.
         """
         hy, sign = library(), border.sign(seen[2])
         level = sign * border.scale * (border.level(*seen) + OVERSHOOT * sign * border.kink)
@@ -366,8 +377,8 @@ class BatchIntegrator:
         return self
 
     def _cross(self, row: int, _: object, direction: int, lane: int) -> bool:
-        """Go over to the next mode; stop if a crossing was missed, or if derivatives would be
-        carried across a jump.
+        """Callback of a border: switch to the next mode. False, which stops, if a crossing was
+        missed, or if derivatives cannot be continued across a jump.
         """
         one, t, state = self.some[lane], float(self.times[lane]), self.state[: self.m, lane]
         try:
@@ -391,21 +402,18 @@ class BatchIntegrator:
         return True
 
     def _rest(self, one: MotionState, row: int, state: FloatArray) -> None:
-        """Note where a border is crossed, or the motion ends after that, and whether it had been
-        crossed near there.
+        """Record the state at a crossing of a border, or at the end of the motion. If the last
+        crossing was within 0.1 % of the state, the motion may rest on the border.
         """
         here = state.tolist()
         before, one.crossed[row] = one.crossed.get(row), here
-        # A motion that passes a border again this near to where it passed it, as a share of its
-        # state, may rest there.
-        near_share = 1e-3
         moved = max(abs(a - b) for a, b in zip(here, before, strict=True)) if before else math.inf
-        if moved <= near_share * max(map(abs, here)):
+        if moved <= 1e-3 * max(map(abs, here)):
             one.resting = True
 
     def _note_extremum(self, border: int, _: object, t: float, direction: int, lane: int) -> None:
-        """Note a turn of a border's level, or (−1) of the leading coordinate, or that this one
-        passes a whole turn.
+        """Callback of an extremum: record that of a border's level, or (−1) of the leading
+        coordinate, or (PASSAGE) its passage of a whole turn.
         """
         self.solver.update_d_output(t)
         one = self.some[lane]
@@ -413,15 +421,15 @@ class BatchIntegrator:
             one.extrema.append(Extremum(t, border, direction, *self._split(self.dense[:, lane])))
             return
         state = self.dense[: self.m, lane].tolist()
-        # The direction is 0 where both derivatives are.
+        # The direction is 0 if the second derivative is 0, too.
         kind, bound = (-1, max) if direction < 0 else (1, min)
         one.latest[PASSAGE if border == PASSAGE else kind].append([t, *state])
         if border != PASSAGE:
             one.reach[kind] = bound(one.reach[kind], state[self.field.lead])
 
     def _pass(self, each: Approach, _: object, __: int, lane: int) -> bool:
-        """Passage of the zero of a root's argument: where it is zero to OVERSHOOT, the state moves
-        on by as much: at its anchor a spring has no direction.
+        """Callback of an approach. If a spring's end is within OVERSHOOT of its anchor, where its
+        direction is undefined, the state is moved on by OVERSHOOT.
         """
         one = self.some[lane]
         state = self.state[: self.m, lane].copy()
@@ -440,20 +448,18 @@ class BatchIntegrator:
         return parted(values[: self.m], self._columns(values))
 
     def _columns(self, values: FloatArray) -> FloatArray | None:
-        """The derivatives that are carried, a column for each number of the start and each
-        direction.
-        """
-        return (
-            values[self.m : -2].reshape(-1, self.m).T / DEVIATION_UNIT if self.derivatives else None
-        )
+        """Derivatives of the state among the variables of a lane, (m, m + directions)."""
+        if not self.derivatives:
+            return None
+        return values[self.m : -2].reshape(-1, self.m).T / DEVIATION_UNIT
 
     def _directions(self, one: MotionState) -> FloatArray | None:
-        return (
-            np.reshape(one.further, (-1, len(self.field.parameters))) if self.derivatives else None
-        )
+        if not self.derivatives:
+            return None
+        return np.reshape(one.further, (-1, len(self.field.parameters)))
 
     def begin(self, some: Sequence[MotionState], t: float) -> None:
-        """Motions into the first lanes, where nothing was crossed yet."""
+        """Load motions into the first lanes, at time ``t``."""
         self.some = some
         pars = [(*one.problem.constants, *one.mode, *one.further) for one in some]
         self.solver.set_time(t)
@@ -473,57 +479,59 @@ class BatchIntegrator:
     def propagate(
         self, motions: Sequence[MotionState], begin: float, end: float, *, record: bool = False
     ) -> list[Samples]:
-        """Carry motions on from ``begin`` to ``end``, but those that have stopped or stop on the
-        way; samples if asked for.
+        """Integrate motions from ``begin`` to ``end``, except those that have an error; with
+        ``record`` return the samples.
 
-        What stops one that has the integrator to itself is raised.
+        An error of a motion is kept in it; with a single lane it is raised.
         """
-        going, pieces = [one for one in motions if one.error is None], list[Samples]()
-        for first in range(0, len(going), self.lanes):
-            self.begin(going[first : first + self.lanes], begin)
-            pieces += self._through(end, record)
+        running, pieces = [one for one in motions if one.error is None], list[Samples]()
+        for first in range(0, len(running), self.lanes):
+            self.begin(running[first : first + self.lanes], begin)
+            pieces += self._to_end(end, record)
         return pieces
 
-    def _through(self, end: float, record: bool) -> list[Samples]:
-        """Carry on what is in the lanes; in a free lane a copy of one that goes on stands still, at
-        the end.
+    def _to_end(self, end: float, record: bool) -> list[Samples]:
+        """Integrate the motions in the lanes to the time ``end``, in bursts.
+
+        A lane whose motion has ended gets a copy of a running one, at time ``end``: so it takes no
+        further steps.
         """
-        going, pieces = [*range(len(self.some))], list[Samples]()
-        while going:
-            if free := [lane for lane in range(self.lanes) if lane not in going]:
+        running, pieces = [*range(len(self.some))], list[Samples]()
+        while running:
+            if free := [lane for lane in range(self.lanes) if lane not in running]:
                 late, early = (part.copy() for part in self.solver.dtime)
                 late[free], early[free] = end, 0.0
                 self.solver.set_dtime(late, early)
                 for values in (self.state, self.pars):
-                    values[:, free] = values[:, going[:1]]
+                    values[:, free] = values[:, running[:1]]
             begun = self.times.copy()
-            left = min(self.some[lane].most - self.some[lane].steps for lane in going)
+            remaining = min(self.some[lane].most - self.some[lane].steps for lane in running)
             output, _ = self.solver.propagate_until(
-                end, c_output=record, max_steps=min(BURST, left + 1)
+                end, c_output=record, max_steps=min(BURST, remaining + 1)
             )
-            if output is not None:  # to the Lobatto points of its steps
+            if output is not None:  # Taylor series of each step, evaluated at its Lobatto points
                 ends, series = output.times[:, 0], output.tcs[..., 0]
                 step, order = np.diff(ends)[:, None, None], np.arange(series.shape[2])
                 states = (series * step**order) @ unit_points() ** order[:, None]
                 pieces.append((sample_times(ends[:-1], ends[1:]), states))
-            for lane in going.copy():
+            for lane in running.copy():
                 one = self.some[lane]
                 try:
-                    self._count(one, lane, float(begun[lane]), end)
+                    self._check(one, lane, float(begun[lane]), end)
                 except ConvergenceError as error:
                     if self.lanes == 1:
                         raise
                     one.error = error
                 if one.error or not self.times[lane] < end:
-                    going.remove(lane)
+                    running.remove(lane)
                     one.carried = self.state[:, lane].copy()
                     for border in [*one.crossed]:
                         self._rest(one, border, one.carried[: self.m])
         return pieces
 
-    def _count(self, one: MotionState, lane: int, begun: float, end: float) -> None:
-        """Count the steps of a lane in a flow that ``begun``; an error where it can't go on, or
-        has passed a border unseen.
+    def _check(self, one: MotionState, lane: int, begun: float, end: float) -> None:
+        """After a burst from time ``begun``: count the steps of a lane; raise ConvergenceError if
+        the motion cannot continue, or has passed a border undetected.
         """
         outcomes = library().taylor_outcome
         (outcome, _, _, made) = self.solver.propagate_res[lane]
@@ -541,7 +549,7 @@ class BatchIntegrator:
         elif len(self.some) == 1 and outcome not in (
             outcomes.time_limit,
             outcomes.step_limit,
-        ):  # of many, another may stop it
+        ):  # with several lanes, another lane may stop this one
             raise ConvergenceError(
                 f"heyoka stopped at t = {problem.time(t):.6g} with {outcome}; use backend='scipy'"
             )
@@ -552,16 +560,13 @@ class BatchIntegrator:
         if not t < end and not all(level >= -2 * OVERSHOOT for level in levels):
             raise missed_event(problem.time(t))
 
-    # ------------------------------------------------------------------------------------------ a
-    # motion by itself
-
     def begun(self, problem: Problem, directions: FloatArray | tuple[()] = ()) -> BatchIntegrator:
-        """Integrator begun for one motion."""
+        """This integrator, prepared for one motion, for :meth:`motion` or :meth:`flow_map`."""
         self.some = [MotionState(problem, np.ravel(directions))]
         return self
 
     def motion(self) -> Solution:
-        """The motion by its samples, from ``t_record`` on."""
+        """Integrate to ``t_end``: the motion from ``t_record`` on."""
         (one,) = self.some
         begin = one.problem.t_record
         if begin > 0:
@@ -571,7 +576,7 @@ class BatchIntegrator:
         )
 
     def flow_map(self) -> FlowResult:
-        """Carry the state on to the end."""
+        """Integrate to ``t_end``: the final state, with derivatives."""
         (one,) = self.some
         self.propagate(self.some, 0.0, one.problem.t_end)
         found = FlowResult(*self._split(one.carried), tuple(one.crossings), tuple(one.extrema))
@@ -581,7 +586,7 @@ class BatchIntegrator:
 
 
 def missed_event(t: float) -> ConvergenceError:
-    """The error of a motion that has passed a border unseen."""
+    """The error of a motion that has passed a border without an event, at time ``t``."""
     return ConvergenceError(f"heyoka missed a kink before t = {t:.6g}; use backend='scipy'")
 
 
@@ -589,7 +594,7 @@ _CACHE = threading.local()
 
 
 def compiled(field: Field, tol: float, carried: Propagation = Propagation()) -> BatchIntegrator:
-    """An integrator that is compiled once per field, tolerance and thread."""
+    """The integrator of a field with a tolerance, compiled once per thread."""
     integrators: dict[Any, BatchIntegrator] = _CACHE.__dict__.setdefault("compiled", {})
     key = field.name, field.lead, tol, carried
     if key not in integrators:
@@ -598,10 +603,10 @@ def compiled(field: Field, tol: float, carried: Propagation = Propagation()) -> 
 
 
 def flow_integrator(problem: Problem, directions: FloatArray | None) -> BatchIntegrator:
-    """Integrator of a flow, with turns, and unless they are None its derivatives by the start and
-    along ``directions``.
+    """Integrator of the flow map with extrema; unless ``directions`` is None with derivatives by
+    the initial state and along them.
     """
-    # Tolerance of plain ones, whose other steps make them a witness of the first.
+    # Without derivatives another tolerance is used: other steps give independent evidence.
     tol, count = (1e-16, None) if directions is None else (TOLERANCE, len(directions))
     return compiled(problem.field, tol, Propagation(directions=count, turning=True)).begun(
         problem, () if directions is None else directions
@@ -614,24 +619,26 @@ def tolerance(problem: Problem) -> float:
 
 
 def _tightened(field: Field, tol: float) -> float:
-    # Largest tolerance of fields with a border that is curved. A level that is no linear function
-    # of the state has a Taylor series of its own, which agrees with that of the state to the
-    # tolerance only: where that is not far below the gap behind a border, the border just crossed
-    # would be met again.
-    largest_tolerance = 1e-3 * OVERSHOOT
-    return min(tol, largest_tolerance) if field.nonlinear_levels else tol
+    """The tolerance, limited to 1e-3 OVERSHOOT for fields with a nonlinear level.
+
+    The Taylor series of such a level agrees with that of the state up to the tolerance only. If
+    that is not far below OVERSHOOT, the border just crossed would be found again.
+    """
+    return min(tol, 1e-3 * OVERSHOOT) if field.nonlinear_levels else tol
 
 
 def integrate(problem: Problem) -> Solution:
-    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
+    """Integrate a problem from 0 to ``t_end``: the motion from ``t_record`` on."""
     return compiled(problem.field, problem.rtol).begun(problem).motion()
 
 
 def measured(problems: Sequence[Problem]) -> tuple[list[MotionStatistics | Exception], list[int]]:
-    """Measures after ``t_record``, taken on the way: no continuous output, which would have to be
-    kept; or why there is none.
+    """Statistics of motions after ``t_record``, accumulated during the integration, or the error of
+    each.
 
-    And the rows of those that are to be measured from samples.
+    Also returns the indices of motions whose statistics need samples: stiff ones, which heyoka
+    cannot integrate, and those that may rest on a border. No samples are kept here. All problems
+    have the same field, times and tolerance.
     """
     one = problems[0]
     begin, end, size = one.t_record, one.t_end, one.field.size
@@ -645,34 +652,32 @@ def measured(problems: Sequence[Problem]) -> tuple[list[MotionStatistics | Excep
 
     def statistics(motion: MotionState, first: FloatArray) -> MotionStatistics:
         last, reach, lead = motion.carried, motion.reach, motion.problem.field.lead
-        tops, lows, passed = (
+        maxima, minima, passages = (
             np.array(motion.latest[kind]).reshape(-1, 1 + size) for kind in (-1, 1, PASSAGE)
         )
-        low, high = (
-            float(pick(first[lead], last[lead], most))
-            for pick, most in ((min, reach[1]), (max, reach[-1]))
-        )
+        low = float(min(first[lead], last[lead], reach[1]))
+        high = float(max(first[lead], last[lead], reach[-1]))
         return MotionStatistics(
             begin,
             end,
             first,
             last[:size],
-            tops[:, 0],
-            tops[:, 1:],
+            maxima[:, 0],
+            maxima[:, 1:],
             last[size:] / scale,
-            lows[:, 1:],
+            minima[:, 1:],
             np.array(motion.counts),
             (low, high),
-            passed[:, 0],
-            passed[:, 1:],
+            passages[:, 0],
+            passages[:, 1:],
             lead,
         )
 
     found = [
         each.error or statistics(each, start) for each, start in zip(motions, first, strict=True)
     ]
-    again = [
+    need_samples = [
         isinstance(each.error, StiffError) or (each.error is None and each.resting)
         for each in motions
     ]
-    return found, np.flatnonzero(again).tolist()
+    return found, np.flatnonzero(need_samples).tolist()

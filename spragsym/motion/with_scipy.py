@@ -1,5 +1,9 @@
-"""SciPy's DOP853, or Radau where motions are stiff, with the variational equations or without,
-restarted at every border.
+"""Integration by SciPy's DOP853, or by Radau for stiff motions, with or without the variational
+equations.
+
+Each step stays within one mode of the field: if the motion leaves the mode during a step, the
+crossing of the border is located by root finding, the step is cut there, and the method restarts in
+the next mode.
 """
 
 import math
@@ -29,22 +33,24 @@ from .solution import (
     rates_of,
 )
 
-# The continuation of a mode grows without bound far outside it. Trial steps that go there are
-# rejected in any case: the number must only be finite.
+# The analytic continuation of a mode grows without bound far outside it. Trial steps that go there
+# are rejected in any case, but their values must be finite.
 TRIAL_FLOATS = SimpleNamespace(**{**vars(FLOATS), "exp": lambda z: math.exp(min(z, 100.0))})
 TRIAL_ARRAYS = SimpleNamespace(**{**vars(np), "exp": lambda z: np.exp(np.minimum(z, 100.0))})
 
-#: As tight as DOP853 goes.
+#: Smallest relative tolerance of DOP853.
 RTOL = 2.3e-14
 
-#: Steps after which a flow is abandoned.
+#: Default maximum number of steps of a flow.
 MAX_STEPS = 200_000
 
 
 @dataclass(frozen=True)
 class _ModeStep:
-    """One step within a mode, in time from ``clock`` on, and what is crossed at its end: ``met`` is
-    the state in this mode there, ``last`` that from which the next one goes on.
+    """One step within a mode, from ``begin`` to ``end`` in time counted from ``clock``.
+
+    At a border ``met`` is the state at the end of the step, ``last`` the one at which the next step
+    begins, after the jump of the field; both are equal elsewhere.
     """
 
     clock: float
@@ -63,9 +69,7 @@ class _ModeStep:
 
     @cached_property
     def samples(self) -> FloatArray:
-        """All that is carried at Lobatto points, between which crossings and turns are looked
-        for.
-        """
+        """State, and derivatives if integrated, at the Lobatto points of the step."""
         samples = self.dense(self.t)
         samples[:, -1] = self.met
         return samples
@@ -73,13 +77,13 @@ class _ModeStep:
 
 @dataclass(frozen=True)
 class Flight:
-    """The motion of a problem, with derivatives by its start and along ``directions`` of the
-    parameters unless these are None.
+    """Integration of a problem, by DOP853, or by Radau if ``stiff``.
 
-    By DOP853, or where it is ``stiff`` by Radau. ``interpolated`` is that states at borders are
-    DOP853's dense output, and that the absolute tolerance is a thousandth of the relative one, as
-    in the compiled integrator; else a step of its own leads there, as the interpolant is of lower
-    order than the method.
+    Unless ``directions`` is None, with derivatives by the initial state and along these directions
+    of the parameters. With ``interpolated`` states at borders are taken from the dense output, and
+    the absolute tolerance is a thousandth of the relative one, as in the compiled integrator.
+    Otherwise a separate step leads to the border, because the dense output has a lower order than
+    the method.
     """
 
     problem: Problem
@@ -88,7 +92,7 @@ class Flight:
     interpolated: bool = False
 
     def flow_map(self) -> FlowResult:
-        """Carry the state on to the end."""
+        """Integrate to ``t_end``: the final state, with derivatives."""
         m = self.problem.field.size
         crossings, extrema = list[Crossing](), list[Extremum]()
         whole = np.array(self.problem.start, dtype=float)
@@ -101,11 +105,9 @@ class Flight:
         return FlowResult(*self._split(whole), tuple(crossings), tuple(extrema))
 
     def motion(self) -> Solution:
-        """The motion by its samples, from ``t_record`` on, without derivatives."""
+        """Integrate to ``t_end``, without derivatives: the motion from ``t_record`` on."""
         pieces, crossings, begin = list[Samples](), list[Crossing](), self.problem.t_record
-        with np.errstate(
-            all="ignore"
-        ):  # trial steps may go as far as numbers do not, and are rejected
+        with np.errstate(all="ignore"):  # trial steps may overflow, and are then rejected
             for piece in self._pieces(np.array(self.problem.start, dtype=float)):
                 crossings += piece.crossings
                 if piece.end > max(piece.begin, begin - piece.clock):
@@ -132,29 +134,28 @@ class Flight:
         from scipy.integrate import DOP853, Radau
 
         rtol = tolerance(self.problem, self.stiff)
-        # Absolute tolerance of flows, as a share of the relative one.
-        options = {
-            "rtol": rtol,
-            "atol": rtol * (1e-3 if self.interpolated else (1e-15 / 2.3e-14)),
-            "first_step": first,
-        }
+        atol = rtol * (1e-3 if self.interpolated else (1e-15 / 2.3e-14))
+        options = {"rtol": rtol, "atol": atol, "first_step": first}
         rates = rates_of(self.problem, mode, self.directions, TRIAL_FLOATS)
         return (Radau if self.stiff else DOP853)(rates, begin, whole, bound, **options)
 
     def _pieces(self, whole: FloatArray) -> Iterator[_ModeStep]:
-        """Steps, none of which leaves its mode; a step that would is cut at the border. An error
-        after too many.
+        """All steps, from the initial state ``whole``; a step that would leave its mode is cut at
+        the border.
+
+        Raises ConvergenceError if the method fails or takes too many steps, and StiffError if
+        stability limits its steps.
         """
         field, duration, clock = self.problem.field, self.problem.t_end, 0.0
         m, most = field.size, self.problem.max_steps or MAX_STEPS
         first = None
         mode = self._carried(whole).initial_mode()
-        looked = 0.0
+        checked_t = 0.0
         steps = 0
-        # Steps between two looks at whether they have collapsed.
-        look = 2000
+        # Stiffness is checked after each so many steps.
+        check_interval = 2000
         while clock < duration:
-            # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
+            # Time starts from 0 in every mode, which resolves short times after a crossing.
             bound = duration - clock
             begun = rates_of(self.problem, mode, self.directions, TRIAL_FLOATS)(0.0, whole)
             if not np.isfinite(begun).all():
@@ -166,8 +167,8 @@ class Flight:
             while solver.status == "running" and found is None:
                 before, message = solver.y.copy(), solver.step()
                 failed = solver.status == "failed"
-                # Coordinates and rates that are larger where steps have become
-                # as small as floats grow beyond all bounds in a finite time.
+                # If steps have become too small for floats while the state is this large, the
+                # solution blows up in finite time.
                 if not np.isfinite(solver.y).all() or (failed and magnitude(solver.y[:m]) > 1e12):
                     raise out_of_range()
                 if failed:
@@ -184,17 +185,17 @@ class Flight:
                 found = self._first_crossing(piece)
                 if found is None:
                     yield piece
-                if steps % look == 0 and not self.stiff:
-                    step, looked, left = (clock + end - looked) / look, clock + end, bound - end
+                if steps % check_interval == 0 and not self.stiff:
+                    step = (clock + end - checked_t) / check_interval
+                    checked_t, left = clock + end, bound - end
                     check_stiffness(self.problem, solver.y[:m], step, left, 1e5)
             if found is None:
                 return
             at, row = found
             first = solver.step_size
             whole = dense(at) if self.interpolated else self._stepped(mode, before, begin, at)
-            for _ in range(
-                4 * self.stiff
-            ):  # Radau's interpolant is of low order: Newton's method on steps of its own
+            # Radau's dense output has a low order: locate the border by Newton's method instead.
+            for _ in range(4 * self.stiff):
                 clear, rate = self._levels(mode, whole[:m], inside=True)[row].tolist()
                 if abs(clear) > OVERSHOOT / 10 and rate:
                     at = max(at - clear / rate, begin)
@@ -205,7 +206,7 @@ class Flight:
             clock, mode = clock + at, after
 
     def _stepped(self, mode: Mode, state: FloatArray, begin: float, end: float) -> FloatArray:
-        """A state carried on to the end of a part of a step."""
+        """The state at ``end``, integrated from the state at ``begin`` within the same step."""
         if end <= begin:
             return state
         solver = self.solver(mode, state, end, begin, end - begin)
@@ -214,10 +215,10 @@ class Flight:
         return np.asarray(solver.y)
 
     def _levels(self, mode: Mode, states: FloatArray, *, inside: bool = False) -> FloatArray:
-        """Levels of all borders, and the leading coordinate as the last one, with their rates:
+        """Levels of all borders with their rates, and those of the leading coordinate last:
         (borders + 1, 2, …).
 
-        Or how far ``inside`` those of a mode, negative beyond.
+        With ``inside`` the levels are signed distances from the end of the mode, negative beyond.
         """
         field, constants = self.problem.field, self.problem.constants
         accelerations = field.acceleration(states, constants, mode, TRIAL_ARRAYS)
@@ -232,22 +233,26 @@ class Flight:
         return found
 
     def _at(self, piece: _ModeStep, inside: bool, row: int, part: int, t: float) -> float:
-        """A level (part 0) or its rate (part 1) at a time within a step."""
+        """Entry [row, part] of :meth:`_levels` at a time within a step: a level (part 0) or its
+        rate (part 1).
+        """
         states = piece.dense(np.asarray(t))[: self.problem.field.size]
         return float(self._levels(piece.mode, states, inside=inside)[row, part])
 
     def _first_crossing(self, piece: _ModeStep) -> tuple[float, int] | None:
-        """When the motion first leaves its mode, and through which border."""
+        """Time at which the motion first leaves its mode within a step, and the index of the
+        border; None if it does not.
+        """
         found = []
         levels = self._levels(piece.mode, piece.samples[: self.problem.field.size], inside=True)
         least, fastest = levels[:-1, 0].min(axis=1), np.abs(levels[:-1, 1]).max(axis=1)
+        # Other borders are too far away to be reached between two samples.
         for row in np.flatnonzero(~(least > fastest * np.diff(piece.t).max())).tolist():
             (distance, rate), border = levels[row], partial(self._at, piece, True, row)
-            for i in np.flatnonzero(
-                (distance[1:] < 0) | ((rate[:-1] < 0) & (rate[1:] > 0))
-            ).tolist():
+            has_minimum = (rate[:-1] < 0) & (rate[1:] > 0)
+            for i in np.flatnonzero((distance[1:] < 0) | has_minimum).tolist():
                 begin, end = piece.t[i : i + 2].tolist()
-                if not distance[i + 1] < 0:  # it may dip below 0 between two points
+                if not distance[i + 1] < 0:  # the minimum between two samples may be below 0
                     end = _root(partial(border, 1), begin, end)
                 if distance[i + 1] < 0 or border(0, end) < 0:
                     found.append((_root(partial(border, 0), begin, end), row))
@@ -255,10 +260,11 @@ class Flight:
         return min(found, default=None)
 
     def _extrema(self, piece: _ModeStep) -> list[Extremum]:
-        """Zeros of the rates within a step: of the leading coordinate, numbered −1, and of levels
-        where there is a kink.
+        """Extrema within a step, in time: of the leading coordinate, number −1, and of the levels
+        of borders with a kink.
 
-        Signs at a step's end are those of the state behind it: rounding decides those at a border.
+        The signs of the rates at the end of a step are those at which the next step begins: on the
+        border itself rounding would decide them.
         """
         field, found = self.problem.field, list[Extremum]()
         watched = [-1, *(row for row, border in enumerate(field.borders) if border.kink)]
@@ -267,31 +273,34 @@ class Flight:
         for row, i in np.argwhere((values[:, :-1] < 0) != (values[:, 1:] < 0)).tolist():
             (begin, end), rate = piece.t[i : i + 2].tolist(), values[row, i]
             level = partial(self._at, piece, False, watched[row], 1)
-            behind = rate * level(end) > 0  # the step's own rate keeps its sign up to its end
-            t = end if behind else _root(level, begin, end)
-            state = piece.last if behind else piece.dense(t)
-            way = 1 if rate < 0 else -1
-            found.append(Extremum(piece.clock + t, watched[row], way, *self._split(state)))
-        return sorted(found, key=lambda turn: turn.t)
+            if rate * level(end) > 0:  # the rate changes its sign by the jump at the end
+                t, state = end, piece.last
+            else:
+                t = _root(level, begin, end)
+                state = piece.dense(t)
+            direction = 1 if rate < 0 else -1
+            found.append(Extremum(piece.clock + t, watched[row], direction, *self._split(state)))
+        return sorted(found, key=lambda extremum: extremum.t)
 
 
 def tolerance(problem: Problem, stiff: bool = False) -> float:
-    """Relative tolerance of a step of DOP853, or of Radau where the motion is stiff."""
-    if problem.field.nonlinear_levels and problem.field.sticking_borders and not stiff:
-        return RTOL  # what stays on a curved border is kept there by the equations of motion alone
-    # As tight as Radau goes, whose order is five.
-    return max(problem.rtol, 1e-12 * stiff)
+    """Relative tolerance of a step of DOP853, or of Radau if ``stiff``."""
+    if stiff:
+        return max(problem.rtol, 1e-12)  # the smallest at which Radau, of order five, is usable
+    if problem.field.nonlinear_levels and problem.field.sticking_borders:
+        return RTOL  # only the accuracy of the steps keeps a sticking state on a curved border
+    return problem.rtol
 
 
 def integrate(problem: Problem) -> Solution:
-    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
+    """Integrate a problem from 0 to ``t_end``: the motion from ``t_record`` on."""
     return Flight(problem, interpolated=True).motion()
 
 
 def _root(function: Callable[[float], float], begin: float, end: float) -> float:
-    """Place of a change of sign of a function."""
+    """Root of a function in a bracket, by Brent's method."""
     from scipy.optimize import brentq
 
     if function(begin) * function(end) > 0:
-        return begin  # the motion begins beyond the border, by rounding: it is left at once
+        return begin  # by rounding the motion begins beyond the border
     return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))

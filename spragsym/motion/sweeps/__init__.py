@@ -1,6 +1,4 @@
-"""Many motions: over parameters and initial states, on all cores, resumable, and the files that
-hold them.
-"""
+"""Many motions over parameters and initial states: sweeps, basins, sensitivity of the jump."""
 
 from ..regimes import Regime
 from .basins import Basin, basin

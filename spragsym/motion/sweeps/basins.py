@@ -22,27 +22,26 @@ from .many import Sweep, rms_sweep
 
 @dataclass(frozen=True, eq=False)
 class Basin(Named):
-    """Basins of attraction: the attractor that each initial state reaches, over two axes of starts,
-    named as x and vx.
+    """Basins of attraction: the attractor that each initial state of a grid reaches.
 
     Attributes
     ----------
     plane : tuple of str
-        What the axes are: two of the coordinates and rates.
+        The two coordinates or rates along the axes of the grid.
     starts : tuple of ndarray
         Their values.
     attractor : ndarray of int
-        Row of ``attractors`` that the motion reaches; −1 where it failed.
+        Index in ``attractors`` of the one that the motion reaches; −1 if it failed.
     attractors : tuple of (Regime, int, float, float)
-        EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED, whether reached or approached; index of the
-        equilibrium or −1, where friction holds a whole set of states, which is one attractor, of
-        one of them; for a limit cycle its mean and its RMS of x about that over one period,
-        else NaN.
+        Regime: EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED, whether reached or approached.
+        Index of the equilibrium, or −1; if friction holds a whole set of states, which is one
+        attractor, the index of one of them. Mean of x on a limit cycle, and standard deviation of x
+        over one period; else NaN.
     sweep : Sweep
-        Everything that was measured.
+        All results.
     remarks : tuple of str
-        Which attractors may be one: rest where friction holds whole sets of states that are not
-        told apart.
+        Attractors that may be the same: states of rest held by friction that are not proved to be
+        connected.
     """
 
     plane: tuple[str, str]
@@ -67,19 +66,19 @@ def basin(
     p: ParameterSet,
     **starts: Any,
 ) -> Basin:
-    """Basins of attraction on a grid of starts: two coordinates or rates, as x and vx.
+    """Basins of attraction on a grid of initial states in two coordinates or rates.
 
     Parameters
     ----------
     p : Parameters
         Scalars, of any model.
     **starts
-        Two of the coordinates and rates by their names, one axis each, as ``x=…, vx=…``: every
-        value of one with every value of the other. The rest of the initial state, as ``y0=…``,
-        parameters, as ``V=0.5``, and the options are those of :func:`rms_sweep`. A motion that by
-        ``t_end`` approaches nothing is ``Regime.UNSETTLED``: in the article's model deviations die
-        out at a rate of μ₀ d exp(−d V) n, n the contact force, so that it can take tens of
-        thousands of time units.
+        Two of the coordinates and rates by their names, one axis each, as ``x=…, vx=…``: the grid
+        has every value of one with every value of the other. Also the rest of the initial state, as
+        ``y0=…``, parameters, as ``V=0.5``, and options of :func:`rms_sweep`. A motion that has no
+        limit by ``t_end`` is ``Regime.UNSETTLED``. In the article's model deviations decay at the
+        rate μ₀ d exp(−d V) n, with the contact force n, which can take tens of thousands of time
+        units.
 
     Returns
     -------
@@ -88,7 +87,7 @@ def basin(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, and parameters that are no scalars.
+        For invalid arguments, and parameters that are not scalars.
 
     Examples
     --------
@@ -137,22 +136,24 @@ def basin(
 def _attractors(
     sweep: Sweep, one_limit: Callable[[Outcome, Outcome], bool | None]
 ) -> dict[str, Any]:
-    """Group motions by what they settle to or approach: by all numbers of an equilibrium's place or
-    of a cycle's one state, or by the set of rest.
+    """Fields of :class:`Basin`: motions grouped by their limit, as ``one_limit`` compares them; it
+    gives None if two limits may be the same.
     """
     labels = np.full(sweep.regime.shape, -1)
     limits, unknown = list[Outcome](), dict[int, list[int]]()
     for index in np.argwhere(sweep.regime != Regime.FAILED):
-        outcome, apart = sweep.outcome(tuple(index)), list[int]()
+        outcome, possibly_same = sweep.outcome(tuple(index)), list[int]()
         for label, other in enumerate(limits):
             same = one_limit(other, outcome)
             if same:
                 break
-            apart += [label] * (same is None)
+            if same is None:
+                possibly_same.append(label)
         else:
             label = len(limits)
             limits.append(outcome)
-            unknown |= {label: apart} if apart else {}
+            if possibly_same:
+                unknown[label] = possibly_same
         labels[tuple(index)] = label
     return {
         "attractor": labels,

@@ -19,21 +19,20 @@ from .many import Sweep, rms_sweep
 
 @dataclass(frozen=True, eq=False)
 class Sensitivity(Result):
-    """Sensitivity to V and d: jumps of the RMS of x as θ₀ grows, for every V (first axis) with
-    every d (second).
+    """The angle θ₀ at which the RMS of x jumps, for every V (first axis) and every d (second).
 
     Attributes
     ----------
     V, d : ndarray
-        Belt speeds, steepnesses.
+        Belt speeds; steepnesses of the friction law.
     theta0 : ndarray, shape (len(V), len(d))
-        Where the RMS jumps, radians: the middle of an interval of half-width ``width``.
-    before, after : ndarray, of that shape
-        RMS on the two sides of the jump.
+        Angle of the jump, radians: midpoint of an interval of half-width ``width``.
+    before, after : ndarray, shape (len(V), len(d))
+        RMS at the two ends of this interval.
     width : float
         Half-width of the interval, radians.
     sweep : Sweep
-        The sweep over θ₀ that the jump was looked for in, shape (len(V), len(d), number of angles).
+        The sweep in which the jumps were bracketed, shape (len(V), len(d), number of angles).
     """
 
     schema = (
@@ -65,14 +64,14 @@ def sensitivity(
     Parameters
     ----------
     p : Parameters
-        Of a model with these three: ``theta0`` an ascending axis of at least two angles, and the
-        rest scalars, but V and d.
+        Of a model with ``theta0``, V and d. ``theta0`` is an ascending axis of at least two angles;
+        the others are scalars.
     V, d : array_like, one axis each, optional
-        Every V with every d; those of ``p`` where left out.
+        Belt speeds and steepnesses; by default those of ``p``.
     refine : int
-        How often to halve the interval that holds the jump.
+        Number of bisections of the interval with the jump.
     **options
-        As for :func:`rms_sweep`, but ``store``.
+        Options of :func:`rms_sweep` except ``store``.
 
     Returns
     -------
@@ -81,12 +80,12 @@ def sensitivity(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, as a ``theta0`` that is no ascending axis.
+        For invalid arguments, as a ``theta0`` that is not an ascending axis.
 
     Notes
     -----
-    The jump is where the RMS grows by the largest factor from one angle to the next; bisection
-    keeps the half with the larger one.
+    The jump is between the two neighbouring angles with the largest ratio of RMS; bisection keeps
+    the half with the larger ratio.
 
     Examples
     --------

@@ -1,5 +1,5 @@
-"""Many motions: RMS and final regime over parameters and initial states, resumable, on all
-cores.
+"""Sweeps: many motions over arrays of parameters and initial states, each reduced to averages after
+a transient and the limit that it approaches. They run on all cores and can be resumed.
 """
 
 from __future__ import annotations
@@ -51,8 +51,8 @@ if TYPE_CHECKING:
     from ...models.model import Model
 
 
-#: Version of what a record holds, raised by hand where a change of code changes a number in one:
-#: the points of an older store are then of another sweep.
+#: Version of the contents of a record. It must be increased when a change of code changes a number
+#: in one: points in older stores are then computed again.
 RECORDS = 1
 
 
@@ -71,16 +71,16 @@ def rms_sweep(
     store: str | os.PathLike[str] | None = None,
     **values: ArrayLike | None,
 ) -> Sweep:
-    """Simulate every point of a broadcast of parameters and initial states, and tell what each
-    comes to.
+    """Simulate a motion for every point of a broadcast of parameters and initial states; give its
+    averages after a transient and its limit.
 
     Parameters
     ----------
     p : Parameters of any model
         Any shape.
     t_end, transient : float
-        Until when to integrate, and what to leave out of every result, by default three quarters of
-        it.
+        Duration of each motion, and the time before which it is ignored, by default three quarters
+        of the duration.
     rtol : float
         Relative tolerance.
     backend : {"heyoka", "compiled", "scipy"}, optional
@@ -88,17 +88,17 @@ def rms_sweep(
     max_steps : int
         As for :func:`~spragsym.simulate`; a motion that needs more has failed.
     options : MotionOptions, optional
-        Numbers by which a limit is told.
+        Tolerances by which a limit is recognized.
     workers : int or map-like callable
-        Processes, −1 for one a core; or ``map(function, tasks)`` of an engine, which may give
-        results or futures with a ``result()``, in any order. A task is a point; of many points that
-        heyoka integrates, up to 1024 of them. Results are the same to the last bit for any.
+        Number of processes, −1 for one per core; or ``map(function, tasks)`` of an engine, which
+        may give results or futures with a ``result()``, in any order. A task is one point, or with
+        heyoka up to 1024 points. Results do not depend on it, to the last bit.
     progress : bool
         Show a bar with the estimated end on stderr.
     store : path, optional
-        ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` task by task. The same call
-        resumes from there after a kill, and loads the file when it is finished. One process at a
-        time may write to it.
+        ``*.nc`` or ``*.csv``. Finished tasks are written to ``<store>.partial``. After a kill the
+        same call resumes from there; once the file is complete, it loads the file. Only one process
+        may write to a store at a time.
     **values : array_like, optional
         Parameters and the initial state, as for :func:`~spragsym.simulate`; they broadcast with
         ``p``.
@@ -111,18 +111,18 @@ def rms_sweep(
     Raises
     ------
     ParameterError, ParameterTypeError
-        Before the work starts, for arguments that make no sense and files that cannot be written. A
-        motion that fails is NaN, with its reason, and stops nothing.
+        Before any integration, for invalid arguments and files that cannot be written. A motion
+        that fails gives NaN and a reason; the sweep continues.
     SweepError
-        For any failure that is not the motion's: memory, a package that is missing, a worker that
-        was killed. The store keeps what is finished.
+        For any other failure: memory, a missing package, a killed worker. The store keeps the
+        finished points.
     StoreError
         When the store is damaged, full, or being written by another process.
 
     Notes
     -----
-    Source: (8)–(11); the article's Figure 7b. Which equilibrium: with μ(V), (10), for μ₀, which is
-    where the motion can rest.
+    Source: (8)–(11); the article's Figure 7b. The equilibria are those with the friction μ(V) of
+    (10) in place of μ₀: at these the motion can rest.
 
     Examples
     --------
@@ -168,20 +168,18 @@ def rms_sweep(
 
 
 def _together(settings: Mapping[str, Any], count: int, workers: int) -> int:
-    """Number of motions in one task: what a kill loses, and what every worker gets many of. No
-    result depends on it.
+    """Number of motions in one task. No result depends on it, but a kill loses unfinished tasks.
+
+    At most 1024 motions, with a total duration of 2e5; and so few that every worker gets 16 tasks.
     """
-    if settings["backend"] != "heyoka":  # which alone carries many at a time
+    if settings["backend"] != "heyoka":  # the others integrate one motion at a time
         return 1
-    # Time over which the motions of one task go in all, at most.
-    lasting = max(LANES, int(2e5 / settings["t_end"]))
-    # Tasks that every worker gets at least, where there are points enough.
-    tasks_each = 16
-    # Motions of one task, at most; a few points are one task each.
-    return max(1, min(1024, lasting, count // (tasks_each * workers)))
+    of_duration = max(LANES, int(2e5 / settings["t_end"]))
+    return max(1, min(1024, of_duration, count // (16 * workers)))
 
 
-#: Numbers that a sweep measures, in the order of its records: those after the transient first.
+#: Quantities that a sweep computes, in the order of its records: averages after the transient, then
+#: the limit.
 MEASURED = (
     Column("rms", "{x}", "root mean square of {x} about zero, after the transient"),
     Column("spread", "{x}", "root mean square of {x} about its mean, after the transient"),
@@ -196,45 +194,45 @@ MEASURED = (
 
 @dataclass(frozen=True, eq=False)
 class Sweep(Named):
-    """Results of a sweep; every array has the common shape of the inputs. NaN where a motion
-    failed.
+    """Results of a sweep. All arrays have the common shape of the inputs; NaN if a motion failed.
 
     Attributes
     ----------
     inputs : dict of str to ndarray
-        The model's parameters and initial state as they were given, which broadcast together; for
-        the article's θ₀, μ₀, κ, α, σ, β, V, d, x0, y0, vx0, vy0. In what follows x is the model's
-        first coordinate, and y stands for every other one.
+        The model's parameters and initial state as given, which broadcast together; for the
+        article's model θ₀, μ₀, κ, α, σ, β, V, d, x0, y0, vx0, vy0. Below, x is the model's first
+        coordinate, and y stands for every other one.
     measured : dict of str to ndarray
-        What follows, up to ``distance``; each is an attribute of its name.
+        The quantities from ``rms`` to ``distance``. Each is an attribute by its name, too.
     rms, spread, largest, mean, mean_y : ndarray
-        Of x after the transient, over L_0: root mean square about zero, and about the mean; largest
-        \\|x\\|; means of x and y.
+        Averages after the transient, over L_0: root mean square of x about zero, and about its
+        mean; largest \\|x\\|; means of x and y.
     contact_lost, slip_reversed : ndarray
-        How often, after the transient; what sticks in between does not reverse.
+        Number of these events after the transient. A reversal with sticking in between does not
+        count.
     period, cycle_mean, cycle_rms : ndarray
-        Of the cycle that the motion is on or approaches: period, mean of x, and root mean square of
-        x about zero, over one whole period. NaN for no cycle. Unlike ``mean`` and ``rms`` they
-        depend on no window.
+        Period of the cycle that the motion is on or approaches; mean of x, and root mean square of
+        x about zero, over this period. NaN for no cycle. Unlike ``mean`` and ``rms`` they do not
+        depend on the transient.
     cycle_x, cycle_y, cycle_vx, cycle_vy : ndarray
-        State of that cycle where its x is largest, or 0 if x turns around; NaN for no cycle.
+        State of that cycle where x is largest, or 0 if x rotates; NaN for no cycle.
     rest_x, rest_y : ndarray
-        Where the equilibrium is that the motion is at or approaches; NaN for none.
+        Coordinates of the equilibrium that the motion is at or approaches; NaN for none.
     rate, distance : ndarray
-        In the long run a motion nears what it settles to or approaches as exp(−rate τ);
-        ``distance`` is what is left of the way at ``t_end``, relative to the reach of a cycle, or
-        over L_0 for rest. See :class:`~spragsym.motion.regimes.Outcome`.
+        Asymptotic rate of the approach exp(−rate τ) to the limit, and distance to it at ``t_end``:
+        relative to the extent of a cycle, over L_0 for rest. See
+        :class:`~spragsym.motion.regimes.Outcome`.
     regime : ndarray of int8
         Codes of :class:`Regime`.
     equilibrium : ndarray of int8
-        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` its slot among ``equilibria(p)``
-        in contact at the friction μ(V); −1 otherwise.
+        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` the index of the equilibrium among
+        those of ``equilibria(p)`` in contact at the friction μ(V); −1 otherwise.
     reason : ndarray of str
-        Why a motion failed.
+        Reason for which a motion failed.
     model : Model
         The model.
     options : MotionOptions
-        Numbers by which the limits were told.
+        Tolerances by which the limits were recognized.
     """
 
     schema = (
@@ -267,7 +265,7 @@ class Sweep(Named):
         Parameters
         ----------
         index : int or tuple of int
-            Place of the motion in the arrays.
+            Index of the motion in the arrays.
 
         Returns
         -------
@@ -285,26 +283,23 @@ class Sweep(Named):
         measures = {
             name: float(self.measured[self._own(name)][index]) for name in reported(self.model)
         }
-        rest, cycle = (
-            tuple(
-                measures[f"{what}_{name}"]
-                for name in places
-                if not np.isnan(measures[f"{what}_{name}"])
-            )
-            for what, places in (("rest", self.model.coordinates), ("cycle", self.model.components))
+        rest = [measures[f"rest_{name}"] for name in self.model.coordinates]
+        cycle = [measures[f"cycle_{name}"] for name in self.model.components]
+        numbers = ("rate", "distance", "period", "cycle_mean", "cycle_rms")
+        return Outcome(
+            Regime(int(self.regime[index])),
+            int(self.equilibrium[index]),
+            tuple(value for value in rest if not np.isnan(value)),
+            cycle=tuple(value for value in cycle if not np.isnan(value)),
+            names=self.model.components,
+            **{name: measures[name] for name in numbers},
         )
-        numbers = {
-            name: measures[name]
-            for name in ("rate", "distance", "period", "cycle_mean", "cycle_rms")
-        }
-        regime, which = Regime(int(self.regime[index])), int(self.equilibrium[index])
-        return Outcome(regime, which, rest, cycle=cycle, names=self.model.components, **numbers)
 
     def to_dataset(self) -> Dataset:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
 
-        An axis along which one input alone varies is named after it; others are ``axis_0``,
-        ``axis_1``, …. θ₀ is there in radians and, as ``theta0_deg``, in degrees.
+        An axis along which only one input varies has its name; others are ``axis_0``, ``axis_1``,
+        …. Angles are given in radians and, as ``theta0_deg``, in degrees.
 
         Returns
         -------
@@ -349,27 +344,23 @@ class Sweep(Named):
 
 
 def reported(of: Model | Field) -> tuple[str, ...]:
-    """Numbers that a file and a result hold, by names of the model; a record holds these, then the
-    code of the regime.
-
-    Of the first coordinate after the transient, and means of the others but a clock; then about the
-    limit, from ``period`` on: an equilibrium by its place, a cycle by one state.
+    """Names of the quantities in a record, for the coordinates of a model: :data:`MEASURED`, with
+    the placeholders {y}, {q}, {v} expanded. In a record the code of the regime follows them.
     """
     others = of.coordinates[1 : -1 if of.clock else None]
-    over = {"{y}": others, "{q}": of.coordinates, "{v}": of.components}
-    return tuple(
-        each.name.replace(mark, name)
-        for each in MEASURED
-        for mark in [each.name[-3:]]
-        for name in over.get(mark, (mark,))
-    )
+    expanded = {"{y}": others, "{q}": of.coordinates, "{v}": of.components}
+    names = []
+    for each in MEASURED:
+        mark = each.name[-3:]
+        names += [each.name.replace(mark, name) for name in expanded.get(mark, (mark,))]
+    return tuple(names)
 
 
 def measured(
     model: Model, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]
 ) -> list[Record]:
-    """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong
-    is raised.
+    """The record of each point: numbers, or the reason why its motion failed. Errors that are not
+    of the motion are raised.
     """
     count, names = len(model.parameters), ("t_end", "rtol", "max_steps", "options")
     given = {
@@ -382,17 +373,17 @@ def measured(
     ]
     errors = [undirected(model, problem.constants, problem.start) for problem in problems]
     good = [problem for problem, error in zip(problems, errors, strict=True) if error is None]
-    with np.errstate(all="ignore"):  # numbers out of range show in the result
-        statistics = iter(integrators.measure(good, settings["backend"]) if good else ())
-        pairs = zip(problems, errors, strict=True)
+    backend = settings["backend"]
+    with np.errstate(all="ignore"):  # overflow becomes a reason
+        statistics = iter(integrators.measure(good, backend) if good else ())
         return [
-            _record(error or next(statistics), problem, settings["backend"])
-            for problem, error in pairs
+            _record(error or next(statistics), problem, backend)
+            for problem, error in zip(problems, errors, strict=True)
         ]
 
 
 def _record(statistics: MotionStatistics | Exception, problem: Problem, backend: str) -> Record:
-    """Measures and limit of a motion, in the order of :func:`reported`."""
+    """Record of a motion, in the order of :func:`reported`, from its statistics."""
     if isinstance(statistics, Exception):
         return _no_result(statistics)
     (mean, spread), (lost, _, *reversals) = statistics.moments(), statistics.events[: Event.STICK]
@@ -428,8 +419,8 @@ def _made_of(
     columns: dict[str, Any],
     table: Mapping[str, Any],
 ) -> Sweep:
-    """The sweep of these columns; of a file the slots of equilibria are ``table``, which are
-    searched for otherwise.
+    """The sweep with these columns. Indices of equilibria are taken from ``table``, the columns of
+    a loaded file; otherwise they are computed.
     """
     reason, regime = (columns.pop(own_name(model, name)) for name in ("reason", "regime"))
     if (at := own_name(model, "equilibrium")) in table:
@@ -437,7 +428,7 @@ def _made_of(
     else:
         places = np.array([columns[f"rest_{name}"] for name in model.coordinates])
         which = np.full(regime.shape, -1, dtype=np.int8)
-        if not (model.clock or np.isnan(places).all()):  # under a clock nothing is in balance
+        if not (model.clock or np.isnan(places).all()):  # with a clock there is no equilibrium
             p = model.Parameters(**{name: inputs[name] for name in model.parameters})
             which = rest_index(p, places)
     regime = np.nan_to_num(regime, nan=Regime.FAILED).astype(np.int8)
@@ -453,7 +444,7 @@ def _made_of(
 
 
 def with_degrees(model: Model, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
-    """The inputs, every angle in degrees beside it in radians."""
+    """The inputs, with each angle in degrees added after that in radians."""
     columns = {}
     for name, values in inputs.items():
         columns[name] = values
@@ -463,13 +454,11 @@ def with_degrees(model: Model, inputs: Mapping[str, FloatArray]) -> dict[str, Fl
 
 
 def fingerprint(model: Model, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any]) -> str:
-    """A hash of everything that decides the bits of a result: no source text, so that a comment
-    changes nothing.
-    """
+    """Hash of everything that determines the bits of a result, without source text."""
     decides = {
         "integrator": integrators.version(settings["backend"]),
-        "records": RECORDS + bool(model.clock),  # those of a clock had the mean of its phase once
-        "numpy": np.__version__,  # its eigenvalues tell what is approached
+        "records": RECORDS + bool(model.clock),  # records with a clock have changed once more
+        "numpy": np.__version__,  # its eigenvalues decide which limit is approached
         "model": model.name,
         "files": model.about["files"],
         "page": model.about["source"],

@@ -1,10 +1,10 @@
-"""One function over many points: in this process, in others, or by a map-like callable of the
-user's; kept as they are done.
+"""Apply a function to many points: in this process, in worker processes, or by the user's map-like
+callable. Results are stored as soon as they are computed.
 
-The processes are not those of ``multiprocessing``: they import spragsym and nothing of the user's,
-so that no script needs ``if __name__ == "__main__":`` and none can start itself again. Each has
-pipes of its own and shares no lock with another: one that is killed is noticed by the end of its
-pipe, at once. One whose parent is killed ends by the same sign.
+The worker processes are not those of ``multiprocessing``. They import spragsym only, not the user's
+script, so the script needs no ``if __name__ == "__main__":`` and cannot start itself again. Each
+worker has pipes of its own, and workers share no locks: the end of its pipe shows at once that a
+worker was killed, and to a worker that its parent was.
 """
 
 from __future__ import annotations
@@ -54,12 +54,13 @@ Work: TypeAlias = Callable[[Sequence[Point]], list[Record]]
 
 @dataclass(frozen=True)
 class Computation(Generic[R]):
-    """A result over a broadcast of ``inputs``, point by point.
+    """How to compute a result over a broadcast of ``inputs``, point by point.
 
-    ``work(points)`` gives a record each, in other processes too, ``made(columns, known)`` the
-    result, of ``known`` columns of the file if it is loaded: ``names`` for the numbers of a record,
-    ``text`` for its words. ``key()`` is a hash of everything that decides the bits of the result;
-    ``together(points, workers)`` says how many are one task.
+    ``work(points)`` gives a record per point; it must be picklable. ``names`` are the columns of
+    the numbers in a record, ``text`` that of its text. ``made(columns, known)`` makes the result of
+    all columns; ``known`` are those of the file, if the result is loaded. ``key()`` is a hash of
+    everything that determines the bits of the result. ``together(points, workers)`` gives the
+    number of points in a task.
     """
 
     inputs: Mapping[str, FloatArray]
@@ -74,7 +75,9 @@ class Computation(Generic[R]):
 def made_or_loaded(
     of: Computation[R], workers: Workers, progress: bool, store: str | os.PathLike[str] | None
 ) -> R:
-    """The result of a computation: computed, or gone on with, or loaded, if its file is there."""
+    """The result of a computation: loaded if its file exists, else resumed from a journal or
+    computed from the beginning.
+    """
     inputs, names, text = of.inputs, of.names, of.text
     shape = common_shape({name: values.shape for name, values in inputs.items()})
     columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
@@ -94,9 +97,9 @@ def made_or_loaded(
         )
 
     def compute(done: dict[int, Record], keep: Callable[[int, Record], None]) -> R:
-        left = [i for i in range(len(points)) if i not in done]
-        size = of.together(len(left), parallel)
-        parts = [left[begin : begin + size] for begin in range(0, len(left), size)]
+        missing = [i for i in range(len(points)) if i not in done]
+        size = of.together(len(missing), parallel)
+        parts = [missing[begin : begin + size] for begin in range(0, len(missing), size)]
         tasks = {number: tuple(points[i] for i in part) for number, part in enumerate(parts)}
         found = results(workers, of.work, tasks, partial(_values_of, inputs))
         with advance(progress, len(points), len(done)) as step, closing(found):
@@ -158,16 +161,16 @@ def results(
     points: Mapping[int, Any],
     assembled: Callable[[Any], str],
 ) -> Generator[tuple[int, Any], None, None]:
-    """Every number with the result of its point, once, in the order in which they are done;
-    ``assembled`` names a point in an error.
+    """Apply a function to numbered points: each number with its result, in the order in which they
+    are computed. ``assembled`` describes a point in an error message.
 
-    To be closed, also after an error: processes end, and Ctrl-C is what it was, when it is.
+    The generator must be closed, also after an error: that ends the processes and restores the
+    handling of Ctrl-C.
 
     Raises
     ------
     SweepError
-        When a point raises anything, a process ends, or a map-like callable gives what it should
-        not.
+        When the function raises an error, a process ends, or the user's map misbehaves.
     KeyboardInterrupt
         After Ctrl-C, also where a library turned it into another error or into none.
     """
@@ -189,7 +192,7 @@ def results(
 
 
 def _attempt(function: Callable[[Any], Any], task: Task) -> Answer:
-    """A result, or the error in words: not every error can be sent between processes."""
+    """The result of a task, or its error as text: not every error can be sent between processes."""
     index, point = task
     try:
         return index, function(point), ""
@@ -247,13 +250,13 @@ def _answers(
 # ----------------------------------------------------------------------------------------------
 # processes: parent
 
-#: Begins a message, which is a line (RFC 7464); any other line is what a library prints.
+#: First byte of a line that is a message (RFC 7464); other lines are output of a library.
 _MARK = b"\x1e"
 
 
 @contextmanager
 def pool(size: int) -> Iterator[Map]:
-    """A map over processes, which end with the context. One map at a time."""
+    """A map over worker processes, which end with the context. Only one map may run at a time."""
     children: list[subprocess.Popen[bytes]] = []
     try:
         try:
@@ -271,7 +274,7 @@ def pool(size: int) -> Iterator[Map]:
 def _map(
     children: list[subprocess.Popen[bytes]], function: Callable[[Any], Any], items: Iterable[Any]
 ) -> Iterator[Any]:
-    """Whoever is free takes the next item; the results come as they are done."""
+    """Results of a function, in the order of completion; a free process takes the next item."""
     free = [*children]
     left = iter(items)
     asked = dict[Future[Any], subprocess.Popen[bytes]]()
@@ -286,7 +289,7 @@ def _map(
                     yield each.result()
                 if not asked:
                     return
-                # Windows notices Ctrl-C in between only.
+                # Windows notices Ctrl-C only between calls.
                 found = list(wait(asked, timeout=1.0, return_when=FIRST_COMPLETED).done)
                 free += map(asked.pop, found)
         except BaseException:
@@ -295,7 +298,7 @@ def _map(
 
 
 def _asked(child: subprocess.Popen[bytes], message: bytes) -> object:
-    """Answer of a process."""
+    """Send a message to a process and wait for its answer."""
     assert child.stdin is not None
     assert child.stdout is not None
     if child.stdin.closed:
@@ -312,7 +315,7 @@ def _asked(child: subprocess.Popen[bytes], message: bytes) -> object:
 
 
 def _end(children: list[subprocess.Popen[bytes]]) -> None:
-    """Kill them: nothing is lost, since their results are here."""
+    """Kill the processes; their finished results have been received."""
     for child in children:
         child.kill()
         child.wait()
@@ -323,6 +326,7 @@ def _end(children: list[subprocess.Popen[bytes]]) -> None:
 
 
 def _begun() -> subprocess.Popen[bytes]:
+    """Start a worker process."""
     if not sys.executable:
         raise SweepError(
             "this Python does not know its own executable, so it starts no others; use workers=1"
@@ -334,8 +338,8 @@ def _begun() -> subprocess.Popen[bytes]:
         "from spragsym.motion.sweeps.workers import serve; serve()"
     )
     call, pipe = [sys.executable, "-P", "-c", boot], subprocess.PIPE
-    # Ctrl-C goes to all processes of a terminal's group, and is for the parent, which ends the
-    # others.
+    # A terminal sends Ctrl-C to all processes of its group: workers get a group of their own, and
+    # the parent ends them.
     group: dict[str, Any] = {"process_group": 0}
     if sys.platform == "win32":
         group = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
@@ -348,7 +352,7 @@ def _begun() -> subprocess.Popen[bytes]:
 
 
 def _epitaph(code: int, said: str) -> str:
-    """Exit of a process in words, and its last ones."""
+    """Message about the exit of a process, with its last output."""
     lines = [line for line in said.splitlines() if line.strip()]
     words = f", and its last words were {lines[-1].strip()!r}" if lines else ""
     if code >= 0:
@@ -368,7 +372,7 @@ def _packed(message: object) -> bytes:
 
 
 def _unpacked(line: bytes) -> Any:
-    """Message of our own process at the other end of the pipe; files are never read this way."""
+    """Decode a message of our own process at the other end of the pipe, never a file."""
     return pickle.loads(base64.b64decode(line[1:-1]))  # noqa: S301 -- see above
 
 
@@ -377,8 +381,8 @@ def _unpacked(line: bytes) -> Any:
 
 
 def serve() -> None:
-    """Run what comes on stdin, and write to stdout, until stdin ends or breaks, because the parent
-    is gone.
+    """Main loop of a worker process: read tasks from stdin, write results to stdout, until stdin
+    ends because the parent has.
     """
     asked: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     threading.Thread(target=_listen, args=(asked,), daemon=True).start()
@@ -388,16 +392,14 @@ def serve() -> None:
 
 
 def _listen(asked: queue.SimpleQueue[bytes]) -> None:
-    """Always wait for input, so that this process ends with its parent, even in the middle of a
-    motion.
-    """
+    """Read stdin in a thread, so that this process ends with its parent even during a task."""
     for line in sys.stdin.buffer:
         asked.put(line)
     os._exit(0)
 
 
 def _say(message: bytes) -> None:
-    """On a line of its own, whatever a library has printed."""
+    """Write a message on a new line, in case a library has printed without one."""
     data = memoryview(b"\n" + message)
     try:
         while data:

@@ -1,4 +1,6 @@
-"""Cycles: closed orbits of piecewise smooth motion, their branches, events and boundaries."""
+"""Cycles (closed orbits of the piecewise smooth motion): their computation, branches and
+bifurcations, Lyapunov exponents, fates of motions and boundaries between them, proofs of cycles.
+"""
 
 from .basin_boundaries import BasinBoundary, basin_boundary
 from .branch import CycleBranch, CycleEvent, EventCurve, cycle_branch, cycle_events

@@ -1,4 +1,12 @@
-"""Pseudo-arclength continuation: the next closed orbit on a branch, through folds of the branch."""
+"""Pseudo-arclength continuation of closed orbits.
+
+A branch is a curve of closed orbits in the space of the unknowns: states at the mesh nodes, period,
+free parameters. The curve is followed by prediction along the tangent and correction by Newton's
+method (:func:`corrected`), in the hyperplane at a given arclength; so it passes folds, at which the
+parameter turns back. :func:`steps` controls the step length, :func:`zero_of` locates zeros of a
+test function along the arc. With a test function as a further equation and a second free parameter,
+the same functions follow a curve of bifurcations.
+"""
 
 from __future__ import annotations
 
@@ -32,18 +40,20 @@ from .options import BranchOptions
 
 
 def in_phase(_: Setting, near: Orbit, target: FloatArray) -> Conditions:
-    """The first state stays in the plane across the flow at an orbit, through a target."""
+    """Phase condition: the first state lies in the plane through that of ``target``, normal to the
+    flow at the first state of the orbit ``near``.
+    """
     return across(near, target[: near.field.size])
 
 
 @dataclass(frozen=True)
 class Setting:
-    """Setting that all points of a branch share: the flow, which parameters are free, and units of
-    the arc's length.
+    """Data that all points of a branch share: the flow, the indices of the free parameters, and the
+    units of arclength, which are a ``period`` and a span for each free parameter.
 
-    ``holds(setting, orbit, target)`` is what holds near an orbit besides closing: the phase, in the
-    plane across the flow at that orbit, through a target; along a curve of events its test
-    function's equation too.
+    ``holds(setting, orbit, target)`` gives the equations besides closing, near an orbit: the phase
+    condition, with ``target`` as in :func:`in_phase`; along a curve of bifurcations a test function
+    = 0, too.
     """
 
     flow: Flow
@@ -54,22 +64,23 @@ class Setting:
     options: BranchOptions = field(default_factory=BranchOptions)
 
     def integrated(self, guess: Iterate) -> Orbit:
-        """A guess integrated, with derivatives by what is free."""
+        """The orbit of an iterate, with derivatives by the free parameters."""
         return integrated(self.flow, replace(guess, free=self.free))
 
     def weights(self, orbit: Orbit) -> FloatArray:
-        """Weights of states, period and parameters in the length of the arc."""
+        """Weights of states, period and free parameters in arclength: reciprocal units."""
         each = np.full(orbit.states.size, 1 / np.sqrt(len(orbit.states)))
         return np.concatenate([each, [1 / self.period], 1 / np.array(self.spans)])
 
 
 class Touch(NamedTuple):
-    """Contact of an orbit with a border: it comes to it, or turns where the border's level is
-    extremal.
+    """A point of an orbit at which the level of a border has an extremum, or at which the orbit
+    arrives at a border on which it may stay.
 
-    ``way`` is the border with the direction of the turn, or with the sign of the level from which
-    it comes; ``share`` is that of the period. At a turn ``level`` is the border's, with its slope
-    along the branch; at an arrival it is negative if it does not stay.
+    ``way`` is the index of the border, with −1 for a maximum and 1 for a minimum, or with the sign
+    of the level before the arrival. ``share`` is the time as a share of the period. At an extremum
+    ``level`` is the border's level there, and ``slope`` its derivative along the branch. At an
+    arrival ``level`` is negative if the orbit does not stay.
     """
 
     way: tuple[int, int]
@@ -81,10 +92,9 @@ class Touch(NamedTuple):
 
 @dataclass(frozen=True)
 class BranchPoint:
-    """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the
-    branch's units.
+    """A closed orbit on a branch, with the branch's tangent there, of length 1 in arclength.
 
-    ``alone`` is that there is no other direction, as there is where orbits at one value of the
+    ``alone`` is True if the tangent is unique. It is not where the orbits at one value of the
     parameter are a whole family.
     """
 
@@ -100,59 +110,60 @@ class BranchPoint:
 
     @property
     def coordinates(self) -> FloatArray:
-        """States, period and free parameters."""
+        """The unknowns: states, period and free parameters."""
         return self.orbit.guess.coordinates
 
     @property
     def weights(self) -> FloatArray:
-        """Units of the arc's length."""
+        """Weights of the unknowns in arclength."""
         return self.setting.weights(self.orbit)
 
     @property
-    def place(self) -> FloatArray:
-        """States, period and free parameters in these units."""
+    def scaled(self) -> FloatArray:
+        """The unknowns times their weights: distances of these are arclengths."""
         return self.weights * self.coordinates
 
     @property
-    def way(self) -> FloatArray:
-        """The tangent in these units, of length 1."""
+    def direction(self) -> FloatArray:
+        """The tangent times the weights, a unit vector."""
         return self.weights * self.tangent
 
     def oriented(self, sign: float) -> BranchPoint:
-        """The point, with the branch going on the other way for −1."""
+        """The point with its tangent multiplied by a sign."""
         return replace(self, tangent=sign * self.tangent)
 
     @cached_property
     def touches(self) -> list[Touch]:
-        """All turns of the borders' levels."""
-        orbit, tangent = self.orbit, self.tangent
-        size, along, found = orbit.field.size, tangent[orbit.states.size + 1 :], list[Touch]()
+        """The extrema of the levels of all borders of the modes in which they occur."""
+        orbit, tangent, found = self.orbit, self.tangent, list[Touch]()
+        size, by_branch = orbit.field.size, tangent[orbit.states.size + 1 :]
         for extremum in orbit.extrema():
             mode = orbit.mode(extremum.state)
-            if extremum.border >= 0 and orbit.field.borders[extremum.border].sign(mode):
-                change = extremum.by_state @ tangent[:size] + extremum.by_parameters @ along
-                way, at = np.append(change, along), np.append(extremum.state, orbit.guess.varied)
-                step = 1e-6 / max(1.0, magnitude(change))
-                back, level, ahead = (
-                    float(level_and_rate(orbit, extremum.border, mode, at + share * step * way)[0])
-                    for share in (-1, 0, 1)
+            if extremum.border < 0 or not orbit.field.borders[extremum.border].sign(mode):
+                continue
+            change = extremum.by_state @ tangent[:size] + extremum.by_parameters @ by_branch
+            direction = np.append(change, by_branch)
+            at = np.append(extremum.state, orbit.guess.varied)
+            step = 1e-6 / max(1.0, magnitude(change))
+            back, level, ahead = (
+                float(level_and_rate(orbit, extremum.border, mode, at + k * step * direction)[0])
+                for k in (-1, 0, 1)
+            )
+            found.append(
+                Touch(
+                    (extremum.border, extremum.direction),
+                    extremum.t / orbit.period,
+                    extremum.state,
+                    level,
+                    (ahead - back) / (2 * step),
                 )
-                slope = (ahead - back) / (2 * step)
-                found.append(
-                    Touch(
-                        (extremum.border, extremum.direction),
-                        extremum.t / orbit.period,
-                        extremum.state,
-                        level,
-                        slope,
-                    )
-                )
+            )
         return found
 
 
 def level_and_rate(orbit: Orbit, border: int, mode: Mode, point: FloatArray) -> FloatArray:
-    """Level and rate of a border in a mode at a state, followed by the free parameters, as they are
-    for an orbit.
+    """Level and rate of the border with index ``border`` in a mode, (2,). ``point`` is a state
+    followed by values of the free parameters; other parameters are the orbit's.
     """
     field, guess, size = orbit.field, orbit.guess, orbit.field.size
     for index, value in zip(guess.free, point[size:].tolist(), strict=True):
@@ -164,62 +175,52 @@ def level_and_rate(orbit: Orbit, border: int, mode: Mode, point: FloatArray) -> 
 
 
 def point_of(setting: Setting, orbit: Orbit, along: FloatArray | None = None) -> BranchPoint:
-    """A point with its tangent, turned so that it goes along a direction; by default to larger
-    values of the first parameter.
+    """The point of an orbit, with the tangent that has a positive component along ``along``; by
+    default towards larger values of the first free parameter.
     """
-    sizes, ways = directions(setting, orbit)
-    # Share of the largest singular value below which another one is 0.
-    least_singular = 1e-10
-    # How little what does not close may move an orbit.
-    point = BranchPoint(
-        setting,
-        orbit,
-        ways[-1] / setting.weights(orbit),
-        bool(sizes[-1] > max(least_singular * sizes[0], orbit.largest_gap / 1e-6)),
-    )
-    ahead = turning(point) if along is None else point.way @ (along * point.weights)
+    sizes, vectors = directions(setting, orbit)
+    # The tangent is unique if the smallest singular value is not 0: it exceeds rounding, and the
+    # largest gap divided by it moves the orbit by less than 1e-6.
+    unique = bool(sizes[-1] > max(1e-10 * sizes[0], orbit.largest_gap / 1e-6))
+    point = BranchPoint(setting, orbit, vectors[-1] / setting.weights(orbit), unique)
+    ahead = turning(point) if along is None else point.direction @ (along * point.weights)
     return point.oriented(-1.0 if ahead < 0 else 1.0)
 
 
 def directions(setting: Setting, orbit: Orbit) -> tuple[FloatArray, FloatArray]:
-    """Singular values of the equations' derivative, and right singular vectors, a row each, in
-    units of the arc.
+    """Singular values of the Jacobian in units of arclength, and its right singular vectors, a row
+    each.
 
-    The last vectors span its null space; there is one more of them than values.
+    There is one vector more than values: the last one spans the null space, the tangent.
     """
     _, rows = setting.holds(setting, orbit, orbit.guess.coordinates)(orbit)
     return np.linalg.svd(orbit.slopes(rows) / setting.weights(orbit))[1:]
 
 
 def resolution(orbit: Orbit, kind: str) -> float:
-    """Unit in which the error of a test function, a hundredfold, is below the gap that an orbit may
-    leave open.
+    """Factor by which a test function is divided so that a hundred times its error is below the
+    tolerance of shooting.
     """
     return max(1.0, 100.0 * unsure(orbit, kind) / orbit.options.closed)
 
 
 def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Conditions:
-    """Conditions of a closed orbit at which a test function is 0, in its :func:`resolution`, so
-    that its rounding does not keep the orbit open.
+    """Conditions of a bifurcation: the phase condition, and the test function of ``kind`` = 0.
+
+    The test function is divided by its :func:`resolution`, so that its rounding does not keep
+    Newton's method from converging. Its derivatives are central differences.
     """
     phase, unit = in_phase(setting, near, target), resolution(near, kind)
     weights = setting.weights(near)
 
     def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
-        off, row = phase(orbit)
-        # Differences of the condition are taken over this.
-        slope = differences(
-            lambda step: np.array(
-                [
-                    criterion_of(
-                        kind, integrated(setting.flow, replace(orbit.guess.moved(step), free=()))
-                    )
-                ]
-            ),
-            np.zeros(len(weights)),
-            1e-6 / weights,
-        )
-        return np.append(off, criterion_of(kind, orbit) / unit), np.vstack([row, slope / unit])
+        def test(step: FloatArray) -> FloatArray:
+            moved = replace(orbit.guess.moved(step), free=())
+            return np.array([criterion_of(kind, integrated(setting.flow, moved))])
+
+        residual, row = phase(orbit)
+        slope = differences(test, np.zeros(len(weights)), 1e-6 / weights)
+        return np.append(residual, criterion_of(kind, orbit) / unit), np.vstack([row, slope / unit])
 
     return conditions
 
@@ -227,11 +228,14 @@ def at_zero(kind: str, setting: Setting, near: Orbit, target: FloatArray) -> Con
 def corrected(
     point: BranchPoint, length: float, *, reach: float = np.inf, iterations: int = 7
 ) -> BranchPoint:
-    """The point on the branch a length of arc from a point, negative lengths backward."""
+    """The point of the branch at an arclength from another point; negative lengths are backward.
+
+    Predictor along the tangent, corrector by Newton's method in the hyperplane normal to it.
+    """
     setting = point.setting
     guess = point.orbit.guess.moved(length * point.tangent)
-    target, arc = guess.coordinates, (point.way * point.weights)[None]
-    # Orbits may be as small as 1e-3 in the model's units.
+    target, arc = guess.coordinates, (point.direction * point.weights)[None]
+    # A small last step, because orbits may have an extent of 1e-3.
     options = replace(setting.flow.options, steps=iterations, last_step=1e-15)
     orbit = closed_orbit(
         setting.flow,
@@ -245,30 +249,31 @@ def corrected(
 
 
 def fixed(setting: Setting, orbit: Orbit) -> Orbit:
-    """The closed orbit near another at the same value of the parameter, with the derivatives by the
-    parameter.
+    """The closed orbit near an orbit with the parameter fixed, integrated with the derivatives by
+    the parameter.
     """
     orbit = orbit.bound()
     conditions = setting.holds(setting, orbit, orbit.guess.coordinates)
     return setting.integrated(closed_orbit(setting.flow, orbit.guess, conditions).guess)
 
 
-def placed(point: BranchPoint, value: float, way: FloatArray | None = None) -> BranchPoint:
-    """The point at a value of the first free parameter, near where a way from another point, by
-    default its tangent, leads.
+def placed(point: BranchPoint, value: float, direction: FloatArray | None = None) -> BranchPoint:
+    """The point of the branch at a value of the first free parameter, predicted from another point
+    along a direction, by default the tangent.
     """
-    setting, way = point.setting, point.tangent if way is None else way
-    step = (value - point.value) / float(way[-len(setting.free)]) * way
-    # Exactly, since there may be no parameters beyond.
+    setting, direction = point.setting, point.tangent if direction is None else direction
+    step = (value - point.value) / float(direction[-len(setting.free)]) * direction
+    # The value is set exactly: rounding could exceed the parameter's range.
     near = setting.integrated(point.orbit.guess.moved(step).at(setting.free[0], value))
     return point_of(setting, fixed(setting, near), point.tangent)
 
 
 def within(point: BranchPoint, length: float, to: Span, reach: float = np.inf) -> BranchPoint:
-    """The point a length of arc ahead, or at the end of a range of the first free parameter where
-    the tangent leads beyond it.
+    """The point of the branch at an arclength ahead; or at the end of the range ``to`` of the first
+    free parameter, if the tangent leads beyond it.
 
-    There may be no parameters beyond. ConvergenceError where the branch itself leads beyond it.
+    The model may not allow values beyond. Raises ConvergenceError if the branch itself leads
+    beyond.
     """
     aim = point.value + length * turning(point)
     end = min(max(aim, to[0]), to[1])
@@ -280,7 +285,7 @@ def within(point: BranchPoint, length: float, to: Span, reach: float = np.inf) -
 
 
 def turning(point: BranchPoint) -> float:
-    """Component of the first free parameter in the direction of a branch: 0 where it turns back."""
+    """Component of the tangent along the first free parameter, which is 0 at a fold."""
     return float(point.tangent[-len(point.setting.free)])
 
 
@@ -290,11 +295,12 @@ def steps(
     options: BranchOptions,
     look: Callable[[BranchPoint, BranchPoint, float], Any] = lambda _, found, length: found,
 ) -> Iterator[Any]:
-    """Points of a branch by steps that are shorter where one fails or the branch bends, longer
-    where it is straight; no end.
+    """Follow a branch from a point: yield the result of ``look`` for each step, without end.
 
-    ``ahead`` gives the point a length of arc from another, ``look`` what is seen on that way, by
-    default the point; a ConvergenceError of either ends the steps once they are the shortest.
+    ``ahead(point, length)`` makes a step of a given arclength. ``look(point, found, length)``
+    examines it, by default it gives the new point. If one of them raises ConvergenceError, or the
+    branch bends too much, the step is repeated with a third of its length; below the shortest step
+    the error is raised. Steps grow while the branch is straight.
     """
     length = options.first_step
     while True:
@@ -323,11 +329,12 @@ def zero_of(
     *,
     singular: bool = False,
 ) -> BranchPoint:
-    """Zero of a test function between two points, by bracketing along the arc; ConvergenceError,
-    ValueError without.
+    """The point between two points of a branch at which a test function is 0, by Brent's method in
+    arclength. Raises ValueError if the test function has one sign at both, ConvergenceError if an
+    orbit is not found.
 
-    Where the equations are ``singular`` at the zero, Newton's method comes only so near to it: then
-    the point next to the first one that it does not find.
+    If the Jacobian is ``singular`` at the zero, Newton's method fails next to it: then the zero is
+    the known point nearest to the first one at which it fails.
     """
     from scipy.optimize import brentq
 
@@ -348,11 +355,11 @@ def zero_of(
 
 
 def along(point: BranchPoint, value: float) -> BranchPoint:
-    """The point at a value of the free parameter on the same sheet of a branch, which may not turn
-    back on the way.
+    """The point at a value of the free parameter, reached along the branch without a fold.
 
-    By steps each of which agrees with the tangents at both of its ends: Newton's method alone may
-    find another sheet, or another branch. ConvergenceError where there is no such way.
+    Each step must agree with the tangents at both ends: a single Newton iteration might converge to
+    another sheet, or another branch. Raises ConvergenceError if the branch has a fold or ends
+    before the value.
     """
     setting, direction = point.setting, math.copysign(1.0, value - point.value)
     to = (min(point.value, value), max(point.value, value))
@@ -364,16 +371,10 @@ def along(point: BranchPoint, value: float) -> BranchPoint:
         return found
 
     try:
-        # Options of the way to a value of the parameter, in shares of it: all of it at
-        # once where the branch is straight.
-        on_the_way = BranchOptions(
-            first_step=2.0, longest_step=np.inf, shortest_step=1e-3, kink=0.0
-        )
-        for found in steps(
-            point.oriented(direction * math.copysign(1.0, turning(point))),
-            ahead,
-            on_the_way,
-        ):
+        # The first step is long enough for the whole way.
+        options = BranchOptions(first_step=2.0, longest_step=np.inf, shortest_step=1e-3, kink=0.0)
+        start = point.oriented(direction * math.copysign(1.0, turning(point)))
+        for found in steps(start, ahead, options):
             point = found
             if point.value == value:
                 break
@@ -387,56 +388,53 @@ def along(point: BranchPoint, value: float) -> BranchPoint:
 
 
 def remeshed_point(point: BranchPoint) -> BranchPoint:
-    """The point in more mesh intervals, where derivatives over one have grown large, or in others,
-    where one begins at a jump.
+    """The point on a finer mesh, if deviations grow too much over one interval; or on a shifted
+    mesh, if a node is near a jump of the field.
     """
     orbit, setting, begin = point.orbit, point.setting, 0.0
     if setting.holds is not in_phase:
         return point
-    if (cut := refined_mesh(orbit)) is None and (begin := offset_from_jumps(orbit)):
-        cut = remeshed(orbit, len(orbit.states), begin)
-    if cut is None:
+    mesh = refined_mesh(orbit)
+    if mesh is None and (begin := offset_from_jumps(orbit)):
+        mesh = remeshed(orbit, len(orbit.states), begin)
+    if mesh is None:
         return point
-    along = np.zeros(cut.states.shape)
-    if (
-        not begin
-    ):  # the old tangent by its first state, if that is still the first, period and parameter
-        along[0] = point.tangent[: orbit.field.size]
-    return point_of(
-        setting, setting.integrated(cut), np.append(along, point.tangent[orbit.states.size :])
-    )
+    # The new tangent is oriented by the old one's components of period, parameters and, if it is
+    # the same, the first state.
+    states = np.zeros(mesh.states.shape)
+    if not begin:
+        states[0] = point.tangent[: orbit.field.size]
+    old = np.append(states, point.tangent[orbit.states.size :])
+    return point_of(setting, setting.integrated(mesh), old)
 
 
 def uncertainty(point: BranchPoint) -> float:
-    """Error of the parameter: what does not close, with what rounding adds, times the sensitivity
-    along the branch.
+    """Error of the parameter at a point: the largest of gaps and rounding, times the row sum of
+    |J⁻¹| for the parameter, J the Jacobian with the arclength condition.
     """
     orbit = point.orbit
     _, phase = across(orbit)(orbit)
-    rows = orbit.slopes(phase, (point.way * point.weights)[None])
-    return float(np.abs(np.linalg.pinv(rows, rcond=1e-14)[-1]).sum()) * max(
-        orbit.largest_gap, rounding(orbit)
-    )
+    jacobian = orbit.slopes(phase, (point.direction * point.weights)[None])
+    sensitivity = float(np.abs(np.linalg.pinv(jacobian, rcond=1e-14)[-1]).sum())
+    return sensitivity * max(orbit.largest_gap, rounding(orbit))
 
 
 def between(one: BranchPoint, other: BranchPoint) -> float:
-    """Length of the chord from one point to the other along the first one's tangent."""
-    return float((other.place - one.place) @ one.way)
+    """Arclength from one point to another: the component of the chord along the first tangent."""
+    return float((other.scaled - one.scaled) @ one.direction)
 
 
 def aligned(one: BranchPoint, other: BranchPoint) -> float:
-    """The smallest cosine between two tangents and the chord from one point to the other, if these
-    are apart.
-    """
-    chord, both = other.place - one.place, float(one.way @ other.way)
+    """The smallest cosine between the tangents at two points and the chord between them."""
+    chord, cosine = other.scaled - one.scaled, float(one.direction @ other.direction)
     length = norm(chord)
     if length > 0:
-        return min(both, *(float(chord @ each.way) / length for each in (one, other)))
-    return both
+        return min(cosine, *(float(chord @ each.direction) / length for each in (one, other)))
+    return cosine
 
 
 def started(setting: Setting, guess: Iterate) -> BranchPoint:
-    """The first point of a branch, from a closed orbit."""
+    """The first point of a branch, from a closed orbit; ConvergenceError if it is not closed."""
     orbit = setting.integrated(guess)
     if orbit.largest_gap > 1e-9:
         raise ConvergenceError("a branch begins at a closed orbit")
@@ -446,8 +444,9 @@ def started(setting: Setting, guess: Iterate) -> BranchPoint:
 def differences(
     function: Callable[[FloatArray], FloatArray], point: FloatArray, step: FloatArray | float
 ) -> FloatArray:
-    """Central differences of a function by each number of a place, along the last axis."""
-    ways = np.eye(len(point)) * step
-    return np.stack(
-        [(function(point + way) - function(point - way)) / (2 * way.max()) for way in ways], axis=-1
-    )
+    """Derivatives of a function by each component of ``point``, by central differences, along the
+    last axis.
+    """
+    offsets = np.eye(len(point)) * step
+    slopes = [(function(point + h) - function(point - h)) / (2 * h.max()) for h in offsets]
+    return np.stack(slopes, axis=-1)

@@ -1,8 +1,13 @@
-"""The proof of a cycle in balls: it runs as a process of its own, since python-flint's precision is
-one for all threads.
+"""Computer-assisted proof of a cycle in ball arithmetic, by Krawczyk's operator of the return map.
 
-``python -m spragsym.orbits.ball_proof`` reads a claim as JSON from standard input and writes what
-was proved to standard output.
+A box of initial states on the section x' = 0 is integrated rigorously over the period
+(:mod:`.ball_flow`). If Krawczyk's operator maps the box of states and periods into itself, there is
+exactly one cycle in it (:func:`_krawczyk`). Before that, the approximate cycle is refined to the
+digits of the proof, without rigour (:func:`_refined`).
+
+``python -m spragsym.orbits.ball_proof`` reads a claim as JSON from standard input and writes the
+result to standard output. It is a process of its own because python-flint has one precision for all
+threads.
 """
 
 import json
@@ -31,41 +36,34 @@ from .ball_flow import (
 
 
 def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
-    """Proved parts of a claim: where its digits leave the box of starts too wide, with more of
-    them, up to 25.
-    """
+    """Prove a claim: with the requested digits or, if the box is too wide, with more, up to 25."""
     digits = claim["digits"]
-    # Digits up to which more of them are tried than were asked for.
-    enough = 25
+    most_digits = 25
     while True:
         try:
             with bits(accuracy_for(digits).bits):
                 return {"digits": digits, **proved(field, claim | {"digits": digits})}
         except TooWide as reason:
-            if digits >= enough:
+            if digits >= most_digits:
                 raise NotProved(
                     f"{reason} (of half width 1e-{digits}); give more digits"
                 ) from reason
-            digits = min(math.ceil(1.5 * digits), enough)
+            digits = min(math.ceil(1.5 * digits), most_digits)
 
 
 def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
-    """Proved parts of a claim, all numbers exactly, as :func:`spoken`; within the bits of
-    :func:`accuracy_for`.
+    """Prove a claim with its digits: the result of :func:`_krawczyk`.
+
+    To be called with the precision of :func:`accuracy_for`. Raises NotProved with the reason, or
+    TooWide if a smaller box may succeed.
     """
     digits = claim["digits"]
-    # The derivative of the flow is carried as accurately as for so many digits, however many the
-    # orbit has.
-    slope_digits = 60
-    radius, fine = 10.0**-digits, accuracy_for(digits)
-    rough = accuracy_for(min(digits, slope_digits))
+    # The derivative of the flow never needs more than 60 digits.
+    radius, fine, rough = 10.0**-digits, accuracy_for(digits), accuracy_for(min(digits, 60))
     slopes, n = np.array(claim["slopes"]), len(field.coordinates)
     moved = [i for i in range(field.size) if i != n]
-    # A derivative of the return that is as nearly singular as this is that of a fold: Newton's
-    # method has nothing to stand on.
-    nearly_singular = 1e-14
     sizes = np.linalg.svd(slopes, compute_uv=False)
-    if not sizes[-1] > nearly_singular * sizes[0]:
+    if not sizes[-1] > 1e-14 * sizes[0]:
         raise NotProved(
             "a second multiplier is 1 or nearly so: at a fold, or where branches meet, no "
             "cycle is alone"
@@ -81,12 +79,10 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     balls = Balls(begun, fine, rough, [value.mid() for value in state], begun.filled(0) + 1, start)
     clock = arb(0)
     for index, time in times:
-        # Half of the window in which a border is crossed, before the states tell, in units of the
-        # radius of the starts.
-        window_radii = 1e5
-        # Half of it at most.
-        half = arb(min(radius * window_radii, 1e-6))
-        for _ in range(2):  # the states tell how wide the window need be once they are near
+        # Half-width of the window in which all states cross the border: first a generous one; once
+        # the states are near the border, twice the time between their arrivals.
+        half = arb(min(radius * 1e5, 1e-6))
+        for _ in range(2):
             before = (time - half).mid()
             if before > clock:
                 balls.carry(before - clock)
@@ -96,78 +92,72 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
                     "two borders are crossed so soon after each other that their windows of "
                     f"{2 * float(half.mid()):.1e} meet"
                 )
-            # Twice the time in which what happens there happens.
-            near = 2 * balls.apart(index)
-            if not near < half:
+            narrower = 2 * balls.apart(index)
+            if not narrower < half:
                 break
-            half = arb(float(near.mid()))
+            half = arb(float(narrower.mid()))
         window = (2 * (time - clock)).mid()
         balls.cross(index, window)
         clock += window
     if not period > clock:
         raise NotProved("a border is crossed where the orbit begins and ends; begin it elsewhere")
-    balls.carry(period - clock)  # no rounding so far: it refuses a time that is not exact
+    balls.carry(period - clock)  # the difference is exact
     if balls.smooth.mode != mode:
         raise NotProved("the motion does not come back in the smooth piece in which it began")
     return _krawczyk(balls, state, period, radius, inverse, moved)
 
 
 def accuracy_for(digits: int) -> Accuracy:
-    """With what a proof to ``digits`` digits works: beyond those, room for what an orbit magnifies.
+    """Order and precision for a proof to a number of digits, with a reserve for the growth of
+    deviations along the orbit.
 
-    Steps are a seventh of the radius of convergence, so that an order gives 0.845 digits.
+    Steps are a seventh of the radius of convergence, so that each order gives 0.845 digits.
     """
     return Accuracy(math.ceil(1.3 * digits) + 18, math.ceil(3.33 * (1.2 * digits + 45)))
-
-
-# ------------------------------------------------------------------------------ the orbit to many
-# digits, not yet proved
 
 
 def _refined(
     begun: Smooth, claim: dict[str, Any], inverse: arb_mat, moved: list[int]
 ) -> tuple[Numbers, arb, list[tuple[int, arb]]]:
-    """State, period and crossing times to the digits of the proof, by Newton's method with a fixed
-    slope.
+    """State, period and crossing times of the cycle to the digits of the proof; not rigorous.
 
-    Each round works with as many digits as it may gain.
+    Simplified Newton's method with the fixed ``inverse`` of the Jacobian in double precision, for
+    the components ``moved`` of the state and the period. Each iteration uses as many digits as it
+    can gain.
     """
     digits = claim["digits"]
     state = [arb(value) for value in claim["state"]]
     period = arb(claim["period"])
-    # Exactly: the section is where the first coordinate is largest.
-    state[len(begun.field.coordinates)] = arb(0)
-    # Digits beyond those that are known, with which the next round works: what it gains.
-    ahead = 12
-    missed, slow, now = 1.0, 0, min(digits, 2 * ahead)
-    # Rounds of Newton's method with the slopes of double precision.
-    first_rounds = 14
-    # Digits that each gains at least.
-    for _ in range(first_rounds + digits // 6):
-        with bits(accuracy_for(now).bits):
-            end, times = _traced(begun, state, period, claim["crossings"], now)
+    state[len(begun.field.coordinates)] = arb(0)  # the section x' = 0, exactly
+    # An iteration gains up to 12 digits.
+    gain = 12
+    gap, slow, working = 1.0, 0, min(digits, 2 * gain)
+    for _ in range(14 + digits // 6):
+        with bits(accuracy_for(working).bits):
+            end, times = _traced(begun, state, period, claim["crossings"], working)
         gaps = [(a - b).mid() for a, b in zip(end, state, strict=True)]
-        steps = [step.mid() for step in (inverse * arb_mat([[gap] for gap in gaps])).entries()]
+        steps = [step.mid() for step in (inverse * arb_mat([[each] for each in gaps])).entries()]
         for i, column in enumerate(moved):
             state[column] = (state[column] - steps[i]).mid()
         period = (period - steps[-1]).mid()
-        before, missed = missed, max(_size(gap) for gap in gaps)
-        if now == digits and (
-            missed < 10.0 ** -(1.1 * digits + 6) or before < min(missed, 10.0 ** -(1.05 * digits))
+        previous, gap = gap, max(_size(each) for each in gaps)
+        if working == digits and (
+            gap < 10.0 ** -(1.1 * digits + 6) or previous < min(gap, 10.0 ** -(1.05 * digits))
         ):
             return state, period, times
-        slow = slow + 1 if missed >= before / 3 else 0
-        if slow > 1 or missed >= 1:
+        slow = slow + 1 if gap >= previous / 3 else 0
+        if slow > 1 or gap >= 1:
             break
-        now = min(digits, max(now, math.ceil(ahead - math.log10(missed)) if missed else digits))
+        known = math.ceil(gain - math.log10(gap)) if gap else digits
+        working = min(digits, max(working, known))
     raise NotProved(
         "Newton's method in many digits does not converge from the cycle as given: it stays "
-        f"open by {missed:.1e}"
+        f"open by {gap:.1e}"
     )
 
 
 def _size(value: arb) -> float:
-    """A ball's middle in size; what is no number counts as infinite."""
+    """Absolute value of a ball's midpoint, infinite if it is not finite."""
     size = abs(float(value.mid()))
     return size if math.isfinite(size) else math.inf
 
@@ -175,10 +165,14 @@ def _size(value: arb) -> float:
 def _traced(
     piece: Smooth, state: Numbers, period: arb, crossings: list[Any], digits: int
 ) -> tuple[Numbers, list[tuple[int, arb]]]:
-    """The end of one round to many digits, and when it crosses which border; not rigorous."""
+    """The state after one period to many digits, and the crossings as (index of the border, time);
+    not rigorous.
+
+    ``crossings`` are approximate: (time, index). Each is located by Newton's method.
+    """
     clock, now, times, order = arb(0), state, [], accuracy_for(digits).order
-    least = arb(10) ** -(1.1 * digits + 16)
-    # A border that is crossed at less than this speed is touched.
+    smallest = arb(10) ** -(1.1 * digits + 16)
+    # Rate of a level below which the border counts as only touched.
     slowest = 1e-7
     for about, border in [*crossings, (period, -1)]:
         target = arb(about)
@@ -186,19 +180,17 @@ def _traced(
             raise NotProved("two crossings can't be told apart in time")
         while True:
             jets = piece.solution(now, order)
-            size = max(abs(jet[order]).mid() for jet in jets)
-            reach = (
-                min(0.5 * float(((least / size) ** (arb(1) / order)).mid()), 1.0)
-                if size > 0
-                else 1.0
-            )
+            last = max(abs(jet[order]).mid() for jet in jets)
+            step = 1.0
+            if last > 0:
+                step = min(0.5 * float(((smallest / last) ** (arb(1) / order)).mid()), 1.0)
             left = (target - clock).mid()
-            if float(left) <= reach:
+            if float(left) <= step:
                 break
-            now = [polynomial(jet, arb(reach)).mid() for jet in jets]
-            clock = (clock + arb(reach)).mid()
+            now = [polynomial(jet, arb(step)).mid() for jet in jets]
+            clock = (clock + arb(step)).mid()
         if border >= 0:
-            that, begun = piece.field.borders[border], left
+            that, guess = piece.field.borders[border], left
             uncrossed = (
                 f"in many digits the orbit does not cross {that.name} near t = {about:.6g}, "
                 "where the cycle is said to: none "
@@ -206,44 +198,42 @@ def _traced(
             )
             for _ in range(10):
                 there = [polynomial(jet, left).mid() for jet in jets]
-                change, level = piece.level_rate(that, there), piece.level(that, there)
-                if not abs(change) > slowest:
-                    raise NotProved(
-                        f"{that.name} is touched, or crossed at hardly any speed: next to a "
-                        "grazing the return has no derivative "
-                        "to stand on; move a parameter"
-                        if abs(level) < slowest
-                        else uncrossed
-                    )
-                left = (left - level / change).mid()
-                if not abs(left - begun) < 0.1:
+                rate, level = piece.level_rate(that, there), piece.level(that, there)
+                if not abs(rate) > slowest:
+                    if abs(level) < slowest:
+                        raise NotProved(
+                            f"{that.name} is touched, or crossed at hardly any speed: next to a "
+                            "grazing the return has no derivative to stand on; move a parameter"
+                        )
+                    raise NotProved(uncrossed)
+                left = (left - level / rate).mid()
+                if not abs(left - guess) < 0.1:
                     raise NotProved(uncrossed)
         now = [polynomial(jet, left).mid() for jet in jets]
         clock = (clock + left).mid()
         if border >= 0:
-            # To the last bit of the period, no more: so that times from one crossing to the next
-            # are exact.
+            # Rounded to the last bit of the period, so that differences of times are exact.
             times.append((border, (clock + period).mid() - period))
             piece = piece.beyond(border)
     return now, times
 
 
-# ------------------------------------------------------------------------------------------------
-# the theorem
-
-
 def _krawczyk(
     balls: Balls, state: Numbers, period: arb, radius: float, inverse: arb_mat, moved: list[int]
 ) -> dict[str, Any]:
-    """Krawczyk's operator on the return after a period, in the moved parts of the start and the
-    period.
+    """Krawczyk's test for the cycle, in the components ``moved`` of the state and the period.
+
+    ``balls`` is the box of ``radius`` around ``state`` after one ``period``. With Y the approximate
+    ``inverse`` of the Jacobian J, the box contains exactly one cycle if
+    |Y · gap| + |1 − Y J| · radius < radius in every component. Returns state, period, error bound,
+    multipliers and stability, all numbers as :func:`spoken`; raises TooWide otherwise.
     """
     near = [value + ball_about_zero(1e-6) for value in balls.box]
     balls.keeps_clear(near)
     rates = [arb(rate) for rate in balls.smooth.rates(near)]
     if not all(abs(rate) * radius < 1e-6 for rate in rates):
         raise NotProved("the period's ball is too wide")
-    # Over the ball of the period the derivative of the flow changes by no more than this share.
+    # Relative change of the derivative of the flow over the ball of periods.
     share = ((balls.smooth.steepness(near) * radius).exp() - 1).abs_upper()
     rows = balls.matrix.tolist()
     sizes = [sum(value.abs_upper() for value in column) for column in zip(*rows, strict=True)]
@@ -278,8 +268,8 @@ def _krawczyk(
 
 
 def _multipliers(monodromy: list[list[arb]]) -> dict[str, Any]:
-    """Balls that hold the eigenvalues, the trivial one first, and whether all others are inside of
-    the unit circle.
+    """Balls that contain the multipliers, as (real, imaginary, radius), the trivial one first; and
+    ``stable``: all others inside the unit circle, one outside, or None if not decided.
     """
     try:
         eigenvalues = acb_mat(monodromy).eig()
@@ -290,27 +280,22 @@ def _multipliers(monodromy: list[list[arb]]) -> dict[str, Any]:
     others.sort(key=lambda value: (-float(abs(value).mid()), -float(value.imag.mid())))
     inside = all(abs(value) < 1 for value in others)
     outside = any(abs(value) > 1 for value in others)
-    return {
-        "multipliers": [
-            [
-                spoken(value.real),
-                spoken(value.imag),
-                max(spoken(value.real, "rad"), spoken(value.imag, "rad"), key=Fraction),
-            ]
-            for value in [*trivial, *others]
-        ],
-        "stable": inside if len(trivial) == 1 and (inside or outside) else None,
-    }
+    multipliers = []
+    for value in [*trivial, *others]:
+        radius = max(spoken(value.real, "rad"), spoken(value.imag, "rad"), key=Fraction)
+        multipliers.append([spoken(value.real), spoken(value.imag), radius])
+    decided = len(trivial) == 1 and (inside or outside)
+    return {"multipliers": multipliers, "stable": inside if decided else None}
 
 
 def spoken(value: arb, part: str = "mid") -> str:
-    """The middle (or the radius) of a ball, every bit of it, as a fraction in text."""
+    """Midpoint ("mid") or radius ("rad") of a ball, exactly, as the text of a fraction."""
     mantissa, exponent = (int(number) for number in getattr(value, part)().man_exp())
     return str(Fraction(mantissa) * Fraction(2) ** exponent)
 
 
 def main() -> None:
-    """Read a claim, write what was proved or why not."""
+    """Read a claim from standard input; write the proof, or the reason why there is none."""
     claim = json.load(sys.stdin)
     try:
         found = {"proved": True, **shown(exact_field(claim["field"]), claim)}

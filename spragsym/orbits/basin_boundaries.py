@@ -1,5 +1,11 @@
-"""Basin boundaries: the stable manifold of a divergent equilibrium in a plane of starts, and where
-it bounds a basin.
+"""Basin boundaries: the intersection of the stable manifold of a saddle equilibrium with a plane of
+initial states, and the parts of it that separate basins.
+
+An initial state is on the stable manifold if its motion does not leave the saddle along the
+unstable direction: the component of the final deviation along it, measured by the left eigenvector,
+is 0. Newton's method solves this for longer and longer times (:meth:`_Walk.refined`). From a first
+point, found by bisection, the curve is followed in both directions (:meth:`_Walk.follow`). Fates of
+motions on both sides of each point show whether it separates basins (:meth:`_Walk.sides_verified`).
 """
 
 from __future__ import annotations
@@ -42,33 +48,35 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class BasinBoundary(Result):
-    """A curve of starts in a plane from which a motion goes to the divergent equilibrium: its
+    """A curve of initial states in a plane whose motions tend to a saddle equilibrium: part of its
     stable manifold.
 
-    Motions from both sides of the curve leave the equilibrium to different sides. Whether they come
-    to different attractors is another question, since a motion that is turned back at first may go
-    over later: ``boundary`` is true only where they do.
+    Motions from both sides of the curve leave the saddle in opposite directions. They need not
+    reach different attractors, since a motion may turn around later: ``boundary`` is True only
+    where they do.
 
     Attributes
     ----------
     plane : tuple of str
+        The two coordinates or rates.
     points : ndarray, shape (n, 2)
-        In order along the curve.
+        Points in order along the curve.
     error : ndarray, shape (n,)
-        How much the last refinement moved them.
+        Change of each point by the last refinement.
     boundary : ndarray of bool, shape (n,)
-        Whether starts 1e-6 to either side of a point, across the curve, come to different
-        attractors, and to the same two at a quarter of that. What is not is manifold, with one
-        basin on both sides, or undecided.
+        True if initial states at a distance of 1e-6 on the two sides of the curve reach different
+        attractors, and those at a quarter of this distance the same two. Elsewhere both sides
+        belong to one basin, or are undecided.
     sides : ndarray of str, shape (n, 2)
-        What they come to, in words: where the part along the saddle's direction of growth becomes
-        negative, and where positive; and what nearer starts come to, where that is something else.
+        Fates of these states as text: on the side where the component along the unstable direction
+        becomes negative, and on that where it becomes positive; with the fates of nearer states, if
+        they differ.
     saddle : ndarray, shape (m,)
-        The equilibrium.
+        The saddle.
     growth : float
-        Its eigenvalue.
+        Its unstable eigenvalue.
     how : tuple of str
-        Why the curve ends, at its first and at its last point.
+        Reason for which the curve ends, at its first and at its last point.
     """
 
     plane: tuple[str, str]
@@ -95,35 +103,35 @@ def basin_boundary(
     options: MotionOptions | None = None,
     **values: float | None,
 ) -> BasinBoundary:
-    """The stable manifold of a divergent equilibrium in a plane of starts, and where it is the
-    boundary of a basin.
+    """The stable manifold of a divergent equilibrium in a plane of initial states, and where it is
+    the boundary of a basin.
 
     Parameters
     ----------
     p : Parameters of any model
-        Scalars, where there is a divergent equilibrium; in the article's model that is where there
-        are three.
+        Scalars, for which there is a divergent equilibrium; in the article's model that is where
+        there are three equilibria.
     plane : tuple of str, optional
-        Two of the coordinates and rates, as x, y, vx, vy; the others are those of ``start``. The
-        first coordinate and its rate unless told otherwise.
+        Two of the coordinates and rates, as x, y, vx, vy; by default the first coordinate and its
+        rate. The others have the values in ``start``.
     start : array_like, optional
-        A state in the plane, 0 where it is left out; the curve is looked for along the first
-        direction of the plane, from the equilibrium on.
+        A state in the plane, by default 0. The first point of the curve is searched for through it,
+        along the first direction of the plane.
     saddle : array_like, optional
-        Coordinates near the equilibrium; needed where there are several. Without them it is the
-        one in contact, or where there is none in contact, the one where nothing touches.
+        Coordinates near the equilibrium; needed if there are several. The default is the only one
+        in contact, or if there is none in contact, the only one without contact.
     between : mapping, optional
-        Ranges of the two by name; by default 3 to either side of the equilibrium, and 1 for speeds,
-        in units of the motion, which are 1 for numbers of a common size.
+        Ranges of the two by name; by default 3 to either side of the equilibrium for coordinates, 1
+        for rates, in units of the motion.
     step : float, optional
-        Between neighbours on the curve, along the first direction of the plane; a 300th of that
-        range where it is left out.
+        Distance of neighbouring points, in the unit of the first direction of the plane; by default
+        1/300 of its range.
     points : int
-        Most points either way.
+        Maximum number of points in each direction.
     options : MotionOptions, optional
-        Numbers by which fates are told.
+        Tolerances by which fates are recognized.
     **values : float, optional
-        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
+        Values of parameters that replace those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -132,17 +140,17 @@ def basin_boundary(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, and unless there is one divergent equilibrium, near
-        ``saddle`` if that is given.
+        For invalid arguments, and unless there is exactly one divergent equilibrium (near
+        ``saddle``, if that is given).
 
     Notes
     -----
-    A start is on the manifold if its motion never leaves along the saddle's direction of growth:
-    the part along it, which the left eigenvector measures, is made zero at later and later times by
-    Newton's method. Each point found is on the manifold, and on the boundary of a basin where
-    ``boundary`` says so; other sheets of the manifold may be elsewhere in the plane, and far folds
-    of it are not followed. Where folds lie closer than ``step``, the walk may pass from one to the
-    next: a smaller step tells.
+    An initial state is on the manifold if its motion never leaves the saddle along the unstable
+    direction. The component along it, measured by the left eigenvector, is made zero at later and
+    later times by Newton's method. Each point is on the manifold, and on the boundary of a basin
+    where ``boundary`` is True. Other sheets of the manifold may be elsewhere in the plane; distant
+    folds are not followed. If folds are closer than ``step``, the curve may pass from one to the
+    next, which a smaller step shows.
 
     Examples
     --------
@@ -172,44 +180,42 @@ def basin_boundary(
     ranges = np.array([given.get(name, (at - width, at + width)) for name, at, width in about])
     ranges /= units[:, None]
     low, high = ranges[0]
-    # Distance of neighbours on the curve by default, as a share of the range.
-    whole = (high - low) * (1 / 300)
-    step = whole if step is None else as_number("step", step, POSITIVE) / float(units[0])
+    default_step = (high - low) * (1 / 300)
+    step = default_step if step is None else as_number("step", step, POSITIVE) / float(units[0])
     points = as_count("points", points)
     walk = _Walk(system, scales, saddle_point, np.eye(len(names))[axes], ranges, step, points)
     first, error, span = walk.begun(state_of(model, start) / scales.states)
-    (back, why_back), (forth, why_forth) = (walk.follow(first, span, sign) for sign in (-1.0, 1.0))
-    found = [*reversed(back), (first, error), *forth]
-    differ, sides = map(
-        np.array, zip(*(walk.sides_verified(each, span) for each, _ in found), strict=True)
-    )
+    backward, why_backward = walk.follow(first, span, -1.0)
+    forward, why_forward = walk.follow(first, span, 1.0)
+    found = [*reversed(backward), (first, error), *forward]
+    verdicts = [walk.sides_verified(state, span) for state, _ in found]
     return BasinBoundary(
         plane,
-        np.array([units * each[axes] for each, _ in found]),
+        np.array([units * state[axes] for state, _ in found]),
         np.array([units.max() * error for _, error in found]),
-        differ,
-        sides,
+        np.array([differ for differ, _ in verdicts]),
+        np.array([sides for _, sides in verdicts]),
         saddle_point.state,
         saddle_point.growth,
-        (why_back, why_forth),
+        (why_backward, why_forward),
     )
 
 
-def _surely(system: System, start: FloatArray) -> FateVerdict:
-    """Fate of a motion, unless rounding decides that."""
+def _verdict(system: System, start: FloatArray) -> FateVerdict:
+    """Fate of a motion, undecided if rounding may change it."""
     found = judged(system, start)
-    return verified(system, start, found, lambda beside: not _differ(system, found, beside))
+    return verified(system, start, found, lambda neighbour: not _differ(system, found, neighbour))
 
 
 def _differ(system: System, one: FateVerdict, other: FateVerdict) -> bool:
-    """Whether two motions are seen to come to different attractors."""
+    """True if two motions reach different attractors, both decided."""
     decided = one.decided and other.decided
     return decided and system.same_limit(one.outcome, other.outcome) is False
 
 
 def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
-    """The saddle from which to look: near a place that is given, or the one among the equilibria of
-    steady sliding, and where none of these is one, among those where nothing touches.
+    """The saddle whose manifold is computed: the one near given coordinates; or the only saddle
+    among the equilibria of steady sliding, or if there is none, among those without contact.
     """
     n = len(p.model.coordinates)
     found: list[Saddle] = []
@@ -239,14 +245,12 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
 
 
 def _saddles(system: System, places: Iterable[FloatArray]) -> list[Saddle]:
-    """Those near places, each once."""
+    """The different saddles that Newton's method finds from several guesses."""
     found: list[Saddle] = []
     for guess in places:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, guess)
             states = system.scales(saddle.state).states
-            # Equilibria that differ by less than this are one. Lengths are in units
-            # of the motion about the saddle.
             if not any(magnitude((saddle.state - one.state) / states) < 1e-9 for one in found):
                 found.append(saddle)
     return found
@@ -254,8 +258,10 @@ def _saddles(system: System, places: Iterable[FloatArray]) -> list[Saddle]:
 
 @dataclass(frozen=True)
 class _Walk:
-    """One curve on the manifold, in a plane of which the rows of ``plane`` are the directions, all
-    but ``system`` and ``natural`` in units of the motion about the saddle.
+    """Computation of one curve of the manifold, in units of the motion about the saddle ``scales``;
+    only ``system`` and the saddle ``natural`` are in the model's units.
+
+    The rows of ``plane``, (2, m), are unit vectors along its two directions, ``to`` their ranges.
     """
 
     system: System
@@ -276,128 +282,116 @@ class _Walk:
         """The saddle in these units."""
         return saddle_near(self.own, self.natural.state / self.scales.states)
 
-    def off(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
-        """Distance of a motion along the direction of growth, and the derivative of that in the
-        plane.
+    def component(self, state: FloatArray, span: float) -> tuple[float, FloatArray]:
+        """Component of the deviation from the saddle along the unstable direction, after a time
+        ``span`` from an initial state; its derivatives in the plane, (2,).
         """
         flow_result = self.own.flow.flow_map(state, self.system.constants, span)
         left_eigenvector = self.saddle.left_eigenvector
-        return float(left_eigenvector @ (flow_result.state - self.saddle.state)), self.plane @ (
-            left_eigenvector @ flow_result.by_state
-        )
+        value = float(left_eigenvector @ (flow_result.state - self.saddle.state))
+        return value, self.plane @ (left_eigenvector @ flow_result.by_state)
 
     def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
-        """A first point, along the first direction of the plane, between starts that leave to
-        different sides.
+        """A first point of the curve, as :meth:`refined` gives it, on the line through a state
+        along the first direction of the plane.
+
+        It is bracketed between initial states whose motions leave the saddle on different sides.
         """
         from scipy.optimize import bisect
 
         low, high = self.to[0]
-        ways = np.linspace(low, high, 121)
+        grid = np.linspace(low, high, 121)
 
-        def at(way: float) -> FloatArray:
-            return np.where(self.plane[0], way, state)
+        def at(x: float) -> FloatArray:
+            return np.where(self.plane[0], x, state)
 
-        sides = [self.leaves(at(way))[0] for way in ways]
+        def side(x: float) -> float:
+            return self.leaves(at(x))[0]
+
+        sides = [side(x) for x in grid]
         changes = np.flatnonzero(np.abs(np.diff(sides)) > 1).tolist()
         if not changes:
             raise ConvergenceError(
                 "no start in that line of the plane leaves the saddle to the other side; give "
                 "another start"
             )
-        for near in sorted(changes, key=lambda i: abs(ways[i] - self.plane[0] @ self.saddle.state)):
-            # Between starts so close that leave to different sides, as a share of
-            # the range, Newton's method begins.
-            begun = at(
-                bisect(
-                    lambda way: self.leaves(at(way))[0],
-                    ways[near],
-                    ways[near + 1],
-                    xtol=5e-10 * (high - low),
-                )
-            )
-            for span in (0.75 * self.leaves(begun)[1], 3 / self.saddle.growth):
-                with suppress(
-                    ConvergenceError
-                ):  # a side that changes because a motion turns late is no boundary
-                    return self.refined(begun, np.array([1.0, 0.0]), span)
+        for i in sorted(changes, key=lambda i: abs(grid[i] - self.plane[0] @ self.saddle.state)):
+            guess = at(bisect(side, grid[i], grid[i + 1], xtol=5e-10 * (high - low)))
+            for span in (0.75 * self.leaves(guess)[1], 3 / self.saddle.growth):
+                # It fails where the side changes because a motion turns around late.
+                with suppress(ConvergenceError):
+                    return self.refined(guess, np.array([1.0, 0.0]), span)
         raise ConvergenceError(
             "no place in that line of the plane where the side changes is on the boundary; "
             "give another start"
         )
 
     def leaves(self, state: FloatArray) -> tuple[float, float]:
-        """To which side a motion leaves, and when: the sign of its part along the direction of
-        growth, once that is large.
+        """Side on which a motion leaves the saddle, and when: the sign of its component along the
+        unstable direction, once that is large; 20 / growth at most.
         """
-        constants, reach = self.system.constants, 0.1 * magnitude(self.saddle.left_eigenvector)
-        part, clock = 0.0, 0.0
+        constants, large = self.system.constants, 0.1 * magnitude(self.saddle.left_eigenvector)
+        component, clock = 0.0, 0.0
         for _ in range(20):
             state = self.own.flow.plain(state, constants, 1 / self.saddle.growth).state
             clock += 1 / self.saddle.growth
-            part = float(self.saddle.left_eigenvector @ (state - self.saddle.state))
-            if abs(part) > reach:
+            component = float(self.saddle.left_eigenvector @ (state - self.saddle.state))
+            if abs(component) > large:
                 break
-        return float(np.sign(part)), clock
+        return float(np.sign(component)), clock
 
     def refined(
         self, state: FloatArray, direction: FloatArray, span: float
     ) -> tuple[FloatArray, float, float]:
-        """The start on the manifold near another, along a direction in the plane; what the last
-        refinement changed; the time.
+        """The initial state on the manifold near a guess, along a direction in the plane (2,); the
+        last change; the time for which its motion was followed.
 
-        The longer the motion is followed, the more is known of the start, by a factor of e every 1
-        / growth, each by a few steps of Newton's method.
+        Newton's method for :meth:`component` = 0, at longer and longer times: each 1 / growth
+        reduces the error by a factor of e.
         """
-        before = np.inf
+        previous = np.inf
         for _ in range(40):
             first = np.inf
             for _ in range(10):
-                value, slope = self.off(state, span)
+                value, slope = self.component(state, span)
                 along = float(slope @ direction)
                 if along == 0:
                     raise ConvergenceError("the boundary is not crossed along that direction")
                 change = -value / along
-                # A step of Newton's method longer than this leads astray.
-                if abs(change) > min(0.2, max(10 * before, 1e-4)):
+                if abs(change) > min(0.2, max(10 * previous, 1e-4)):
                     raise ConvergenceError("the boundary is not near")
                 state = state + change * direction @ self.plane
-                # A refinement that moves the start by less than this is the
-                # last.
                 if abs(change) < 1e-11:
                     return state, max(abs(change), 1e-15), span
                 if abs(change) < 0.1 * first < np.inf:
                     break
                 first = min(first, abs(change))
-            # How much longer the motion is followed in each refinement, in units of
-            # the saddle's time.
-            before, span = first, span + 2.5 / self.saddle.growth
+            previous, span = first, span + 2.5 / self.saddle.growth
         raise ConvergenceError("the boundary could not be refined")
 
     def follow(
         self, first: FloatArray, span: float, sign: float
     ) -> tuple[list[tuple[FloatArray, float]], str]:
-        """Points in one direction, and why they end."""
+        """Points of the curve with their errors in one direction, and the reason for which they
+        end.
+        """
         found: list[tuple[FloatArray, float]] = []
-        state, way, step = first, None, self.step
+        state, previous, step = first, None, self.step
         while len(found) < self.points:
-            _, slope = self.off(state, span)
+            _, slope = self.component(state, span)
             normal = slope / norm(slope)
-            along = np.array([-normal[1], normal[0]])
-            along = along * sign if way is None else along * np.sign(along @ way)
-            guess = state + step * along @ self.plane
+            tangent = np.array([-normal[1], normal[0]])
+            tangent *= sign if previous is None else np.sign(tangent @ previous)
+            guess = state + step * tangent @ self.plane
             try:
-                # A start as far off the curve as the square of a step is
-                # followed until it is off the saddle by no more than this.
-                seen = norm(slope) * step**2 / (0.1 * magnitude(self.saddle.left_eigenvector))
+                # The guess is off the curve by the order of step²: its motion is followed for a
+                # shorter time, after which it is still near the saddle.
+                growth = norm(slope) * step**2 / (0.1 * magnitude(self.saddle.left_eigenvector))
+                shorter = span - max(np.log(growth), 0.0) / self.saddle.growth
                 with doing("point {} in one direction of the boundary", len(found) + 1):
-                    ahead, error, later = self.refined(
-                        guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth
-                    )
+                    ahead, error, later = self.refined(guess, normal, shorter)
                 moved = self.plane @ (ahead - state)
-                # Cosine of the largest angle between a step and the curve's
-                # tangent.
-                if moved @ along < 0.95 * norm(moved) or norm(moved) > 3 * step:
+                if moved @ tangent < 0.95 * norm(moved) or norm(moved) > 3 * step:
                     raise ConvergenceError(
                         "farther off the tangent it is another fold of the manifold"
                     )
@@ -410,35 +404,32 @@ class _Walk:
             if not ((low <= self.plane @ ahead) & (self.plane @ ahead <= high)).all():
                 return found, "the range ends"
             found.append((ahead, error))
-            state, way, step, span = ahead, along, min(self.step, 1.5 * step), later
+            state, previous, step, span = ahead, tangent, min(self.step, 1.5 * step), later
         return found, f"{self.points} points were followed"
 
     def sides_verified(self, state: FloatArray, span: float) -> tuple[bool, list[str]]:
-        """Whether the sides of a point lie in different basins, also nearer by, and what starts
-        there come to, in words.
+        """True if the two sides of a point are in different basins; and the fates as text.
+
+        Basins may alternate beside the curve: so nearer states must have the same fates.
         """
-        aside = 1e-6
-        both = self.sides(state, span, aside)
+        distance = 1e-6
+        both = self.sides(state, span, distance)
         if not _differ(self.system, *both):
             return False, [each.described() for each in both]
-        # Where they differ it is looked at this share of the distance too: basins may
-        # alternate beside the curve.
-        nearer = self.sides(state, span, 0.25 * aside)
-        other = [
-            not near.decided or _differ(self.system, one, near)
-            for one, near in zip(both, nearer, strict=True)
-        ]
-        sides = [
-            one.described() + (f", and nearer by {near.described()}" if differs else "")
-            for one, near, differs in zip(both, nearer, other, strict=True)
-        ]
-        return not any(other), sides
+        is_boundary, texts = True, []
+        for one, near in zip(both, self.sides(state, span, 0.25 * distance), strict=True):
+            text = one.described()
+            if not near.decided or _differ(self.system, one, near):
+                is_boundary = False
+                text += f", and nearer by {near.described()}"
+            texts.append(text)
+        return is_boundary, texts
 
-    def sides(self, state: FloatArray, span: float, aside: float) -> list[FateVerdict]:
-        """Fates of starts to either side of a point: where the part along the direction of growth
-        is less, and more.
+    def sides(self, state: FloatArray, span: float, distance: float) -> list[FateVerdict]:
+        """Fates of states at a distance on either side of a point: first where the component along
+        the unstable direction is smaller, then where it is larger.
         """
-        _, normal = self.off(state, span)
-        across = aside * normal / norm(normal) @ self.plane
-        starts = (self.scales.states * (state + way * across) for way in (-1, 1))
-        return [_surely(self.system, start) for start in starts]
+        _, normal = self.component(state, span)
+        across = distance * normal / norm(normal) @ self.plane
+        starts = (self.scales.states * (state + sign * across) for sign in (-1, 1))
+        return [_verdict(self.system, start) for start in starts]

@@ -1,5 +1,6 @@
-"""Branches of cycles in one parameter, with all that happens on them, and curves of these events in
-two parameters.
+"""Branches of cycles: :func:`cycle_branch` follows a cycle in one parameter, by pseudo-arclength
+continuation, and locates the bifurcations, grazings and ends of the branch. :func:`cycle_events`
+follows one of these events in two parameters.
 """
 
 from __future__ import annotations
@@ -70,23 +71,28 @@ class CycleEvent(Result):
     Attributes
     ----------
     kind : str
-        "fold", "period_doubling", "torus", "grazing", "homoclinic" or "end".
-        Under dry friction also the sliding bifurcations, at each of which a phase of one side of
-        the branch shrinks to nothing: "grazing-sliding", one of sticking, where the orbit touches
-        x′ = V in contact; "crossing-sliding", one of sticking, where it comes to x′ = V at the edge
-        of what sticks and passes; "switching-sliding", one of slip between such an edge and
-        sticking; "adding-sliding", one of slip between two of sticking, where the force that holds
-        touches its limit. A touch of x′ = V in lift-off is a "grazing". The branch ends in a
-        "catastrophic-sliding" where the arrival at x′ = V, or that of the force at its limit,
-        becomes tangent.
+        "fold", "period_doubling", "torus", "grazing", "homoclinic" or "end". With dry friction
+        also the sliding bifurcations, at each of which a phase of the cycle shrinks to nothing:
+
+        - "grazing-sliding": a phase of sticking; the orbit touches x′ = V in contact. (If it
+          touches x′ = V in lift-off, the kind is "grazing".)
+        - "crossing-sliding": a phase of sticking; the orbit crosses x′ = V at the edge of the
+          states that stick.
+        - "switching-sliding": a phase of slip between that edge and sticking.
+        - "adding-sliding": a phase of slip between two of sticking; the holding force touches its
+          limit.
+
+        The branch ends in a "catastrophic-sliding" where the arrival at x′ = V, or that of the
+        holding force at its limit, becomes tangent.
     value : float
-        Of the parameter.
+        Value of the parameter.
     cycle : Cycle
-        The cycle there, or the last one before it.
+        The cycle at the event, or the last one before it.
     error : float
-        How well the value is known.
+        Error of the value.
     how : str
-        What is touched, why the branch ends, or that a multiplier jumps past its value.
+        The border that is touched, the reason for which the branch ends, or a note that a
+        multiplier jumps past its value.
     vary : str
         The parameter.
     """
@@ -101,7 +107,7 @@ class CycleEvent(Result):
 
     @property
     def brief(self) -> str:
-        """The event in a cell of a table."""
+        """The event as text of a table's cell."""
         return f"{self.kind} at {self.value:.6g}"
 
     @property
@@ -118,14 +124,15 @@ class CycleBranch(Result):
     vary : str
         The parameter.
     values, periods, rms, lowest, highest : ndarray, shape (n,)
-        Of the parameter and of the cycles; the last three of the first coordinate.
+        Values of the parameter; periods of the cycles; root mean square, minimum and maximum of the
+        first coordinate.
     stable : ndarray of bool, shape (n,)
     cycles : sequence of Cycle
-        Each begun anew where its first coordinate that moves is largest when it is asked for.
+        Each starts where its first coordinate that moves is largest; computed on access.
     events : tuple of CycleEvent
         In the order of the branch.
     places : tuple of int
-        How many points of the branch come before each event.
+        Number of points of the branch before each event.
     """
 
     schema = (
@@ -153,19 +160,18 @@ class CycleBranch(Result):
         return self.cycles[0].field.model
 
     def switch(self, event: CycleEvent, *, step: float = 0.02) -> Cycle:
-        """A cycle on the other branch at an event, where :func:`cycle_branch` can begin.
+        """A cycle on the other branch at an event, from which :func:`cycle_branch` can start.
 
-        That is the doubled cycle at a period doubling, or, at the end of a branch of doubled
-        cycles, the cycle that doubles there; where another branch crosses (a fold whose ``how``
-        says so) a cycle on that one; at another fold a cycle on the far side of it. ``step`` is how
-        far off, in states.
+        At a period doubling this is a doubled cycle; at the end of a branch of doubled cycles the
+        cycle that doubles there; where another branch crosses (a fold whose ``how`` says so) a
+        cycle on that branch; at any other fold a cycle on the other side of it.
 
         Parameters
         ----------
         event : CycleEvent
-            One of those of the branch.
+            One of the events of this branch.
         step : float
-            How far off, in states.
+            Distance of the cycle's state from that at the event.
 
         Returns
         -------
@@ -184,7 +190,7 @@ class CycleBranch(Result):
 
     @property
     def amplitude(self) -> FloatArray:
-        """Half of the range of the first coordinate, shape (n,)."""
+        """Half the range of the first coordinate, shape (n,)."""
         return (self.highest - self.lowest) / 2
 
     def changes(self) -> Iterator[tuple[int, CycleEvent]]:
@@ -213,12 +219,12 @@ class CycleBranch(Result):
                 yield index, between[0 if self.stable[index - 1] else -1]
 
     def of(self, *kinds: str) -> tuple[CycleEvent, ...]:
-        """The events of some kinds only.
+        """The events of given kinds.
 
         Parameters
         ----------
         *kinds : str
-            As in :attr:`CycleEvent.kind`.
+            Kinds as in :attr:`CycleEvent.kind`.
 
         Returns
         -------
@@ -233,7 +239,6 @@ class CycleBranch(Result):
         >>> len(branch.of("end"))
         2
         """
-        # Kinds of event, those first at which stability may change.
         offered = (*CRITERIA, "grazing", *SLIDING, "homoclinic", "catastrophic-sliding", "end")
         chosen = [one_of("kinds", kind, offered) for kind in kinds]
         return tuple(event for event in self.events if event.kind in chosen)
@@ -248,22 +253,22 @@ def cycle_branch(
     points: int = 400,
     options: BranchOptions | None = None,
 ) -> CycleBranch:
-    """Follow a cycle as a parameter varies, through folds, to both ends of a range or to where the
-    branch ends.
+    """Follow a cycle as a parameter varies, through folds, in both directions, to the ends of a
+    range or of the branch.
 
     Parameters
     ----------
     cycle : Cycle
-        Where to begin.
+        The first cycle.
     vary : str
-        One of the parameters: theta0 (radians), V, d, mu0, kappa, alpha, sigma, beta; of other
-        models their own.
+        Name of the parameter; for the article's model theta0 (radians), V, d, mu0, kappa, alpha,
+        sigma or beta.
     between : mapping
-        Its range, by its name; the branch is followed both ways from the cycle.
+        Range of the parameter, by its name.
     points : int
-        Most points each way.
+        Maximum number of points in each direction.
     options : BranchOptions, optional
-        Lengths of steps and other limits, by default :class:`spragsym.BranchOptions`.
+        Step lengths and other limits, by default :class:`spragsym.BranchOptions`.
 
     Returns
     -------
@@ -272,14 +277,14 @@ def cycle_branch(
     Raises
     ------
     ParameterError
-        For a parameter that the model does not have, a range without the cycle's own value, or
-        beyond what it may be, or no points.
+        For a parameter that the model does not have, a range that excludes the cycle's own value or
+        exceeds the allowed values, or a number of points that is not positive.
 
     Notes
     -----
-    A doubling, a torus or a crossing is told where its test function changes its sign by more than
-    the error of the multipliers: none is told where nothing damps, and multipliers stay on the unit
-    circle.
+    A doubling, a torus or a crossing is reported if its test function changes sign by more than the
+    error of the multipliers. So none is reported without damping, where multipliers stay on the
+    unit circle.
 
     Examples
     --------
@@ -306,14 +311,15 @@ def cycle_branch(
         )
     own = in_scales(cycle.orbit)
     setting = Setting(own.flow, (index,), own.period, ((high - low) / 2,), options=options)
-    pieces = len(own.states)  # an even number, so that halves of a doubled cycle are seen
-    begun = remeshed(own, 2 * pieces) if pieces % 2 else own.guess
-    start = remeshed_point(started(setting, begun))
-    back = list(_followed([start.oriented(-1.0)], (low, high), points, options))
-    behind = [item.oriented(-1.0) for item in back if isinstance(item, BranchPoint)]
-    forth = list(_followed([*behind[:1], start], (low, high), points, options))
-    closed = back and isinstance(back[-1], DetectedEvent) and back[-1].kind == "closed"
-    items = [*reversed(back), start, *([] if closed else forth)]
+    pieces = len(own.states)  # made even: then the halves of a doubled cycle can be compared
+    guess = remeshed(own, 2 * pieces) if pieces % 2 else own.guess
+    start = remeshed_point(started(setting, guess))
+    backward = list(_followed([start.oriented(-1.0)], (low, high), points, options))
+    behind = [item.oriented(-1.0) for item in backward if isinstance(item, BranchPoint)]
+    forward = list(_followed([*behind[:1], start], (low, high), points, options))
+    last = backward[-1] if backward else None
+    closed = isinstance(last, DetectedEvent) and last.kind == "closed"
+    items = [*reversed(backward), start, *([] if closed else forward)]
     orbits, events, places = [], [], []
     for item in items:
         if isinstance(item, BranchPoint):
@@ -349,8 +355,10 @@ def cycle_branch(
 def _followed(
     followed: list[BranchPoint], to: Span, points: int, options: BranchOptions
 ) -> Iterator[BranchPoint | DetectedEvent]:
-    """Points and findings in one direction behind the last of some points, an end the last of
-    them.
+    """Continue a branch in one direction from the last point of ``followed``: its points and
+    events in order, an end last.
+
+    ``followed`` are the known points, to which the new ones are added.
     """
     start = followed[-1]
     first_extent = extent(start.orbit)
@@ -362,6 +370,7 @@ def _followed(
     def look(
         point: BranchPoint, found: BranchPoint, length: float
     ) -> list[BranchPoint | DetectedEvent]:
+        """Events of a step, the point found, an end; ConvergenceError to shorten the step."""
         arc = between(point, found) if found.value in to else length
         if (met := meets(point, found)) is not None:
             if arc > options.meeting * extent(found.orbit):
@@ -374,16 +383,12 @@ def _followed(
             return [*_joins(followed, found)]
         items = list[BranchPoint | DetectedEvent]()
         before = followed[-2] if len(followed) > 1 else None
-        if (
-            before and followed[-1] is not point
-        ):  # it was cut anew, and is compared with what is cut like it
+        if before and followed[-1] is not point:  # it has a new mesh, and needs one before it alike
             before = corrected(point, -arc)
-        for happened in detected_events(point, found, arc, before):
-            if happened.kind == "fold" and extent(happened.orbit) < options.shrunk * extent(
-                start.orbit
-            ):
+        for event in detected_events(point, found, arc, before):
+            if event.kind == "fold" and extent(event.orbit) < options.shrunk * first_extent:
                 return [*items, _shrunk(followed)]
-            items.append(happened)
+            items.append(event)
         if extent(found.orbit) < options.vanished * min(1.0, first_extent):
             return [*items, _shrunk(followed)]
         followed.append(found)
@@ -406,34 +411,32 @@ def _followed(
 def _vanishing(
     points: Sequence[BranchPoint], size: Callable[[BranchPoint], float], how: str, kind: str = "end"
 ) -> DetectedEvent:
-    """The end behind some points of a branch at which a size shrinks to 0.
+    """The end of a branch at which a size shrinks to 0, by extrapolation from its points.
 
-    The parameter is a smooth function of the size, by parabolas through three points; three that
-    differ least are taken, since next to the end rounding decides.
+    The parameter is extrapolated to size 0 by parabolas through three points, whose sizes decrease
+    by factors of 0.7 at least. Of all extrapolated values those three in a row with the smallest
+    range are taken, which is the error: next to the end rounding dominates.
     """
     from scipy.interpolate import KroghInterpolator
 
     sizes = [(np.inf, np.nan)]
     for point in points:
-        # Sizes of points by which it is told where a size vanishes are so far apart, as
-        # a factor.
         if (now := size(point)) < 0.7 * sizes[-1][0]:
             sizes.append((now, point.value))
     ends = [
         float(KroghInterpolator(*zip(*sizes[i - 2 : i + 1], strict=True))(0.0))
         for i in range(3, len(sizes))
     ]
-    each = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
-    off, value = min(each, default=(abs(points[-1].value), points[-1].value))
-    # Error of an end by rounding, where a size vanishes, in ranges of the parameter.
+    ranges = ((float(np.ptp(ends[i - 2 : i + 1])), ends[i]) for i in range(2, len(ends)))
+    scatter, value = min(ranges, default=(abs(points[-1].value), points[-1].value))
     setting = points[-1].setting
-    error = setting.options.scatter * off + 1e-12 * setting.spans[0]
+    error = setting.options.scatter * scatter + 1e-12 * setting.spans[0]
     return DetectedEvent(kind, points[-1].orbit, error, how=how, value=value)
 
 
 def _shrunk(followed: Sequence[BranchPoint]) -> DetectedEvent:
-    """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the
-    parameter near it.
+    """The end at an equilibrium. By Hopf's theorem the squared extent is linear in the parameter
+    near it.
     """
     return _vanishing(
         followed, lambda point: extent(point.orbit) ** 2, "it shrinks onto an equilibrium"
@@ -441,11 +444,11 @@ def _shrunk(followed: Sequence[BranchPoint]) -> DetectedEvent:
 
 
 def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
-    """The end where an orbit comes to touch a border, or sticks at the limit of the force from the
-    first, or where it comes to a border at a tangent; None elsewhere.
+    """The end at a grazing, where a phase of sticking shrinks to nothing, or at a tangent arrival
+    at a border ("catastrophic-sliding"); None if there is no such end near the last point.
     """
 
-    def off(point: BranchPoint) -> float:
+    def nearest(point: BranchPoint) -> float:
         sticking = (touch.level for touch in sliding_entries(point) if touch.level > 0)
         return min((*sticking, *(abs(touch.level) for touch in point.touches)), default=np.inf)
 
@@ -457,7 +460,7 @@ def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
     ends = (
         _vanishing(
             followed,
-            off,
+            nearest,
             "it touches a border there, or a phase of sticking shrinks to nothing, and no "
             "cycle was found beyond",
         ),
@@ -469,8 +472,6 @@ def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
             "catastrophic-sliding",
         ),
     )
-    # A branch has come to an end that lies so near to its last point, in shares of the
-    # range.
     near = [
         end
         for end in ends
@@ -487,7 +488,7 @@ def _ends(
     to: Span,
     options: BranchOptions,
 ) -> Iterator[DetectedEvent]:
-    """The end of the branch at a point, if it is one."""
+    """The end of the branch at the point ``ahead``, if there is one."""
     orbit, moved = ahead.orbit, abs(ahead.value - point.value)
     if vertical(point, ahead, length):
         yield DetectedEvent(
@@ -511,17 +512,18 @@ def _ends(
 
 
 def _joins(followed: Sequence[BranchPoint], found: BranchPoint) -> Iterator[DetectedEvent]:
-    """The end of a branch at the edge of a family of cycles, one of which is found, and what
-    happens there.
+    """The end of a branch where a family of cycles at one value begins, of which ``found`` is one;
+    before it the sliding bifurcation there, if any.
 
-    Where that is no event, a second multiplier comes to 1 with some power of the way, as a rule the
-    second.
+    Without one, the end is where a second multiplier becomes 1. Its distance from 1 is as a rule
+    quadratic in the parameter.
     """
-    came, edge = sliding_entries(followed[-1]), _at_border(followed)
+    entries, edge = sliding_entries(followed[-1]), _at_border(followed)
     how = FAMILIES if edge else f"a second multiplier comes to 1: {FAMILIES}, or hardly attracts"
     if edge:
-        kind = "crossing-sliding" if len(sliding_entries(found)) == len(came) else "grazing-sliding"
-        yield replace(edge, kind=kind, how=found.orbit.field.borders[came[0].way[0]].name)
+        same = len(sliding_entries(found)) == len(entries)
+        kind = "crossing-sliding" if same else "grazing-sliding"
+        yield replace(edge, kind=kind, how=found.orbit.field.borders[entries[0].way[0]].name)
     else:
         edge = _vanishing(
             followed,
@@ -534,10 +536,12 @@ def _joins(followed: Sequence[BranchPoint], found: BranchPoint) -> Iterator[Dete
 def _lost(
     followed: Sequence[BranchPoint], error: ConvergenceError, options: BranchOptions
 ) -> DetectedEvent:
+    """The end where even the shortest step failed with ``error``: homoclinic, at a border, or
+    unexplained.
+    """
     point = followed[-1]
     orbit = point.orbit
     if orbit.period > 2 * point.setting.period and (rest := _rests(orbit, options.still)):
-        # Error of an end at an orbit that rests for long, in ranges of the parameter.
         return DetectedEvent("homoclinic", orbit, 1e-6 * point.setting.spans[0], how=rest)
     before = followed[-2] if len(followed) > 1 else point
     lost = DetectedEvent(
@@ -551,14 +555,15 @@ def _lost(
 
 
 def _passes(start: BranchPoint, point: BranchPoint, ahead: BranchPoint) -> bool:
-    """Whether the start's cycle lies on the step from one point to the next, passed the same way: a
-    branch that closes.
+    """True if the step from one point to the next passes the first cycle in the first direction:
+    the branch is closed.
 
-    Its states need not be those of the start: on the way round they may have gone on along the
-    orbit.
+    Cycles are compared, not states: the phase may have changed along the branch.
     """
-    way = ahead.value - point.value
-    if not (start.value - point.value) * (start.value - ahead.value) <= 0 < way * turning(start):
+    change = ahead.value - point.value
+    if (start.value - point.value) * (start.value - ahead.value) > 0:
+        return False
+    if change * turning(start) <= 0:
         return False
     try:
         return same_cycle(cycle_of(placed(point, start.value).orbit), cycle_of(start.orbit))
@@ -567,16 +572,16 @@ def _passes(start: BranchPoint, point: BranchPoint, ahead: BranchPoint) -> bool:
 
 
 def _rests(orbit: Orbit, still: float) -> str:
-    """Place where an orbit of a very long period hardly moves, without the sign of a zero; nothing
-    where it moves everywhere.
+    """Text that names the state at which an orbit of long period comes to rest; empty if its rate
+    is nowhere below ``still``.
 
-    By the size of the field at its turns, or all along one that only turns around.
+    The rate is evaluated at the extrema, or along the whole orbit if it only rotates.
     """
     states = [extremum.state for extremum in orbit.extrema()] or list(orbit.samples().states.T)
     sizes = [norm(orbit.rate(state)) for state in states]
     if min(sizes) >= still:
         return ""
-    slowest = np.round(states[int(np.argmin(sizes))], 6) + 0.0
+    slowest = np.round(states[int(np.argmin(sizes))], 6) + 0.0  # no −0
     return Remark("it comes to rest near {}", orbit.field.place(slowest, "g"))
 
 
@@ -591,7 +596,7 @@ class EventCurve(Result):
     values : ndarray, shape (n, 2)
     periods : ndarray, shape (n,)
     how : tuple of str
-        Why the curve ends, at its first and at its last point.
+        Reason for which the curve ends, at its first and at its last point.
     cycles : tuple of Cycle
     """
 
@@ -620,13 +625,13 @@ def cycle_events(
     Parameters
     ----------
     event : CycleEvent
-        Of a branch.
+        An event of a branch.
     vary : tuple of str
-        Two parameters.
+        Names of two parameters.
     between : mapping, optional
-        Parameter → range; the curve ends where it leaves it.
+        Ranges by the parameters' names; the curve ends where it leaves one.
     points : int
-        Most points each way.
+        Maximum number of points in each direction.
 
     Returns
     -------
@@ -635,13 +640,14 @@ def cycle_events(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, and events of another kind.
+        For invalid arguments, and events of another kind.
 
     Notes
     -----
-    Newton's method on the closed orbit, with the event's test function as one more equation: for a
-    fold det(1 − R) = 0 and for a doubling det(1 + R) = 0, R the monodromy matrix across the flow;
-    for a grazing level and rate of the border at the start.
+    Newton's method for the closed orbit, with the event's test function as a further equation. With
+    the monodromy matrix R restricted to directions across the flow it is det(1 − R) = 0 for a fold
+    and det(1 + R) = 0 for a doubling. For a grazing the border's level and its rate are 0 at the
+    first state.
 
     Examples
     --------
@@ -671,19 +677,15 @@ def cycle_events(
     allowed = {name: ANGLE if model.column(name).is_angle else FINITE for name in vary}
     given = as_ranges("between", between, allowed)
     bounds = [given.get(name, (-np.inf, np.inf)) for name in vary]
-    # Span of a parameter whose range is not given, over its value, and at least.
-    share_of_value, least_span = 0.25, 0.02
-    spans = [
-        (high - low) / 2
-        if 0 < high - low < np.inf
-        else max(share_of_value * abs(orbit.values[index]), least_span)
-        for index, (low, high) in zip(free, bounds, strict=True)
-    ]
-    holds = (
-        partial(touching, event.found.border)
-        if event.kind == "grazing"
-        else partial(at_zero, event.kind)
-    )
+    spans = []
+    for index, (low, high) in zip(free, bounds, strict=True):
+        span = (high - low) / 2
+        if not 0 < span < np.inf:  # no range is given
+            span = max(0.25 * abs(orbit.values[index]), 0.02)
+        spans.append(span)
+    holds = partial(at_zero, event.kind)
+    if event.kind == "grazing":
+        holds = partial(touching, event.found.border)
     setting = Setting(orbit.flow, free, event.cycle.period / orbit.field.time, tuple(spans), holds)
     first = point_of(setting, setting.integrated(orbit.guess))
 
@@ -691,18 +693,15 @@ def cycle_events(
         with doing("the curve of events beside {:.6g}", point.value):
             return corrected(point, length, reach=0.5, iterations=9)
 
+    step_options = BranchOptions(first_step=0.01, longest_step=0.1, shortest_step=1e-6, kink=1e-4)
+
     def followed(direction: float) -> tuple[list[Orbit], str]:
+        """Orbits in one direction, and the reason for which they end."""
         found: list[Orbit] = []
         try:
-            # Options of curves of events.
-            of_events = BranchOptions(
-                first_step=0.01, longest_step=0.1, shortest_step=1e-6, kink=1e-4
-            )
-            for point in islice(steps(first.oriented(direction), ahead, of_events), points):
-                if not all(
-                    low <= value <= high
-                    for value, (low, high) in zip(point.orbit.guess.varied, bounds, strict=True)
-                ):
+            for point in islice(steps(first.oriented(direction), ahead, step_options), points):
+                varied = zip(point.orbit.guess.varied, bounds, strict=True)
+                if not all(low <= value <= high for value, (low, high) in varied):
                     return found, "the range ends"
                 if event.kind == "torus" and not is_complex_pair(point.orbit):
                     return found, "its multipliers become real"

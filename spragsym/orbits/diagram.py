@@ -1,11 +1,11 @@
-"""The bifurcation diagram of one parameter: equilibria and cycles of the motion in one result,
-labelled as AUTO and MatCont do.
+"""The bifurcation diagram of one parameter: branches of equilibria and of cycles, with labels as in
+AUTO and MatCont.
 
-Equilibria are those of the motion, with friction at the belt's own speed: followed by
-pseudo-arclength from all that the statics prove at some values of the parameter, so that a branch
-is left out only if it begins and ends between two of these. Cycles are followed from every Hopf
-point along the parameter, from starts that are given, and from period doublings; there may be
-others.
+Equilibria are those of the motion, with the friction at the belt's speed. Their branches are
+followed by pseudo-arclength continuation from all equilibria that statics proves at a grid of
+values of the parameter; a branch can be missed only if it begins and ends between two of these
+values. Cycles are followed from every Hopf point along the parameter, from the given starts, and
+from period doublings; other cycles may exist.
 """
 
 from __future__ import annotations
@@ -43,8 +43,7 @@ from .options import BranchOptions
 from .orbit import same_cycle
 from .system import FixedPoints, System
 
-#: Options of branches of equilibria, whose steps are in units of the motion and halves of the
-#: range.
+#: Options of branches of equilibria, with steps in units of the motion and of half the range.
 OF_EQUILIBRIA = BranchOptions(first_step=0.0025, longest_step=0.02, shortest_step=1e-7, kink=0.0)
 
 
@@ -55,13 +54,14 @@ class EquilibriumBranch(Result):
     Attributes
     ----------
     values : ndarray, shape (n,)
-        Of the parameter.
+        Values of the parameter.
     states : ndarray, shape (n, coordinates)
+        Coordinates.
     stable : ndarray of bool, shape (n,)
-        Whether small deviations decay, or at least do not grow.
+        True if small deviations do not grow.
     mode : str
-        ``"contact"`` or ``"lift-off"``; of a contact that presses on either of two faces
-        ``"opposite face"``; of several contacts which of them touch alone.
+        ``"contact"`` or ``"lift-off"``; ``"opposite face"`` for a contact that presses on either of
+        two faces; with several contacts, which of them touch.
     """
 
     values: FloatArray
@@ -72,12 +72,14 @@ class EquilibriumBranch(Result):
 
 @dataclass(frozen=True, eq=False)
 class Label(Result):
-    """A point of a diagram: LP fold, H Hopf point (of equilibria); LPC fold, PD doubling, NS torus,
-    BPC crossing, GR grazing, HC; GS, CS, SS, AS grazing-, crossing-, switching- and adding-sliding;
-    CT catastrophic-sliding.
+    """A labelled point of a diagram.
 
-    ``height`` is the first coordinate there, the largest one of a cycle; ``branch`` the number of
-    the branch among its kind.
+    Labels of equilibria: LP fold, H Hopf point. Labels of cycles: LPC fold, PD period doubling, NS
+    torus, BPC crossing of another branch, GR grazing, HC homoclinic orbit; GS grazing-sliding, CS
+    crossing-sliding, SS switching-sliding, AS adding-sliding, CT catastrophic-sliding.
+
+    ``height`` is the first coordinate, of a cycle its maximum. ``of`` is "equilibria" or "cycles",
+    ``branch`` the index of the branch among these.
     """
 
     label: str
@@ -95,13 +97,13 @@ class Diagram(Result):
     ----------
     vary : str
     to : tuple of float
-        The range.
+        Range of the parameter.
     equilibria : tuple of EquilibriumBranch
     cycles : tuple of CycleBranch
-        Those from Hopf points first, then from starts, then from doublings.
+        First those from Hopf points, then those from starts, then those from doublings.
     labels : tuple of Label
     remarks : tuple of str
-        What was looked for and not found.
+        What was searched for and not found.
     undecided : tuple of (float, float)
         Ranges of the parameter in which equilibria or Hopf points may be missing.
     """
@@ -126,14 +128,14 @@ class Diagram(Result):
     undecided: tuple[Span, ...] = ()
 
     def data(self) -> dict[str, NDArray[Any]]:
-        """The points of all branches, one branch after the other: what they are ``of``, the number
-        of the ``branch`` among its kind, the parameter, the lowest and highest first coordinate,
-        the period (NaN of equilibria), and whether they are stable.
+        """The points of all branches, branch by branch, as columns: kind (``of``), index of the
+        ``branch``, parameter, minimum and maximum of the first coordinate, period (NaN for
+        equilibria), stability.
 
         Returns
         -------
         dict of str to array
-            Columns of one length, a row a point.
+            Columns of equal length, one row per point.
 
         Examples
         --------
@@ -143,25 +145,24 @@ class Diagram(Result):
         >>> sorted(set(found.data()["of"].tolist()))
         ['cycles', 'equilibria']
         """
-        parts = [
-            ("equilibria", at, one, one.states[:, 0], one.states[:, 0], 0 * one.values + np.nan)
-            for at, one in enumerate(self.equilibria)
-        ] + [
-            ("cycles", at, one, one.lowest, one.highest, one.periods)
-            for at, one in enumerate(self.cycles)
-        ]
-        if not parts:
+        rows = list[tuple[Any, ...]]()
+        for i, rest in enumerate(self.equilibria):
+            x = rest.states[:, 0]
+            rows.append(("equilibria", i, rest, x, x, np.full(x.size, np.nan)))
+        for i, own in enumerate(self.cycles):
+            rows.append(("cycles", i, own, own.lowest, own.highest, own.periods))
+        if not rows:
             return {}
-        kinds, at, branches, lowest, highest, periods = zip(*parts, strict=True)
-        sizes = [one.values.size for one in branches]
+        kinds, indices, branches, lowest, highest, periods = zip(*rows, strict=True)
+        sizes = [branch.values.size for branch in branches]
         return {
             self._own("of"): np.repeat(kinds, sizes),
-            self._own("branch"): np.repeat(at, sizes),
-            self.vary: np.concatenate([one.values for one in branches]),
+            self._own("branch"): np.repeat(indices, sizes),
+            self.vary: np.concatenate([branch.values for branch in branches]),
             self._own("lowest"): np.concatenate(lowest),
             self._own("highest"): np.concatenate(highest),
             self._own("period"): np.concatenate(periods),
-            self._own("stable"): np.concatenate([one.stable for one in branches]),
+            self._own("stable"): np.concatenate([branch.stable for branch in branches]),
         }
 
 
@@ -175,23 +176,23 @@ def diagram(
     doublings: int = 1,
     points: int = 100,
 ) -> Diagram:
-    """Equilibria and cycles of one parameter over a range.
+    """Branches of equilibria and cycles over the range of one parameter.
 
     Parameters
     ----------
     p : ParameterSet
-        Scalars; the one that varies is where ``starts`` hold.
+        Scalars. The value of ``vary`` is used for ``starts`` only.
     vary : str
         The parameter.
     between : mapping
-        Its range, by its name.
+        Range of the parameter, by its name.
     starts : sequence
-        States near cycles at ``p``, or cycles of the model at ``p`` but for the parameter that
-        varies; with ``None`` among them, what the motion from rest winds onto.
+        States near cycles at ``p``; cycles, which may be at other values of ``vary``; or None for
+        the cycle that the motion from rest approaches.
     doublings : int
-        How many doublings deep doubled cycles are followed.
+        Number of successive period doublings after which doubled cycles are followed.
     points : int
-        Most points of a branch of cycles each way.
+        Maximum number of points of a branch of cycles in each direction.
 
     Returns
     -------
@@ -200,14 +201,14 @@ def diagram(
     Raises
     ------
     ParameterError
-        For a parameter that the model does not have, a range that is none, or a cycle at other
+        For a parameter that the model does not have, an invalid range, or a cycle at other
         parameters.
 
     Notes
     -----
-    Hopf points from which cycles are followed are those of
-    :func:`spragsym.bifurcation.flutter.flutter_onsets`, proved; labels are located on the branches
-    by their test functions.
+    The Hopf points from which cycles are followed are those proved by
+    :func:`spragsym.bifurcation.flutter.flutter_onsets`. Labels are located on the branches by test
+    functions.
 
     Examples
     --------
@@ -261,8 +262,7 @@ def diagram(
                 )
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
-    # A Hopf point is located to this, in ranges of the parameter.
-    remarks += _left_alone(vary, labels, born_at, 1e-6 * (high - low))
+    remarks += _not_followed(vary, labels, born_at, 1e-6 * (high - low))
     spans = [undecided_points(eq, vary, (low, high)) for _, eq in seeds]
     undecided = joined(np.concatenate([undecided_parts(onsets, (low, high)), *spans]))
     remarks += [
@@ -283,14 +283,14 @@ def diagram(
     )
 
 
-def _left_alone(
-    vary: str, labels: Sequence[Label], marked: FloatArray, near: float
+def _not_followed(
+    vary: str, labels: Sequence[Label], known: FloatArray, tolerance: float
 ) -> Iterator[str]:
-    """Hopf points of the motion that are none of the statics', whose friction may be another: none
-    is followed from there.
+    """Remarks on Hopf points of the motion that are not among the ``known`` ones of statics, whose
+    friction may differ: no cycles are followed from these.
     """
     for value in (label.value for label in labels if label.label == "H"):
-        if not (np.abs(marked - value) < near).any():
+        if not (np.abs(known - value) < tolerance).any():
             yield Remark(
                 "no cycles were followed from the Hopf point {}: it is the motion's, not the "
                 "statics'",
@@ -299,15 +299,14 @@ def _left_alone(
 
 
 def _at(vary: str, value: float) -> At:
+    """Text "parameter = value" of a remark."""
     return At(vary, (float(value),), ".10g")
 
 
-# ------------------------------------------------------------------------------------------------
-# equilibria
-
-
 def _followed(rest: FixedPoints, point: BranchPoint, to: Span) -> Iterator[BranchPoint]:
-    """Points ahead, to the end of the range, of the mode, or of the steps."""
+    """Points of a branch of equilibria beyond one, up to the end of the range or of the mode, 2000
+    at most.
+    """
 
     def ahead(point: BranchPoint, length: float) -> BranchPoint:
         found = within(point, length, to, reach=0.5)
@@ -316,11 +315,9 @@ def _followed(rest: FixedPoints, point: BranchPoint, to: Span) -> Iterator[Branc
         return found
 
     with suppress(ConvergenceError):
-        # Most steps each way.
         for found in islice(steps(point, ahead, OF_EQUILIBRIA), 2000):
-            if (
-                found.coordinates != point.coordinates
-            ).any():  # as it is where the range ends at the first point
+            # Equal if the first point is at the end of the range.
+            if (found.coordinates != point.coordinates).any():
                 yield found
             if found.value in to:
                 return
@@ -329,10 +326,9 @@ def _followed(rest: FixedPoints, point: BranchPoint, to: Span) -> Iterator[Branc
 def _located(
     one: BranchPoint, other: BranchPoint, test: Callable[[BranchPoint], float]
 ) -> BranchPoint | None:
-    """The point between two where a test function changes its sign; None if it does not."""
+    """The point between two at which a test function changes sign; None if it does not."""
     first, last = test(one), test(other)
-    # A test function below this has lost its sign: without dampers every pair is on the
-    # imaginary axis.
+    # Below 1e-11 the sign is rounding: without dampers all eigenvalues are imaginary.
     if (first < 0) == (last < 0) or min(abs(first), abs(last)) < 1e-11:
         return None
     with suppress(ConvergenceError, ValueError):
@@ -341,16 +337,15 @@ def _located(
 
 
 def _labels(rest: FixedPoints, line: Sequence[BranchPoint], number: int) -> Iterator[Label]:
-    """Folds, where the parameter turns back, and Hopf points, where a pair crosses the imaginary
-    axis.
-    """
+    """Labels of folds and Hopf points of a branch of equilibria with index ``number``."""
     for one, other in pairwise(line):
         fold, hopf = (_located(one, other, test) for test in (turning, rest.pairs))
         if hopf is not None:
-            total, pair = min(
+            # Two real eigenvalues ± λ are a zero of the test function, too, but no Hopf point.
+            total, frequency = min(
                 (abs(a + b), abs(a.imag)) for a, b in combinations(rest.eigenvalues(hopf), 2)
             )
-            hopf = hopf if pair > 1e-6 > total else None
+            hopf = hopf if frequency > 1e-6 > total else None
         for label, point in (("LP", fold), ("H", hopf)):
             if point is not None:
                 x = float(natural(point.orbit).state[0])
@@ -358,35 +353,27 @@ def _labels(rest: FixedPoints, line: Sequence[BranchPoint], number: int) -> Iter
 
 
 def _passes(line: Sequence[BranchPoint], point: BranchPoint) -> bool:
-    """Whether a branch passes through a point."""
+    """True if a branch of equilibria passes through a point."""
     state, periodic = point.orbit.state, point.orbit.field.periodic
-    for end in (line[0], line[-1]):  # it ends within a step of a border, which the point may be on
-        off = abs(end.value - point.value) / point.setting.spans[0]
-        if (
-            max(off, magnitude(apart(state, end.orbit.state, periodic)))
-            <= 2 * OF_EQUILIBRIA.shortest_step
-        ):
+    for end in (line[0], line[-1]):  # a branch may end just before a border, and the point be on it
+        in_parameter = abs(end.value - point.value) / point.setting.spans[0]
+        in_state = magnitude(apart(state, end.orbit.state, periodic))
+        if max(in_parameter, in_state) <= 2 * OF_EQUILIBRIA.shortest_step:
             return True
     for one, other in pairwise(line):
         near = magnitude(apart(state, one.orbit.state, periodic)) < 2 * OF_EQUILIBRIA.longest_step
-        if (
-            near
-            and (one.value - point.value) * (other.value - point.value) <= 0
-            and one.value != other.value
-        ):
+        contains = (one.value - point.value) * (other.value - point.value) <= 0
+        if near and contains and one.value != other.value:
             with suppress(ConvergenceError):
-                met = placed(one, point.value, other.coordinates - one.coordinates).orbit.state
-                # Equilibria closer than this, in units of the motion, are one.
-                if magnitude(apart(state, met, periodic)) < 1e-7:
+                chord = other.coordinates - one.coordinates
+                on_branch = placed(one, point.value, chord).orbit.state
+                if magnitude(apart(state, on_branch, periodic)) < 1e-7:
                     return True
     return False
 
 
 def _seeds(p: ParameterSet, vary: str, to: Span) -> list[tuple[Touching, Equilibria]]:
-    """The equilibria at some values of the parameter, of every combination of contacts that
-    touch.
-    """
-    # Values of the parameter at which the statics say where equilibria are.
+    """All equilibria at 13 values of the parameter, for every combination of touching contacts."""
     grid = p.replace(**{vary: np.linspace(*to, 13)})
     return [
         (contact, equilibria(grid, contact=contact, method="search")) for contact in p.model.regimes
@@ -394,22 +381,19 @@ def _seeds(p: ParameterSet, vary: str, to: Span) -> list[tuple[Touching, Equilib
 
 
 def _scales_of_all(p: ParameterSet, seeds: Sequence[tuple[Touching, Equilibria]]) -> MotionScales:
-    """Units of the motion at rest at the largest of all coordinates."""
+    """Units of the motion at rest at the largest absolute value of each coordinate."""
     names = p.model.coordinates
-    most = [
-        max(
-            (magnitude([0.0, *eq.coordinates[name][eq.states]]) for _, eq in seeds),
-            default=0.0,
-        )
+    largest = [
+        max((magnitude([0.0, *eq.coordinates[name][eq.states]]) for _, eq in seeds), default=0.0)
         for name in names
     ]
-    return System.of(p, None).scales(np.array([*most, *np.zeros(len(names))]))
+    return System.of(p, None).scales(np.array([*largest, *np.zeros(len(names))]))
 
 
 def _equilibria(
     p: ParameterSet, vary: str, to: Span, seeds: Sequence[tuple[Touching, Equilibria]]
 ) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
-    """All branches on which there is one of the equilibria known, with their labels."""
+    """All branches of equilibria through the seeds, with their labels."""
     model, found = p.model, list[tuple[Touching, list[BranchPoint]]]()
     index, span = model.parameters.index(vary), (to[1] - to[0]) / 2
     scales = _scales_of_all(p.replace(**{vary: sum(to) / 2}), seeds)
@@ -425,28 +409,22 @@ def _equilibria(
             own = system.scaled(scales)
             rest = FixedPoints(own.field, system.field.exact(system.mode(state)))
             point = rest.started(own, state / scales.states, index, span)
-            if any(pushed == contact and _passes(line, point) for pushed, line in found):
+            if any(touching == contact and _passes(line, point) for touching, line in found):
                 continue
-            back, forth = (list(_followed(rest, point.oriented(sign), to)) for sign in (-1.0, 1.0))
-            line = [*(each.oriented(-1.0) for each in reversed(back)), point, *forth]
-            states = np.array([each.orbit.state[: len(model.coordinates)] for each in line])
-            # Real parts below this are not growth.
-            stable = np.array(
-                [max(value.real for value in rest.eigenvalues(each)) < 1e-10 for each in line]
+            backward, forward = (
+                list(_followed(rest, point.oriented(sign), to)) for sign in (-1.0, 1.0)
             )
-            values = np.array([each.value for each in line])
+            line = [*(each.oriented(-1.0) for each in reversed(backward)), point, *forward]
+            states = np.array([each.orbit.state[: len(model.coordinates)] for each in line])
+            growth = [max(value.real for value in rest.eigenvalues(each)) for each in line]
             branch = EquilibriumBranch(
-                values,
+                np.array([each.value for each in line]),
                 states * scales.places,
-                stable,
+                np.array(growth) < 1e-10,
                 "contact" if contact is True else model.regimes[contact],
             )
             yield branch, list(_labels(rest, line, len(found)))
             found.append((contact, line))
-
-
-# ------------------------------------------------------------------------------------------------
-# cycles
 
 
 def _cycles(
@@ -457,7 +435,7 @@ def _cycles(
     starts: Sequence[Any],
     remarks: list[str],
 ) -> Iterator[Cycle]:
-    """A cycle of each family that is known of: born at a Hopf point, or near a start."""
+    """A cycle from each Hopf point and from each start; failures become remarks."""
     for i, value in enumerate(born_at.tolist()):
         try:
             yield cycle(onset=onsets, index=i)
@@ -473,18 +451,16 @@ def _cycles(
 
 
 def _is_known_cycle(branches: Sequence[CycleBranch], cycle: Cycle) -> bool:
-    """Whether a cycle is on a branch that is there: that branch's own cycle at the same value of
-    the parameter is it.
+    """True if a cycle is on one of the branches, compared with the branch's cycle at the same value
+    of the parameter.
     """
     for branch in branches:
         value = cycle.parameters[branch.vary]
-        for i in np.flatnonzero(
-            (branch.values[:-1] - value) * (branch.values[1:] - value) <= 0
-        ).tolist():
+        contains = (branch.values[:-1] - value) * (branch.values[1:] - value) <= 0
+        for i in np.flatnonzero(contains).tolist():
             with suppress(ConvergenceError):
-                if same_cycle(
-                    cycle_near(System(cycle.orbit.flow, cycle.values), branch.cycles[i]), cycle
-                ):
+                system = System(cycle.orbit.flow, cycle.values)
+                if same_cycle(cycle_near(system, branch.cycles[i]), cycle):
                     return True
     return False
 
@@ -492,32 +468,28 @@ def _is_known_cycle(branches: Sequence[CycleBranch], cycle: Cycle) -> bool:
 def _doubled(
     branches: list[CycleBranch], vary: str, to: Span, depth: int, points: int, remarks: list[str]
 ) -> None:
-    """Branches of doubled cycles, added to the others, so many doublings deep."""
+    """Append branches of doubled cycles from all period doublings, then from those of the new
+    branches, ``depth`` times.
+    """
     begin = 0
     for _ in range(depth):
-        now, begin = branches[begin:], len(branches)
-        for branch in now:
+        latest, begin = branches[begin:], len(branches)
+        for branch in latest:
             for event in branch.of("period_doubling"):
                 try:
                     doubled = branch.switch(event)
-                    if to[0] <= doubled.parameters[vary] <= to[1] and not _is_known_cycle(
-                        branches[begin:], doubled
-                    ):
-                        branches.append(
-                            cycle_branch(doubled, vary, between={vary: to}, points=points)
-                        )
+                    if not to[0] <= doubled.parameters[vary] <= to[1]:
+                        continue
+                    if _is_known_cycle(branches[begin:], doubled):
+                        continue
+                    branches.append(cycle_branch(doubled, vary, between={vary: to}, points=points))
                 except SpragsymError as error:
-                    remarks.append(
-                        Remark(
-                            "the doubled cycle at {} was not found: {}",
-                            _at(vary, event.value),
-                            error,
-                        )
-                    )
+                    at = _at(vary, event.value)
+                    remarks.append(Remark("the doubled cycle at {} was not found: {}", at, error))
 
 
 def _of_cycles(branches: Sequence[CycleBranch]) -> Iterator[Label]:
-    # A label for each kind of event: as AUTO and MatCont have them.
+    """Labels of the events on branches of cycles."""
     labels = {
         "fold": "LPC",
         "period_doubling": "PD",
@@ -532,6 +504,5 @@ def _of_cycles(branches: Sequence[CycleBranch]) -> Iterator[Label]:
         for event in branch.events:
             kind = "crossing" if event.found.crossed is not None else event.kind
             if kind in labels:
-                yield Label(
-                    labels[kind], event.value, float(event.cycle.state[0]), "cycles", number
-                )
+                x = float(event.cycle.state[0])
+                yield Label(labels[kind], event.value, x, "cycles", number)

@@ -1,5 +1,12 @@
-"""Events of a branch between two of its points: test functions that change sign, and borders that
-the orbit only touches.
+"""Events on a branch of closed orbits, between two neighbouring points of it.
+
+There are two kinds. At bifurcations (fold, period doubling, torus, crossing of another branch) a
+test function of the Floquet multipliers changes sign; the zero is located along the arc. At
+grazings and sliding bifurcations the orbit touches a border between modes: the level of the border
+at one of its extrema along the orbit passes 0, or the orbit arrives at the edge of the states that
+stick. Extrema and arrivals of the two points are matched with each other; where they do not match,
+or the number of border crossings changes without a known reason, the step is halved
+(:func:`detected_events`).
 """
 
 import math
@@ -34,13 +41,16 @@ from .arclength import (
 SLIDING = ("grazing-sliding", "crossing-sliding", "switching-sliding", "adding-sliding")
 
 
-#: Said of the end of a branch of doubled cycles.
+#: Text for the end of a branch of doubled cycles.
 MERGES = "it meets the cycle of half its period, which doubles there"
 
 
 def criterion(kind: str, point: BranchPoint) -> float:
-    """A test function along a branch: at a fold the parameter itself turns back; where another
-    branch crosses, it does not.
+    """Test function of a kind of event at a point: it changes sign at the event.
+
+    "fold": component of the tangent along the parameter. "crossing" of another branch: product of
+    1 − λ over all multipliers λ, times the sign of that component, so that it does not change sign
+    at a fold. Others: see :func:`criterion_of`.
     """
     if kind == "fold":
         return turning(point)
@@ -50,20 +60,18 @@ def criterion(kind: str, point: BranchPoint) -> float:
 
 
 def significant_value(kind: str, point: BranchPoint) -> float:
-    """A test function of which the sign is known, or 0: one that is within its error tells
-    nothing.
-    """
+    """The test function, or 0 if it is smaller than its error, so that its sign is not known."""
     value = criterion(kind, point)
     return value if kind == "fold" or abs(value) > unsure(point.orbit, kind) else 0.0
 
 
 @dataclass(frozen=True)
 class DetectedEvent:
-    """Something that happens on a branch: what, the orbit there, and how well its place is known.
+    """An event on a branch: its kind, the orbit there, and the error of the parameter.
 
-    ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one
-    crosses it; ``how`` what is touched or else to be said, of an end why it is one; ``value`` that
-    of the parameter, where it is not the orbit's.
+    ``border`` is the index of the border that is touched, −1 for none. ``crossed`` is the tangent
+    of this branch, if another branch crosses it. ``how`` names the border, or the reason for which
+    the branch ends. ``value`` is that of the parameter, NaN for the orbit's own.
     """
 
     kind: str
@@ -82,93 +90,85 @@ def detected_events(
     before: BranchPoint | None = None,
     depth: int = 0,
 ) -> Iterator[DetectedEvent]:
-    """All that happens between two points of a branch, in its order; halves the step where
-    something may be hidden in it.
+    """All events between two points of a branch at an arclength ``length``, in order.
 
-    A test function changes its sign since the point ``before`` where that at the first of the two
-    is not known.
+    The step is halved, up to nine times, if it may hide more than one event, or one that leaves no
+    sign change. If the sign of a test function at ``one`` is not known, that at the point
+    ``before`` is taken.
     """
-    # Test functions that tell something there.
-    apart_from_ones = CRITERIA[1:]
-    # What test functions tell, a grazing apart.
-    kinds = apart_from_ones if vertical(one, other, length) else (*CRITERIA, "crossing")
+    kinds = CRITERIA[1:] if vertical(one, other, length) else (*CRITERIA, "crossing")
     since = {kind: one if significant_value(kind, one) else before or one for kind in kinds}
     changed = [
         kind
         for kind in kinds
         if significant_value(kind, since[kind]) * significant_value(kind, other) < 0
     ]
-    pairs = matched_events(one.touches, other.touches)
-    came = matched_events(sliding_entries(one), sliding_entries(other))
-    left = [*lost(one, pairs, length), *lost(other, pairs, -length)]
-    ended = [
+    extrema = matched_events(one.touches, other.touches)
+    arrivals = matched_events(sliding_entries(one), sliding_entries(other))
+    unmatched = [*lost(one, extrema, length), *lost(other, extrema, -length)]
+    # Unmatched extrema of an orbit that crosses the border more often than the other one.
+    vanished = [
         [(near, touch)]
-        for near, touch in left
+        for near, touch in unmatched
         if crossing_difference(other if near is one else one, near)[touch.way[0]]
     ]
-    through, switched = (
-        [pair for pair in each if (pair[0].level < 0) != (pair[1].level < 0)]
-        for each in (pairs, came)
+    passed, switched = (
+        [pair for pair in pairs if (pair[0].level < 0) != (pair[1].level < 0)]
+        for pairs in (extrema, arrivals)
     )
-    touched = [*([(one, touch), (other, after)] for touch, after in through), *ended]
+    touched = [*([(one, touch), (other, after)] for touch, after in passed), *vanished]
     hidden = (
         crossing_mismatch(one, other) != 2 * len(touched) + len(switched)
-        or any(may_touch(*pair, length) for pair in pairs if pair not in through)
-        or len(left) > len(ended)
+        or any(may_touch(*pair, length) for pair in extrema if pair not in passed)
+        or len(unmatched) > len(vanished)
         or (
             before is not None
             and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind in kinds)
         )
         or len(changed) + len(touched) + len(switched) > 1
     )
-    # Halvings of a step that looks as if something were hidden in it.
     if hidden and depth < 9:
         try:
             middle = corrected(one, length / 2)
         except ConvergenceError:
-            pass  # the step is looked at as a whole
+            pass  # take the step as a whole
         else:
             yield from detected_events(one, middle, length / 2, before, depth + 1)
             yield from detected_events(middle, other, between(middle, other), one, depth + 1)
             return
-    for turns in touched:
-        yield from _grazing(one, other, turns, length)
+    for candidates in touched:
+        yield from _grazing(one, other, candidates, length)
     for arrival, _ in switched:
         yield from _switching(one, other, arrival, length)
     for kind in changed:
         first = since[kind]
-        yield from _located(
-            kind,
-            partial(criterion, kind),
-            first,
-            other,
-            length if first is one else between(first, other),
-        )
+        arc = length if first is one else between(first, other)
+        yield from _located(kind, partial(criterion, kind), first, other, arc)
 
 
 def vertical(one: BranchPoint, other: BranchPoint, length: float) -> bool:
-    """Whether the parameter stays what it is from one point to another, far apart: a whole family
-    of cycles at one value.
+    """True if the parameter is constant between two points far apart: a whole family of cycles at
+    one value.
 
-    There a second multiplier is 1 all along, other than next to a homoclinic orbit, and what a sign
-    of the tangent says is rounding.
+    There a second multiplier is 1 all along (otherwise the points may be next to a homoclinic
+    orbit), and the sign of the tangent's component is rounding.
     """
-    # Slope of a branch, in shares of the range over the arc, below which it is upright.
-    ends, still = (one, other), 1e-8 * one.setting.spans[0]
-    # How near 1 a double multiplier of an upright branch is found.
+    # Change of the parameter per arclength that counts as 0.
+    ends, constant = (one, other), 1e-8 * one.setting.spans[0]
     return (
         length > one.setting.options.event_step
-        and abs(one.value - other.value) < still * length
+        and abs(one.value - other.value) < constant * length
         and all(
-            abs(turning(end)) < still and np.abs(end.orbit.multipliers.others - 1).min() < 1e-4
+            abs(turning(end)) < constant and np.abs(end.orbit.multipliers.others - 1).min() < 1e-4
             for end in ends
         )
     )
 
 
 def _bends_to_zero(kind: str, before: BranchPoint, one: BranchPoint, other: BranchPoint) -> bool:
-    """Whether the parabola through three values of one sign, equally far apart, comes to 0 between
-    the last two.
+    """True if a test function may have a double zero between the last two of three points: its
+    values a, b, c have one sign, and the parabola through them, at equal distances, has a minimum
+    below 0.05 b between b and c.
     """
     a, b, c = (significant_value(kind, each) for each in (before, one, other))
     slope, bend = (c - a) / 2, (a + c) / 2 - b
@@ -178,37 +178,36 @@ def _bends_to_zero(kind: str, before: BranchPoint, one: BranchPoint, other: Bran
 
 
 def _grazing(
-    one: BranchPoint, other: BranchPoint, turns: list[tuple[BranchPoint, Touch]], length: float
+    one: BranchPoint, other: BranchPoint, candidates: list[tuple[BranchPoint, Touch]], length: float
 ) -> Iterator[DetectedEvent]:
-    """Points where an orbit touches a border, by its turns there: of both points, or of the one
-    that does not slide on the border.
+    """The event at which an orbit touches a border, from an extremum of its level: at both points,
+    or at the one point where there is such an extremum.
     """
-    turns = sorted(turns, key=lambda pair: abs(pair[1].level))
-    nearest, first = turns[0]
+    candidates = sorted(candidates, key=lambda pair: abs(pair[1].level))
+    nearest, first = candidates[0]
     kind, border = _kind(nearest.orbit, first), first.way[0]
-    # Level at which an orbit is found that would slide if it touched the border.
-    sliding_level = 1e-11
     name = nearest.orbit.field.borders[border].name
-    beside = 0.0 if kind == "grazing" else sliding_level
-    for near, touch in turns:
+    # An orbit that would slide after touching the border is computed at this distance from it.
+    offset = 0.0 if kind == "grazing" else 1e-11
+    for near, touch in candidates:
         try:
-            orbit = grazing(near, touch, beside)
+            orbit = grazing(near, touch, offset)
         except ConvergenceError:
             continue
-        off = 10 * orbit.largest_gap + 1e-12 + beside * abs(turning(near) / touch.slope)
-        if _lies_between(one, other, orbit.guess.varied[0], length, off):
-            yield DetectedEvent(kind, orbit, off, border, how=name)
+        error = 10 * orbit.largest_gap + 1e-12 + offset * abs(turning(near) / touch.slope)
+        if _lies_between(one, other, orbit.guess.varied[0], length, error):
+            yield DetectedEvent(kind, orbit, error, border, how=name)
             return
     if length > one.setting.options.event_step:
         raise ConvergenceError(f"a {kind} was not located")
     if not crossing_mismatch(one, other):
-        return  # two different turns were taken for one: the orbit crosses as often as before
+        return  # wrongly matched extrema: no crossing appears or vanishes
     yield DetectedEvent(kind, nearest.orbit, abs(other.value - one.value), border, how=name)
 
 
 def _kind(orbit: Orbit, touch: Touch) -> str:
-    """Name of the event that an orbit touches a border, by what is beyond: it slides there in
-    contact, or slides no longer.
+    """Kind of event at which an orbit touches a border: "grazing-sliding" if it sticks beyond,
+    "adding-sliding" if it ceases to stick, else "grazing".
     """
     that = orbit.field.borders[touch.way[0]]
     if that.stays:
@@ -217,37 +216,33 @@ def _kind(orbit: Orbit, touch: Touch) -> str:
 
 
 def sliding_entries(point: BranchPoint) -> list[Touch]:
-    """All places of one round where the orbit comes to a border on which it may stay."""
+    """All arrivals of an orbit, in one period, at borders on which it may stay (stick)."""
     found, orbit = list[Touch](), point.orbit
     for crossing in orbit.crossings():
         if stays := orbit.field.borders[crossing.border].stays:
             level = stays(crossing.state.tolist(), orbit.constants, orbit.mode(crossing.state))
-            found.append(
-                Touch(
-                    (crossing.border, crossing.came),
-                    crossing.t / orbit.period,
-                    crossing.state,
-                    level,
-                )
-            )
+            way, share = (crossing.border, crossing.came), crossing.t / orbit.period
+            found.append(Touch(way, share, crossing.state, level))
     return found
 
 
 def approaches(point: BranchPoint) -> list[tuple[float, str]]:
-    """Rates at which levels come to 0 where the field jumps, and names of the borders: one that
-    comes to 0 is of a tangent arrival, behind which the orbit does not come there.
+    """For each arrival of an orbit at a border where the field jumps: the absolute rate of the
+    level, and the name of the border.
+
+    A rate of 0 is a tangent arrival, beyond which the orbit does not reach the border.
     """
     found, orbit = list[tuple[float, str]](), point.orbit
     for crossing in orbit.crossings():
         border, own = orbit.field.borders[crossing.border], orbit.mode(crossing.state)
         if border.jumps is None:
             continue
-        beside = (
+        neighbours = (
             mode
             for mode in orbit.field.modes
             if sum(a != b for a, b in zip(own, mode, strict=True)) == 1
         )
-        before = next(m for m in (own, *beside) if border.sign(m) == crossing.came)
+        before = next(m for m in (own, *neighbours) if border.sign(m) == crossing.came)
         state = crossing.state.tolist()
         rate = orbit.field.level_rate(border, state, orbit.constants, before)
         found.append((abs(rate), border.name))
@@ -257,13 +252,13 @@ def approaches(point: BranchPoint) -> list[tuple[float, str]]:
 def _switching(
     one: BranchPoint, other: BranchPoint, arrival: Touch, length: float
 ) -> Iterator[DetectedEvent]:
-    """Points where an orbit comes to the edge of the states that stay on a border: it leaves at
-    once, or goes on into them.
+    """The crossing-sliding or switching-sliding event: an arrival at a border comes to the edge of
+    the states that stick.
     """
 
     def stays(point: BranchPoint) -> float:
-        for _, become in matched_events([arrival], sliding_entries(point)):
-            return become.level
+        for _, matched in matched_events([arrival], sliding_entries(point)):
+            return matched.level
         raise ConvergenceError("the orbit does not come to the border")
 
     passing, staying = sorted((one, other), key=stays)
@@ -274,17 +269,18 @@ def _switching(
 
 
 def _lies_between(
-    one: BranchPoint, other: BranchPoint, value: float, length: float, off: float
+    one: BranchPoint, other: BranchPoint, value: float, length: float, error: float
 ) -> bool:
-    """Whether the parameter passes a value between two points: a turn of a doubled cycle has
-    another one half a period away.
+    """True if the branch between two points passes a value of the parameter, up to an error.
 
-    Where the branch turns back between them it passes more than what lies between their own.
+    An event elsewhere is excluded, as at the similar extremum of a doubled cycle half a period
+    later. If the branch has a fold between the points, the parameter may exceed their values.
     """
     low, high = sorted((one.value, other.value))
-    ends = turning(one), turning(other)
-    beyond = length * max(map(abs, ends)) if (ends[0] < 0) != (ends[1] < 0) else 0.0
-    return low - beyond - off <= value <= high + beyond + off
+    ends, beyond = (turning(one), turning(other)), 0.0
+    if (ends[0] < 0) != (ends[1] < 0):
+        beyond = length * max(map(abs, ends))
+    return low - beyond - error <= value <= high + beyond + error
 
 
 def _located(
@@ -295,113 +291,100 @@ def _located(
     length: float,
     how: str = "",
 ) -> Iterator[DetectedEvent]:
-    """Zero of a test function, by bracketing along the arc."""
+    """The event at which a test function changes sign between two points.
+
+    Raises ConvergenceError if it cannot be located and the step may still be shortened.
+    """
     width = abs(one.value - other.value)
+    may_shorten = length > one.setting.options.event_step
     try:
         point = zero_of(test, one, other, length, singular=kind == "crossing")
     except (ConvergenceError, ValueError) as error:
-        if (
-            length > one.setting.options.event_step
-        ):  # the two points may lie on different branches: shorter steps tell
+        if may_shorten:  # the two points may be on different branches
             raise ConvergenceError(f"a {kind} was not located") from error
-        if kind == "crossing":
-            return
-        yield DetectedEvent(kind, other.orbit, width, how=how)
+        if kind != "crossing":
+            yield DetectedEvent(kind, other.orbit, width, how=how)
         return
     if kind == "torus" and not is_complex_pair(point.orbit):
         return
-    # Where the parameter changes less than this along the arc, a multiplier that passes 1
-    # belongs to a fold.
     if kind == "crossing" and abs(turning(point)) * point.setting.spans[0] < 1e-6:
-        return  # the fold itself, by rounding
-    off = _error(kind, one, other, length, point)
-    # Where a sign changes, a test function is a zero if it is smaller than this share of
-    # what it is at the ends of the step.
+        return  # a fold, where the multiplier passes 1, too
+    error_of_value = _error(kind, one, other, length, point)
     if abs(test(point)) > 1e-2 * max(abs(test(one)), abs(test(other))):
-        # Multipliers jump at a grazing, and another arrival may become the nearest one: the sign
-        # changes with no zero.
-        if length > one.setting.options.event_step:
+        # The sign changes by a jump: multipliers jump at a grazing, and of several arrivals another
+        # one may become the nearest.
+        if may_shorten:
             raise ConvergenceError(f"a {kind} was not located")
         if kind in SLIDING:
             return
-        off = max(off, width)
+        error_of_value = max(error_of_value, width)
         how = "a multiplier jumps past its value there, as it does at a grazing"
+    crossed = None
     if kind == "crossing":
-        yield DetectedEvent(
-            "fold",
-            point.orbit,
-            off,
-            crossed=point.tangent,
-            how="another branch of cycles crosses this one",
-        )
-    else:
-        yield DetectedEvent(kind, point.orbit, off, how=how)
+        kind, crossed, how = "fold", point.tangent, "another branch of cycles crosses this one"
+    yield DetectedEvent(kind, point.orbit, error_of_value, crossed=crossed, how=how)
 
 
 def _error(
     kind: str, one: BranchPoint, other: BranchPoint, length: float, point: BranchPoint
 ) -> float:
-    """Error of the parameter at the zero of a test function: that of the orbit, and what the place
-    on the arc adds.
+    """Error of the parameter at the zero of a test function: from the orbit's error, from the
+    accuracy along the arc, and from the error of the test function.
     """
-    own = uncertainty(point)
+    error = uncertainty(point)
     if kind == "fold":
-        return own  # the parameter is extremal there
-    own += abs(turning(point)) * point.setting.options.located
+        return error  # the parameter is extremal: an error along the arc has no effect
+    error += abs(turning(point)) * point.setting.options.located
     if kind in SLIDING:
-        return own  # the orbit itself tells
+        return error  # the test function is of the orbit, not of its multipliers
     change = abs(criterion(kind, one) - criterion(kind, other))
     spread = unsure(point.orbit, kind) * length / change
-    # What it is at the point, and by how much it scatters where orbits at one parameter are found
-    # from either side, times the step in that: near a grazing multipliers change so fast with the
-    # orbit that its rounding, and not theirs, limits what is known.
+    # Scatter: the test function at the zero, and its differences between orbits at the same
+    # parameter, computed from either side. Near a grazing multipliers change so fast with the orbit
+    # that its rounding dominates their error.
     scatter = [abs(criterion(kind, point))]
     for base in (one, other):
         with suppress(ConvergenceError, ZeroDivisionError):
             scatter.append(abs(criterion(kind, placed(base, point.value)) - criterion(kind, point)))
     width = abs(other.value - one.value)
-    off = point.setting.options.scatter * width * max(scatter) / change
-    return own + abs(turning(point)) * spread + off
+    by_scatter = point.setting.options.scatter * width * max(scatter) / change
+    return error + abs(turning(point)) * spread + by_scatter
 
 
 def crossing_difference(one: BranchPoint, other: BranchPoint) -> Counter[int]:
-    """Difference in how often two orbits cross each border."""
-    one_way, other_way = (
+    """Number of crossings of each border by ``one`` minus that by ``other``, where positive."""
+    counts = [
         Counter(crossing.border for crossing in each.orbit.crossings()) for each in (one, other)
-    )
-    return one_way - other_way
+    ]
+    return counts[0] - counts[1]
 
 
 def crossing_mismatch(one: BranchPoint, other: BranchPoint) -> int:
-    """In how many crossings two orbits differ: the differences in how often each border is crossed,
-    added up.
-    """
+    """Sum over all borders of the difference in the number of crossings."""
     return crossing_difference(one, other).total() + crossing_difference(other, one).total()
 
 
 def matched_events(one: list[Touch], other: list[Touch]) -> list[tuple[Touch, Touch]]:
-    """Events of an orbit at borders, each with what it becomes on another: the nearest first, each
-    once.
+    """Match touches of one orbit with those of another, of the same border and kind: pairs with the
+    smallest distance first, each touch once.
+
+    The distance is in shares of the period plus states, and at most 0.6.
     """
-    found, off = dict[int, int](), list[tuple[float, int, int]]()
+    matches, distances = dict[int, int](), list[tuple[float, int, int]]()
     for i, touch in enumerate(one):
         for k, each in enumerate(other):
             if touch.way == each.way:
-                apart = abs((touch.share - each.share + 0.5) % 1 - 0.5) + magnitude(
-                    touch.state - each.state
-                )
-                off.append((apart, i, k))
-    for apart, i, k in sorted(off):
-        # Turns of two neighbouring points are one where they are as close as this, in
-        # shares of a period and in states.
-        if apart < 0.6 and i not in found and k not in found.values():
-            found[i] = k
-    return [(one[i], other[k]) for i, k in sorted(found.items())]
+                in_time = abs((touch.share - each.share + 0.5) % 1 - 0.5)
+                distances.append((in_time + magnitude(touch.state - each.state), i, k))
+    for distance, i, k in sorted(distances):
+        if distance < 0.6 and i not in matches and k not in matches.values():
+            matches[i] = k
+    return [(one[i], other[k]) for i, k in sorted(matches.items())]
 
 
 def may_touch(one: Touch, other: Touch, length: float) -> bool:
-    """Whether the cubic through levels and slopes of a pair comes to 0 between its ends, which have
-    one sign.
+    """True if the level at a matched extremum, of one sign at both points, may pass 0 in between:
+    the cubic through levels and slopes comes near 0.
     """
     from scipy.interpolate import CubicHermiteSpline
 
@@ -417,35 +400,35 @@ def may_touch(one: Touch, other: Touch, length: float) -> bool:
 def lost(
     near: BranchPoint, pairs: list[tuple[Touch, Touch]], away: float
 ) -> list[tuple[BranchPoint, Touch]]:
-    """Turns of a point that are no turns of the other and may have come to the border between: by
-    level and slope.
+    """Extrema of a point without a match, whose levels may pass 0 within the step: extrapolated
+    over the arclength ``away`` they fall to less than half.
     """
-    kept = {id(touch) for pair in pairs for touch in pair}
+    matched = {id(touch) for pair in pairs for touch in pair}
     return [
         (near, touch)
         for touch in near.touches
-        if id(touch) not in kept
+        if id(touch) not in matched
         and np.sign(touch.level) * (touch.level + away * touch.slope) < 0.5 * abs(touch.level)
     ]
 
 
-def grazing(near: BranchPoint, touch: Touch, beside: float = 0.0) -> Orbit:
-    """The closed orbit that touches a border, begun where it does: near a point with a turn near
-    that border.
+def grazing(near: BranchPoint, touch: Touch, offset: float = 0.0) -> Orbit:
+    """The closed orbit that touches a border, starting at the point of contact, near an orbit with
+    an extremum of the level near 0.
 
-    An orbit that slides on the border does so at every parameter beyond: so that one is found
-    ``beside`` it, and neared slowly.
+    With an ``offset`` the orbit with the extremum at this distance from the border is computed, for
+    orbits that slide beyond: there are touching orbits at all parameters beyond, and none isolated.
+    The distance is reduced step by step.
     """
     orbit, level = near.orbit, touch.level
     guess = remeshed(orbit, len(orbit.states), touch.share * orbit.period)
     while True:
-        # Share of the level by which it is neared at a time.
-        level = math.copysign(max(beside, 0.03 * abs(level)), level) if beside else 0.0
+        level = math.copysign(max(offset, 0.03 * abs(level)), level) if offset else 0.0
         conditions = touching(touch.way[0], near.setting, near.orbit, touch.state, level)
         orbit = closed_orbit(near.setting.flow, guess, conditions, reach=0.5)
         if abs(orbit.period / near.orbit.period - 1) > 0.2:
             raise ConvergenceError("another orbit touches the border")
-        if abs(level) <= beside:
+        if abs(level) <= offset:
             return orbit
         guess = orbit.guess
 
@@ -453,15 +436,17 @@ def grazing(near: BranchPoint, touch: Touch, beside: float = 0.0) -> Orbit:
 def touching(
     border: int, _: Setting, near: Orbit, target: FloatArray, level: float = 0.0
 ) -> Conditions:
-    """A border has a level, of rate zero, at the first state, in the mode of a target near
-    there.
+    """Conditions of an orbit that touches a border at its first state: the border with index
+    ``border`` has the given level there, and its rate is 0.
+
+    Level and rate are those in the mode of ``target``, a state near the first one. The parameters
+    are those of :attr:`Setting.holds`.
     """
     mode = near.mode(target[: near.field.size])
 
     def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
         both = partial(level_and_rate, orbit, border, mode)
-        begin = orbit.states.size + 1
-        size = orbit.field.size
+        begin, size = orbit.states.size + 1, orbit.field.size
         point = np.append(orbit.state, orbit.guess.varied)
         slopes, rows = differences(both, point, 1e-7), np.zeros((2, len(orbit.guess.coordinates)))
         rows[:, :size], rows[:, begin:] = slopes[:, :size], slopes[:, size:]

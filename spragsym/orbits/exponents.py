@@ -1,9 +1,9 @@
-"""Lyapunov exponents of a motion: what it is, as far as they, or the attractor that it comes to,
-prove it.
+"""Lyapunov exponents of a motion, with confidence intervals, and whether they show chaos.
 
-The variational equations are carried along and orthonormalized, Benettin's method, with the flow as
-the first direction: the flow carries it into itself exactly, so that its exponent, the trivial one,
-is known, and the others are those across it.
+Benettin's method: solutions of the variational equations are integrated and orthonormalized by QR
+at regular intervals; exponents are means of the logarithms of growth. The first direction is that
+of the flow itself. The flow maps it to itself exactly, so its exponent, the trivial one, is known
+to be 0, and the other exponents are those of directions across the flow.
 """
 
 from __future__ import annotations
@@ -38,32 +38,33 @@ class Lyapunov(Result):
     Attributes
     ----------
     exponents : ndarray, shape (m,)
-        Largest first, over the second half of the motion; −∞ where it sticks, which ends deviations
-        of the sliding speed. There is none of the rate of a clock, which is given: m is then one
-        less than a state has numbers.
+        Exponents over the second half of the motion, largest first. −∞ if it sticks, which ends
+        deviations of the sliding speed. The rate of a clock, which is given, has none: then m is
+        one less than the size of a state.
     error : ndarray, shape (m,)
-        Half-widths of their 95 % intervals, by the scatter among parts of that half; of the trivial
-        exponent a bound.
+        Half-widths of the 95 % confidence intervals, from the scatter among parts of that half; for
+        the trivial exponent a bound.
     zero : ndarray of bool, shape (m,)
-        Whether an exponent is the trivial one, that of the flow's own direction, or is not told
-        from 0 by twice its error.
+        True for the trivial exponent, and for those whose absolute value is at most twice the
+        error.
     trivial : int
-        Which one is the trivial one; −1 at rest, where there is none.
+        Index of the trivial exponent, of the direction along the flow; −1 at rest, where there is
+        none.
     trace : float
-        Mean divergence of the field, which the exponents add up to.
+        Mean divergence of the field, which is the sum of the exponents.
     t : ndarray, shape (n,)
         Times.
     running : ndarray, shape (n, m)
-        The means from the middle of the motion to these times: how they converge.
+        Means from the middle of the motion to these times, which show the convergence.
     kind : str
         "rest", "cycle", "lift-off", "chaotic" or "undecided".
     why : str
-        What decides that, or would.
+        The evidence for the kind, or what is missing.
     limit : ndarray, shape (m,)
-        Exponents of the equilibrium or cycle that the motion comes to, from its eigenvalues or
-        multipliers; NaN where none is found.
+        Exponents of the equilibrium or cycle that the motion approaches, from its eigenvalues or
+        multipliers; NaN if none is found.
     end : ndarray, shape (m,)
-        Where the motion ends.
+        Final state of the motion.
     """
 
     exponents: FloatArray
@@ -89,27 +90,27 @@ def lyapunov(
     options: MotionOptions | None = None,
     **values: float | None,
 ) -> Lyapunov:
-    """The Lyapunov exponents of a motion with their errors, and what they prove.
+    """The Lyapunov exponents of a motion, with errors, and the kind of motion that they show.
 
-    The first half of the motion is left out. Where the motion comes to an equilibrium or to a
-    cycle, the eigenvalues or multipliers of that decide what it is. It is chaotic if an exponent is
-    positive, every other one but the trivial one is told from 0, and the motion has settled; else
-    it is undecided, and ``why`` says what would decide it.
+    The first half of the motion is ignored. If the motion approaches an equilibrium or a cycle, its
+    eigenvalues or multipliers decide the kind. The motion is chaotic if an exponent is positive,
+    all others but the trivial one differ from 0, and it has settled. Otherwise it is undecided, and
+    ``why`` states what is missing.
 
     Parameters
     ----------
     p : Parameters of any model
         Scalars.
     start : array_like, optional
-        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
+        Initial state, coordinates, then rates; by default 0.
     t_end : float, optional
-        Until when; 4000 times the motion's unit of time where it is left out: 1 over the
-        fastest rate, rounded to a power of four, and 1 from 1/32 to 32.
+        Duration of the motion; by default 4000 times its unit of time, which is 1 over the fastest
+        rate, rounded to a power of four, and 1 from 1/32 to 32.
     backend : {"heyoka", "scipy"}, optional
     options : MotionOptions, optional
-        Numbers by which exponents are told from 0.
+        Tolerances, also of the comparison with 0.
     **values : float, optional
-        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
+        Values of parameters that replace those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -118,15 +119,15 @@ def lyapunov(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, and parameters that are no scalars.
+        For invalid arguments, and parameters that are not scalars.
     ConvergenceError
-        Where deviations are lost: the motion is too stiff.
+        If the motion is so stiff that rounding destroys small deviations.
 
     Notes
     -----
-    Source: Benettin's method on (8)–(11), the flow itself as the first direction; where the field
-    is continuous its kinks need nothing special. A chaotic transient that lasts longer than the
-    motion was followed is not told from a chaotic attractor.
+    Source: Benettin's method for (8)–(11), with the flow as the first direction. Kinks at which the
+    field is continuous need no special treatment. A chaotic transient longer than the motion cannot
+    be distinguished from a chaotic attractor.
 
     Examples
     --------
@@ -142,7 +143,6 @@ def lyapunov(
     if t_end is None:
         t_end = system.options.span * system.scales(state).time
     t_end = as_number("t_end", t_end, POSITIVE)
-    # It raises at once where the motion can't be followed.
     verdict = judged(system, state, times=(t_end,))
     whole = rates_along(system, state, t_end)
     late = whole.after(len(whole.logs) // 2)
@@ -154,9 +154,7 @@ def lyapunov(
     kind, limit = "undecided" if why else "chaotic", np.full(system.field.deviations, np.nan)
     why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
     if verdict.decided:
-        with suppress(
-            ConvergenceError
-        ):  # an attractor that Newton's method does not find again decides nothing
+        with suppress(ConvergenceError):  # Newton's method may fail to confirm the attractor
             kind, limit, _ = attractor_exponents(system, verdict)
             why = f"it comes to {verdict.described()}"
     return Lyapunov(
@@ -176,13 +174,13 @@ def lyapunov(
 
 @dataclass(frozen=True)
 class Rates:
-    """Growth rates over n intervals of motion, all of the time ``span``, to the state ``end``;
-    those of one motion are equal.
+    """Logarithmic growth over n equal intervals of a motion of duration ``span``, which ends in the
+    state ``end``.
 
-    ``logs`` (n, m) and ``volumes`` (n,) are logarithms of growth, along the flow, then across it,
-    and of volumes; ``flow`` (n + 1,) those of the flow's speed between the intervals, −∞ at rest,
-    in units of the motion. ``change`` is the acceleration over the velocity at the end, ``unit``
-    the unit of time.
+    ``logs``, (n, m), are the logarithms of growth: first along the flow, then across it.
+    ``volumes``, (n,), are those of volumes. ``flow``, (n + 1,), is the logarithm of the flow's
+    speed at the ends of the intervals, in units of the motion, −∞ at rest. ``change`` is
+    acceleration over velocity at the end, ``unit`` the unit of time.
     """
 
     logs: FloatArray
@@ -195,18 +193,18 @@ class Rates:
     options: MotionOptions = attribute(default_factory=MotionOptions)
 
     def after(self, begin: int) -> Rates:
-        """Rates of the intervals from one on."""
-        left = self.logs[begin:]
+        """The intervals from index ``begin`` on."""
+        logs = self.logs[begin:]
         return replace(
             self,
-            logs=left,
+            logs=logs,
             volumes=self.volumes[begin:],
-            span=len(left) * self.interval,
+            span=len(logs) * self.interval,
             flow=self.flow[begin:],
         )
 
     def joined(self, later: Rates) -> Rates:
-        """With what follows."""
+        """These intervals followed by later ones."""
         return Rates(
             np.vstack([self.logs, later.logs]),
             np.append(self.volumes, later.volumes),
@@ -220,28 +218,28 @@ class Rates:
 
     @property
     def interval(self) -> float:
-        """Mean time of an interval."""
+        """Mean duration of an interval."""
         return self.span / len(self.logs)
 
     @property
     def moves(self) -> bool:
-        """Whether the motion is never at rest."""
+        """True if the motion is never at rest."""
         return bool((self.flow > math.log(self.options.still)).all())
 
     @cached_property
     def exponents(self) -> FloatArray:
-        """Means: along the flow, then across it."""
+        """Mean growth rates, (m,): along the flow, then across it."""
         return self.logs.sum(axis=0) / self.span
 
     @property
     def lasting(self) -> FloatArray:
-        """Logarithms of growth, 0 of deviations that end."""
+        """The logarithms of growth, with 0 for deviations that sticking ends."""
         return np.where(np.isneginf(self.exponents), 0.0, self.logs)
 
     @cached_property
     def error(self) -> FloatArray:
-        """Half-widths of 95 % intervals; of the trivial one a bound, the range of the logarithm of
-        the flow's speed.
+        """Half-widths of 95 % confidence intervals, (m,); for the trivial exponent the bound
+        (range of the logarithm of the flow's speed) / span.
         """
         found = half_widths(self.lasting, self.interval)
         if self.moves:
@@ -250,17 +248,18 @@ class Rates:
 
     @property
     def order(self) -> IntArray:
-        """Places of the exponents, largest first."""
+        """Indices that sort the exponents, largest first."""
         return np.argsort(-self.exponents, kind="stable")
 
     @property
     def trivial(self) -> int:
-        """Index of the trivial exponent, of exponents in descending order; −1 at rest."""
+        """Index of the trivial exponent among the sorted ones; −1 at rest."""
         return int(self.order.argmin()) if self.moves else -1
 
     def undecided(self, before: float) -> str:
-        """Why these do not prove that the motion is chaotic, or nothing; ``before`` is how long it
-        was followed before.
+        """Reason for which the exponents do not show chaos; empty if they do.
+
+        ``before`` is the time over which the motion had been followed before.
         """
         across, error, options = self.exponents[1:], self.error[1:], self.options
         if not self.moves:
@@ -272,12 +271,9 @@ class Rates:
         open_ = np.flatnonzero(np.abs(across) <= options.significance * error)
         if len(open_):
             worst = open_[np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300))]
-            longer = "a longer motion narrows that as the root of its time; on a torus it stays"
-            hope = (
-                longer
-                if error[worst] > options.least_error / self.unit
-                else "errors of integration may be as large"
-            )
+            hope = "errors of integration may be as large"
+            if error[worst] > options.least_error / self.unit:
+                hope = "a longer motion narrows that as the root of its time; on a torus it stays"
             return (
                 f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: "
                 f"{hope}"
@@ -307,20 +303,20 @@ class Rates:
 
 
 def half_widths(logs: FloatArray, interval: float) -> FloatArray:
-    """Half-widths of 95 % intervals of mean rates: the widest by batch means, and by the range of
-    their sums.
+    """Half-widths of 95 % confidence intervals of mean rates, (m,): the largest of several
+    estimates.
 
-    The range is that of the sums about their straight line: of motions that repeat themselves it
-    stays, and the error falls as the time; of irregular ones it grows as its root, as the scatter
-    of means does.
+    Batch means of 6, 12 and 24 parts, with Student's t distribution; the largest counts, because
+    parts that are too short are correlated. And the range of the cumulative sums about their
+    straight line, over the time: for periodic motions the range is bounded, and the error falls as
+    1/time; for irregular ones it grows as the root of time.
     """
-    from scipy.stats import t as student  # heavy, and a refusal does not need it
+    from scipy.stats import t as student  # slow to import
 
     count, m = logs.shape
     sums = np.vstack([np.zeros(m), np.cumsum(logs, axis=0)])
     line = np.linspace(0, 1, count + 1)[:, None] * sums[-1]
     widest: FloatArray = np.ptp(sums - line, axis=0) / (count * interval)
-    # The widest counts, as parts that are too short are correlated.
     for parts in (6, 12, 24):
         if count >= 4 * parts:
             ends = np.linspace(0, count, parts + 1).astype(int)
@@ -333,7 +329,9 @@ def half_widths(logs: FloatArray, interval: float) -> FloatArray:
 def rates_along(
     system: System, state: FloatArray, span: float, scales: MotionScales | None = None
 ) -> Rates:
-    """Growth rates along the motion from a state; those that are joined have one ``scales``."""
+    """Growth along the motion from a state over a time. Results that will be joined need the same
+    ``scales``.
+    """
     if not np.isfinite(rate(system.field, state, system.constants)).all():
         raise ParameterError(
             f"start = {state.tolist()}: the motion is not defined there; start anywhere else"
@@ -350,61 +348,60 @@ def rates_along(
 
 
 def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
-    """:func:`rates_along` of a system whose motion has units of order 1."""
+    """:func:`rates_along` of a system in units of its motion."""
     field, constants, options = system.field, system.constants, system.options
     m, count = field.deviations, max(16, math.ceil(span / options.interval))
     interval = span / count
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
-    # Intervals may be halved this often, all together: one that begins stiffly, or each a little.
-    parts, most_parts = 0, 2**12 + 16 * count
+    # Limit of the number of halvings: for an initial stiff interval, or a few of each interval.
+    halvings, most_halvings = 0, 2**12 + 16 * count
 
     def carried(
         state: FloatArray, frame: FloatArray, span: float
     ) -> tuple[FloatArray, FloatArray, IntArray, FloatArray, float]:
-        """State and frame after a while, in another order, with the logarithms of growth along the
-        frame and of volumes.
+        """State and orthonormal frame after a time, the new order of the frame's directions, the
+        logarithms of growth in this order, and that of volumes. In halves, if rounding would
+        destroy the smallest direction.
         """
         flow = rate(field, state, constants)
         flow_result = system.flow.flow_map(state, constants, span)
         ahead = flow_result.by_state @ frame
         first = int(norm(flow) > options.still)
-        if first:  # the flow is carried into itself
+        if first:  # the flow maps its own direction to itself
             ahead[:, 0] = rate(field, flow_result.state, constants) / norm(flow)
         order = np.arange(m)
-        while True:  # what has ended spans nothing, and comes last from then on
-            turned, triangle = np.linalg.qr(ahead[:, order])
+        while True:  # directions that sticking has ended come last in QR, from then on
+            next_frame, triangle = np.linalg.qr(ahead[:, order])
             sizes = np.abs(np.diag(triangle))
             lost = sizes <= options.lost * sizes.max()
             if (lost[first:-1] <= lost[first + 1 :]).all():
                 break
             order[first:] = order[first:][np.argsort(lost[first:], kind="stable")]
-        met = (state, flow_result.state, *(crossing.state for crossing in flow_result.crossings))
-        stuck = {border.place for each in met for border in field.stays(system.mode(each))}
+        passed = (state, flow_result.state, *(each.state for each in flow_result.crossings))
+        stuck = {border.place for each in passed for border in field.stays(system.mode(each))}
         if lost.sum() <= len(stuck):
-            sizes[lost] = 0.0  # where it sticks deviations of the sliding speed end
-            volume = (
-                -math.inf
-                if lost.any()
-                else float(np.linalg.slogdet(flow_result.by_state[:m, :m])[1])
-            )
-            return flow_result.state, turned, order, np.log(sizes), volume
-        nonlocal parts
-        parts += 1
-        if parts > most_parts:
+            sizes[lost] = 0.0  # sticking ends deviations of the sliding speed
+            volume = -math.inf
+            if not lost.any():
+                volume = float(np.linalg.slogdet(flow_result.by_state[:m, :m])[1])
+            return flow_result.state, next_frame, order, np.log(sizes), volume
+        nonlocal halvings
+        halvings += 1
+        if halvings > most_halvings:
             natural = span * field.time
             units = field.scales.states if field.scales else 1.0
             raise ConvergenceError(
                 f"small deviations shrink by more than {1 / options.lost:g} in {natural:g} time "
                 f"units at {field.place(state * units, '.3g')}: too stiff"
             )
-        middle, frame, order, before, shrunk = carried(state, frame, span / 2)
-        end, frame, later, behind, more = carried(middle, frame, span / 2)
-        return end, frame, order[later], before[later] + behind, shrunk + more
+        middle, frame, order, logs_1, volume_1 = carried(state, frame, span / 2)
+        end, frame, order_2, logs_2, volume_2 = carried(middle, frame, span / 2)
+        return end, frame, order[order_2], logs_1[order_2] + logs_2, volume_1 + volume_2
 
     with np.errstate(divide="ignore"):
         frame = np.eye(field.size)[:, np.argsort(-np.abs(flow[:m]))]
-        if norm(flow) > options.still:  # it is the first direction
+        if norm(flow) > options.still:
             frame[:, 0] = flow
         frame, _ = np.linalg.qr(frame)
         for i in range(count):
@@ -413,6 +410,6 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
             states.append(state)
         speeds = np.log([norm(rate(field, each, constants)) for each in states])
         velocity, acceleration = np.split(rate(field, state, constants), 2)
-        velocity = velocity[: m // 2]  # a clock always drifts
+        velocity = velocity[: m // 2]  # without that of a clock, which always moves
         change = float(norm(acceleration) / norm(velocity)) if norm(velocity) else math.inf
     return Rates(logs, volumes, span, speeds, state, change, options=options)

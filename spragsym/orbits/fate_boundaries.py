@@ -1,5 +1,12 @@
-"""The value of a parameter at which a motion from a given start changes its fate, and the saddle
-that it then hovers at.
+"""Edge tracking by bisection: the value of a parameter at which the motion from a given start
+changes its fate, and the edge state (saddle) at which it hovers there.
+
+Fates are sampled at values of the parameter (:class:`_FateSamples`), and labelled: equal labels are
+the same attractor, continued from one value to the other. A bracket between two labels is narrowed
+by bisection (:class:`_Bracket`). It is accepted as a boundary if both attractors exist on both
+sides (:func:`_boundary`). The same bracket is found again with a finer tolerance and a shifted
+start, which gives the error. The motions at both ends of the last bracket stay together until they
+leave the saddle (:func:`_saddle`).
 """
 
 from __future__ import annotations
@@ -54,36 +61,34 @@ from .system import (
 class FateBoundary(Result):
     """The value of a parameter at which a motion changes its fate, and the edge state there.
 
-    Both attractors are there on both sides: each was followed to the other side, and is stable
-    there. An attractor that itself ends or loses its stability is no change of fate, but an event
-    of its branch.
+    Both attractors exist on both sides of the value: each was continued to the other side, and is
+    stable there. If an attractor itself ends or loses its stability, that is an event of its
+    branch, and no boundary.
 
     Attributes
     ----------
     vary : str
+        The parameter.
     value : float
-        Of that parameter.
+        Its value at the boundary.
     error : float
-        Estimate: the last bracket, and twice how much a tolerance ten times as small, and a start
-        moved by that, move it.
+        Error estimate: width of the last bracket, plus twice the changes of the value by a
+        tolerance ten times as small and by a start shifted by that.
     saddle : str
-        "equilibrium" or "cycle", which repels in one direction only by its eigenvalues or
-        multipliers and their errors; or "unknown".
+        "equilibrium" or "cycle", if its eigenvalues or multipliers with their errors show exactly
+        one unstable direction; else "unknown".
     state : ndarray, shape (m,)
-        The saddle's: of a cycle, where its first coordinate is largest; of an unknown one, where
-        the motions begin to part.
+        State of the saddle; of a cycle the one with the largest first coordinate. If unknown, the
+        state at which the motions begin to diverge.
     growth : float
-        The saddle's eigenvalue, or for a cycle the logarithm of its multiplier over its period. NaN
-        for an unknown one.
+        Unstable eigenvalue of the saddle, or for a cycle ln |μ| / T; NaN if unknown.
     distance : float
-        How near the motion comes to that, in units of the motion, which are 1 for numbers of a
-        common size.
+        Smallest distance of the motion from the saddle, in units of the motion.
     below, above : Outcome
-        What the start comes to on either side.
+        Limits of the motion on either side.
     others : ndarray, shape (k, 2)
-        Other intervals of the bracket, as far as was looked, at whose ends the fates differ: where
-        there are any, fates alternate. Those may be several fates on one side, none of which is on
-        the other: an irregular transient ends anywhere.
+        Other intervals within the range, among the sampled values, whose ends have different fates.
+        They may differ between several fates of one side: an irregular transient ends anywhere.
     """
 
     vary: str
@@ -110,29 +115,30 @@ def fate_boundary(
     options: MotionOptions | None = None,
     **values: float | None,
 ) -> FateBoundary:
-    """The value of a parameter at which a start changes its fate, and which saddle it then hovers
-    at.
+    """The value of a parameter at which the motion from a start changes its fate, and the saddle at
+    which it hovers there.
 
-    Bisection on the attractors that the motion comes to, which are proved by Newton's method and
-    their eigenvalues or multipliers, and followed from one side to the other: a cycle and what it
-    becomes by doubling its period are one attractor. What has not settled by t = 40 000 is no fate,
-    nor is what motions that begin within rounding do not share.
+    Bisection between different attractors. These are computed by Newton's method, checked by their
+    eigenvalues or multipliers, and continued from one side to the other; a cycle and the one that
+    it becomes by a period doubling count as one attractor. A motion that has not settled by t = 40
+    000, or whose fate depends on rounding, is undecided.
 
     Parameters
     ----------
     p : Parameters of any model
-        Scalars; the one that varies is replaced.
+        Scalars; the value of ``vary`` is ignored.
     vary : str
-        A parameter of the model, of the article's theta0, mu0, kappa, alpha, sigma, beta, V or d.
+        Name of the parameter; for the article's model theta0, mu0, kappa, alpha, sigma, beta, V or
+        d.
     between : mapping
-        Its range, by its name, with different fates at its ends. Where there are several changes
-        between them, one is found, and ``others`` tells of those that were seen.
+        Range of the parameter, by its name, with different fates at its ends. If there are several
+        changes in it, one is found, and ``others`` lists those that were seen.
     start : array_like, optional
-        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
+        Initial state, coordinates, then rates; by default 0.
     options : MotionOptions, optional
-        Numbers by which fates are told.
+        Tolerances by which fates are recognized.
     **values : float, optional
-        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
+        Values of parameters that replace those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -141,17 +147,17 @@ def fate_boundary(
     Raises
     ------
     ParameterError
-        Where both ends have the same fate.
+        If both ends have the same fate.
     ConvergenceError
-        Where the motion is undecided at an end and nothing is seen to change between; where what
-        changes is the attractor itself, which ends or loses its stability; where motions between
-        stay undecided; where fates alternate on both sides more closely than rounding can tell; and
-        where 5e6 of the motion's units of time leave it open. It says what the start comes to on
-        either side, of each change that was seen.
+        If no boundary was found. Reasons: the motion is undecided at an end, and no change is seen
+        in between; the attractor itself ends or loses its stability; motions in between are
+        undecided; the fates alternate more closely than rounding can resolve; or motions of a
+        total time of 5e6, in the motion's unit, were not enough. The message states the limits on
+        either side of each change that was seen.
 
     Notes
     -----
-    Source: (8)–(11) with (10) as the friction law; the stable manifold of a saddle separates the
+    Source: (8)–(11) with (10) as the friction law. The stable manifold of the saddle separates the
     fates.
 
     Examples
@@ -174,13 +180,13 @@ def fate_boundary(
         samples.sample(low + share * (high - low))
     if ends[0].label == ends[1].label >= 0:
         raise samples.no_change(*ends)
-    for share in (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98):  # where an end is undecided
+    for share in (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98):  # if no change is seen yet
         if next(samples.changes(), None) is None:
             samples.sample(low + share * (high - low))
     found = _first(samples)
     if isinstance(found, FateBoundary):
         return found
-    ends = samples.sample(low), samples.sample(high)  # with what has turned out to be one attractor
+    ends = samples.sample(low), samples.sample(high)  # labels may have been merged
     if not found and ends[0].label == ends[1].label >= 0:
         raise samples.no_change(*ends)
     why = (
@@ -192,8 +198,8 @@ def fate_boundary(
 
 @dataclass(frozen=True)
 class _Fate:
-    """Fate of the start at a value; equal labels are attractors of which one is the other,
-    followed; −1 is undecided.
+    """Fate of the start at a value of the parameter. ``precision`` is the relative tolerance and
+    the shift of the start. Equal labels are the same attractor, continued; −1 is undecided.
     """
 
     value: float
@@ -204,7 +210,9 @@ class _Fate:
 
 @dataclass(frozen=True)
 class _FateSamples:
-    """Fates by value, as far as was asked; to which values no attractor could be followed."""
+    """The fates sampled so far, sorted by value, and the values to which the continuation of an
+    attractor failed (``lost``).
+    """
 
     system: System
     vary: str
@@ -214,7 +222,7 @@ class _FateSamples:
 
     @property
     def size(self) -> float:
-        """The largest of the values, by which shares of them are meant."""
+        """The largest absolute value of the range, to which relative widths refer."""
         return max(abs(self.known[0].value), abs(self.known[-1].value))
 
     def scales(self, value: float) -> MotionScales:
@@ -227,18 +235,16 @@ class _FateSamples:
 
     @property
     def rough(self) -> tuple[float, float]:
-        """Tolerance of the motions by which a bracket is narrowed, and how far the start is
-        moved.
-        """
+        """Precision of the bisection: relative tolerance, and no shift of the start."""
         return self.system.options.rtol, 0.0
 
     @property
     def fine(self) -> tuple[float, float]:
-        """Those by which that is done anew; the difference tells the error."""
+        """Precision of a second bisection; the difference of both is part of the error."""
         return self.system.options.finer_rtol, 0.0
 
     def sample(self, value: float, precision: tuple[float, float] | None = None) -> _Fate:
-        """The fate at a value, by a tolerance, from a start that is moved by so much."""
+        """The fate at a value, with a precision, by default :attr:`rough`; computed once."""
         precision = precision or self.rough
         for before in self.known:
             if (before.value, before.precision) == (value, precision):
@@ -255,35 +261,33 @@ class _FateSamples:
         ):
             start = self.start + precision[1] * scales.states
             verdict = judged(self.at(value), start, rtol=precision[0])
-        found = _Fate(
-            value, precision, verdict, self._label(value, verdict) if verdict.decided else -1
-        )
+        label = self._label(value, verdict) if verdict.decided else -1
+        found = _Fate(value, precision, verdict, label)
         insort(self.known, found, key=lambda each: each.value)
         return found
 
     def verified(self, fate: _Fate) -> _Fate:
-        """A fate, or an undecided one where rounding decides it."""
-        if fate.label >= 0:
-            verdict = verified(
-                self.at(fate.value),
-                self.start,
-                fate.verdict,
-                # whatever labels they have: two may turn out to be one later
-                lambda beside: (
-                    self.at(fate.value).same_limit(fate.verdict.outcome, beside.outcome)
-                    or self._label(fate.value, beside) == fate.label
-                ),
-            )
-            if not verdict.decided:
-                self.known[self.known.index(fate)] = fate = replace(fate, verdict=verdict, label=-1)
-        return fate
+        """The fate, made undecided if rounding may change it."""
+        if fate.label < 0:
+            return fate
+
+        def alike(neighbour: FateVerdict) -> bool:
+            # The limits are compared too: labels of one attractor may differ until they are merged.
+            limit = self.at(fate.value).same_limit(fate.verdict.outcome, neighbour.outcome)
+            return bool(limit or self._label(fate.value, neighbour) == fate.label)
+
+        verdict = verified(self.at(fate.value), self.start, fate.verdict, alike)
+        if verdict.decided:
+            return fate
+        undecided = replace(fate, verdict=verdict, label=-1)
+        self.known[self.known.index(fate)] = undecided
+        return undecided
 
     def _label(self, value: float, verdict: FateVerdict) -> int:
-        """Label of the attractor among those that are known, or a new one; should it be a known one
-        after all, that shows later.
+        """Label of the same attractor at another value, or a new label if none is known.
 
-        To follow an attractor in vain takes seconds: only the likeliest is, and not any more after
-        some failures.
+        A failing continuation takes seconds: so only the most similar attractor is continued, and
+        none after eight failures. A new label that belongs to a known attractor is merged later.
         """
         alike = [each for each in self.known if each.verdict.kind == verdict.kind]
         nearest = {
@@ -294,37 +298,28 @@ class _FateSamples:
                 return label
 
         def difference(fate: _Fate) -> tuple[float, float]:
-            """Difference of two periods, as a logarithm, 0 for what has none; and of two states."""
+            """Difference of the logarithms of the periods, 0 without; difference of the states."""
             one, other = fate.verdict.outcome, verdict.outcome
-            off = apart(
+            between = apart(
                 one.rest or one.cycle, other.rest or other.cycle, self.system.field.periodic
             )
-            states = self.scales(value).states[: len(off)]
-            periods = one.period > 0 and other.period > 0
-            return (
-                abs(math.log(one.period / other.period)) if periods else 0.0,
-                float(np.abs(off / states).max(initial=0.0)),
-            )
+            states = self.scales(value).states[: len(between)]
+            periods = 0.0
+            if one.period > 0 and other.period > 0:
+                periods = abs(math.log(one.period / other.period))
+            return periods, float(np.abs(between / states).max(initial=0.0))
 
-        likeliest = min(nearest.values(), key=difference, default=None)
-        # Failures after which no cycle is followed.
-        most_failures = 8
-        # Cycles whose periods are less apart, as a logarithm, may be one that is
-        # followed.
-        if (
-            likeliest is not None
-            and difference(likeliest)[0] < 0.5
-            and len(self.lost) < most_failures
-        ):
+        similar = min(nearest.values(), key=difference, default=None)
+        if similar is not None and difference(similar)[0] < 0.5 and len(self.lost) < 8:
             try:
-                if same(self.followed(likeliest, value), attractor(self.at(value), verdict)):
-                    return likeliest.label
+                if same(self.followed(similar, value), attractor(self.at(value), verdict)):
+                    return similar.label
             except ConvergenceError:
                 self.lost.append(value)
         return 1 + max((each.label for each in self.known), default=-1)
 
     def followed(self, fate: _Fate, value: float) -> Attractor:
-        """The attractor of a fate, at another value."""
+        """The attractor of a fate, continued to another value."""
         return followed(self.attractor(fate), self.at(value))
 
     def attractor(self, fate: _Fate) -> Attractor:
@@ -332,15 +327,13 @@ class _FateSamples:
         return attractor(self.at(fate.value), fate.verdict)
 
     def merge(self, one: int, other: int) -> None:
-        """Two attractors have turned out to be one."""
+        """Give all fates with the label ``other`` the label ``one``."""
         self.known[:] = [
             replace(each, label=one) if each.label == other else each for each in self.known
         ]
 
     def change(self, low: float, high: float) -> tuple[_Fate, _Fate] | None:
-        """Two values that differ in their fates, if they still do, or the first such neighbours
-        between.
-        """
+        """The fates at two values, if they differ; else the first change between them, or None."""
         ends = self.sample(low), self.sample(high)
         if ends[0].label != ends[1].label:
             return ends
@@ -350,8 +343,8 @@ class _FateSamples:
         )
 
     def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
-        """Neighbours of different fates, with nothing that is decided between; first those with
-        nothing at all between.
+        """Pairs of neighbouring decided fates that differ; first those without an undecided fate in
+        between.
         """
         rough = self.rough
         decided = [each for each in self.known if each.label >= 0 and each.precision == rough]
@@ -362,36 +355,35 @@ class _FateSamples:
         )
 
     def no_change(self, low: _Fate, high: _Fate) -> ParameterError:
-        """Error: both ends of the bracket have one fate."""
+        """The error of a range whose ends have the same fate."""
         other = next((each for each in self.known if each.label not in (-1, low.label)), None)
-        one, another = low.verdict.described(), high.verdict.described()
-        ends = (
-            f"{one} at both ends"
-            if one == another
-            else f"{one} at one end and to {another} at the other"
+        between = (
+            f", and to {other.verdict.described()} at {other.value:g} between" if other else ""
         )
+        one, another = low.verdict.described(), high.verdict.described()
+        ends = f"{one} at both ends"
+        if one != another:
+            ends = f"{one} at one end and to {another} at the other"
         return ParameterError(
             f"between = ({low.value:g}, {high.value:g}): the start comes to {ends}, which is "
-            "one attractor"
-            + (f", and to {other.verdict.described()} at {other.value:g} between" if other else "")
-            + "; give values of different fates"
+            f"one attractor{between}; give values of different fates"
         )
 
     def described(self, low: _Fate, high: _Fate) -> str:
-        """Fates of the start on two sides."""
+        """The fates at two values as text."""
         return " and ".join(
             f"it comes to {each.verdict.described()} at {self.vary} = {each.value:.12g}"
             for each in (low, high)
         )
 
     def inside(self, *values: float) -> list[float]:
-        """Values that lie in the bracket, of some."""
+        """Those of the values that are within the range."""
         return [value for value in values if self.known[0].value <= value <= self.known[-1].value]
 
 
 @dataclass(frozen=True)
 class _Bracket:
-    """Two values, at one of which alone the start has the fate ``kept``."""
+    """Two values of the parameter; at exactly one of them the fate has the label ``kept``."""
 
     samples: _FateSamples
     low: _Fate
@@ -405,21 +397,21 @@ class _Bracket:
 
     @property
     def middle(self) -> float:
-        """Middle of the bracket."""
+        """Midpoint of the bracket."""
         return (self.low.value + self.high.value) / 2
 
     @property
     def sides(self) -> list[bool | None]:
-        """Whether the fate is ``kept`` at either value; None where it is undecided."""
+        """For both values: True if the fate is ``kept``, False if another, None if undecided."""
         return [
             each.label == self.kept if each.label >= 0 else None for each in (self.low, self.high)
         ]
 
     def narrowed(self, width: float, precision: tuple[float, float] | None = None) -> _Bracket:
-        """A narrower bracket, as far as motions are decided."""
+        """The bracket narrowed by bisection to a width, or until motions inside are undecided."""
         found = self
         while found.width > width:
-            for share in (0.5, 0.38, 0.62, 0.25, 0.75):  # as far as motions are undecided
+            for share in (0.5, 0.38, 0.62, 0.25, 0.75):  # other shares if the midpoint is undecided
                 middle = found.low.value + share * found.width
                 if not found.low.value < middle < found.high.value:
                     return found
@@ -433,8 +425,9 @@ class _Bracket:
         return found
 
     def rebracketed(self, near: float, precision: tuple[float, float], most: float) -> _Bracket:
-        """The bracket found again about a value, by the tolerance and from the start of another
-        precision, narrowed.
+        """A narrow bracket around a value with another precision.
+
+        It is searched for up to the relative distance ``most``; ConvergenceError if there is none.
         """
         size = self.samples.size
         half, most = max(self.width, self.samples.system.options.bracket * size), most * size
@@ -449,28 +442,27 @@ class _Bracket:
             half *= 8
         raise self.alternating(near, most)
 
-    def resolved(self, value: float, error: float, shares: tuple[int, ...]) -> bool:
-        """Whether next to a value, and somewhat farther off, the fate is ``kept`` on its own side
-        only: at ``shares`` of its error, the nearest first.
+    def resolved(self, value: float, error: float, multiples: tuple[int, ...]) -> bool:
+        """True if the fates near a value do not alternate.
 
-        Farther off it may be another one, but not by one tolerance only. What is undecided says
-        nothing.
+        They are sampled with both precisions on both sides, at ``multiples`` of the error, nearest
+        first. At the nearest multiple each side must have its own fate; at the others both
+        precisions must agree. Undecided fates are ignored.
         """
-        for times in shares:
+        for multiple in multiples:
             for sign, own in zip((-1, 1), self.sides, strict=True):
-                places = self.samples.inside(value + sign * times * error)
                 samples = [
                     self.samples.sample(inner, precision)
-                    for inner in places
+                    for inner in self.samples.inside(value + sign * multiple * error)
                     for precision in (self.samples.rough, self.samples.fine)
                 ]
                 found = {each.label == self.kept for each in samples if each.label >= 0}
-                if len(found) > 1 or (times == shares[0] and not found <= {own}):
+                if len(found) > 1 or (multiple == multiples[0] and not found <= {own}):
                     return False
         return True
 
     def alternating(self, value: float, width: float) -> ConvergenceError:
-        """Error: fates alternate, so that no value is the boundary."""
+        """The error of fates that alternate near a value, so that there is no single boundary."""
         return ConvergenceError(
             f"{self.samples.described(self.low, self.high)}, and between the two fates alternate "
             "more closely than rounding can tell: "
@@ -481,14 +473,14 @@ class _Bracket:
 
 
 class _TooLong(ConvergenceError):
-    """Motions were followed for longer than one call may take."""
+    """The total time of all motions exceeds ``MotionOptions.longest``."""
 
 
 def _first(samples: _FateSamples) -> FateBoundary | list[str]:
-    """The first of the changes that are seen which is a boundary, or why each of them is none."""
+    """The first sampled change that is a boundary; else the reason why each of them is not."""
     why: list[str] = []
     for low, high in [(one.value, other.value) for one, other in samples.changes()]:
-        for side in (0, 1):  # either fate may be the one whose end is looked for
+        for side in (0, 1):  # the fate whose end is searched for
             while (change := samples.change(low, high)) is not None:
                 try:
                     found = _boundary(_Bracket(samples, *change, change[side].label))
@@ -503,58 +495,52 @@ def _first(samples: _FateSamples) -> FateBoundary | list[str]:
 
 
 def _boundary(bracket: _Bracket) -> FateBoundary | None:
-    """End of the fate that is kept between two values; ConvergenceError where that is no boundary.
+    """The boundary in a bracket; ConvergenceError if it is none, with the reason.
 
-    None where both sides turn out to have one attractor, which is known from then on.
+    None if both sides have the same attractor; their labels are then merged.
     """
     samples = bracket.samples
     bracket = bracket.narrowed(samples.system.options.bracket * samples.size)
     low, high = bracket.low, bracket.high
-    # No answer is given beyond this share of the values.
+    # Largest relative width of a bracket that is accepted.
     too_wide = 1e-8
     wide = bracket.width > too_wide * samples.size
     try:
-        met = (
-            _doubles(samples, low, high)
-            if wide
-            else any(
+        if wide:
+            is_same = _doubles(samples, low, high)
+        else:
+            is_same = any(
                 same(samples.followed(one, other.value), samples.attractor(other))
                 for one, other in ((low, high), (high, low))
             )
-        )
     except ConvergenceError as why:
         raise ConvergenceError(
             f"{samples.described(low, high)}, but this is no boundary of basins: {why}"
         ) from why
-    if met:
+    if is_same:
         samples.merge(low.label, high.label)
         return None
     if wide:
         low, high = samples.verified(low), samples.verified(high)
         raise ConvergenceError(f"{samples.described(low, high)}, and between those it is undecided")
-    # The middle by a finer tolerance; how much that, and a start moved by it, change it, with a
-    # margin, is its error.
+    # The value is that of a finer tolerance. Its error: how much the tolerance, and a start shifted
+    # by it, change the value, with a factor of 2.
     fine = bracket.rebracketed(bracket.middle, samples.fine, too_wide)
-    # How far the place may lie that is found from a start which is moved, as a share of the values:
-    # the error says how far.
-    farthest_place = 1e-5
-    once_more = (samples.fine[0], samples.fine[0])
-    moved, value = bracket.rebracketed(fine.middle, once_more, farthest_place), fine.middle
-    error = max(fine.width, moved.width) + 2 * (
-        abs(value - bracket.middle) + abs(moved.middle - value)
-    )
+    value, shifted_precision = fine.middle, (samples.fine[0], samples.fine[0])
+    shifted = bracket.rebracketed(value, shifted_precision, 1e-5)
+    change = abs(value - bracket.middle) + abs(shifted.middle - value)
+    error = max(fine.width, shifted.width) + 2 * change
     error += 4 * float(np.spacing(abs(value)))
-    shares = (3, 6, 12)
-    if not bracket.resolved(value, error, shares):
-        raise bracket.alternating(value, shares[-1] * error)
-    # Beside the value it is looked whether fates alternate.
-    asides = (sign * aside * samples.size for aside in (1e-8, 1e-6) for sign in (-1, 1))
-    for inside in samples.inside(*(value + aside for aside in asides)):
+    multiples = (3, 6, 12)
+    if not bracket.resolved(value, error, multiples):
+        raise bracket.alternating(value, multiples[-1] * error)
+    # Samples nearby show whether fates alternate there.
+    offsets = (sign * offset * samples.size for offset in (1e-8, 1e-6) for sign in (-1, 1))
+    for inside in samples.inside(*(value + offset for offset in offsets)):
         samples.sample(inside)
     kind, state, growth, distance = _saddle(bracket)
-    away = [(a.value, b.value) for a, b in samples.changes() if a.value < b.value]
-    # What the error reaches is this one.
-    others = {(a, b) for a, b in away if b < value - error or a > value + error}
+    changes = [(a.value, b.value) for a, b in samples.changes() if a.value < b.value]
+    others = {(a, b) for a, b in changes if b < value - error or a > value + error}
     return FateBoundary(
         samples.vary,
         value,
@@ -571,25 +557,23 @@ def _boundary(bracket: _Bracket) -> FateBoundary | None:
 
 
 def _doubles(samples: _FateSamples, low: _Fate, high: _Fate) -> bool:
-    """Whether one of two cycles comes out of the other, of half its period, by a doubling between:
-    a single attractor.
+    """True if one of two cycles becomes the other by a period doubling between the two values; then
+    they count as one attractor.
+
+    The branch of the doubled cycle is followed to its end, which must be at the period doubling of
+    the other cycle, with all cycles in between stable.
     """
     short, long = sorted((low, high), key=lambda each: each.verdict.outcome.period)
-    # Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes
-    # by a doubling.
     if not abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) <= 0.05:
-        return False  # or one of them is no cycle, and has no period
+        return False  # also if one of them is no cycle: then its period is NaN
     try:
         single, double = samples.attractor(short), samples.attractor(long)
-        # Beyond where the other one is, since the range tells how long steps are as well.
-        bounds = (
-            (low.value, samples.known[-1].value)
-            if long is low
-            else (samples.known[0].value, high.value)
-        )
+        # The range extends beyond the two values, because steps are proportional to it.
+        bounds = samples.known[0].value, high.value
+        if long is low:
+            bounds = low.value, samples.known[-1].value
         assert single.orbit
         assert double.orbit
-        # Points of a branch that are followed to tell.
         branch = cycle_branch(double.orbit, samples.vary, between={samples.vary: bounds}, points=40)
         between = (branch.values >= low.value) & (branch.values <= high.value)
         for end in branch.of("end"):
@@ -598,16 +582,19 @@ def _doubles(samples: _FateSamples, low: _Fate, high: _Fate) -> bool:
                 and low.value < end.value < high.value
                 and branch.stable[between].all()
             ):
-                met = followed_cycle(single.orbit, samples.at(end.value).values)
-                return same_cycle(met, end.cycle)
+                continued = followed_cycle(single.orbit, samples.at(end.value).values)
+                return same_cycle(continued, end.cycle)
     except ConvergenceError:
-        pass  # what can't be followed between is not known to be one attractor, and both fates stay
+        pass  # not known to be the same
     return False
 
 
 def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
-    """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its
-    growth, how near they come.
+    """The saddle near which the motions of a narrow bracket stay until they diverge: its kind, a
+    state of it, its growth rate, and the smallest distance of the motions.
+
+    Saddle equilibria are searched for by Newton's method from each extremum of the motion before
+    that time; then saddle cycles from close returns.
     """
     samples = bracket.samples
     system, periodic = samples.at(bracket.middle), samples.system.field.periodic
@@ -619,22 +606,22 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
         for each in (bracket.low, bracket.high)
     )
     times = np.linspace(0.0, t_end, int(10 * options.times[0]) + 1)
-    off_by = np.abs(one(times) - other(times)) / scales.states[:, None]
-    parted = times[off_by.max(axis=0) > options.parted]
-    own, until = system.scaled(scales), float(parted.min(initial=t_end)) / scales.time
+    difference = np.abs(one(times) - other(times)) / scales.states[:, None]
+    diverged = times[difference.max(axis=0) > options.parted]
+    own, until = system.scaled(scales), float(diverged.min(initial=t_end)) / scales.time
     hovering = own.flow.plain(samples.start / scales.states, own.constants, until)
-    turns = [extremum for extremum in hovering.extrema if extremum.border == -1]
-    states = np.array([*(extremum.state for extremum in turns), hovering.state])
-    rests: dict[float, Saddle] = {}
+    extrema = [extremum for extremum in hovering.extrema if extremum.border == -1]
+    states = np.array([*(extremum.state for extremum in extrema), hovering.state])
+    saddles: dict[float, Saddle] = {}
     for state in states:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, scales.states * state)
             away = magnitude(apart(state, saddle.state / scales.states, periodic))
             if saddle.attracts and away < options.hovers:
-                rests[away] = saddle
-    if rests:
-        off, rest = min(rests.items())
-        return "equilibrium", rest.state, rest.growth, off
+                saddles[away] = saddle
+    if saddles:
+        nearest, saddle = min(saddles.items())
+        return "equilibrium", saddle.state, saddle.growth, nearest
     extent = np.ptp(states, axis=0).max()
     for begin, end in returns(hovering.extrema, periodic):
         with suppress(ConvergenceError):

@@ -1,5 +1,9 @@
-"""The fate of a motion: its attractor, chaos by its exponents, or what would decide it; and maps of
-fates over parameters.
+"""The fate of a motion, and maps of fates over parameters.
+
+:func:`fate` classifies the limit of a motion; an equilibrium or cycle is then computed by Newton's
+method. If there is none, Lyapunov exponents decide whether the motion is chaotic. Otherwise the
+fate is undecided, and a text explains what is missing. :func:`fate_map` does this for every point
+of an array of parameters.
 """
 
 from __future__ import annotations
@@ -38,41 +42,41 @@ from .finding import attractor_exponents, cycle_near, stands_still
 from .orbit import distance
 from .system import FateVerdict, System, judged, spectrum
 
-#: Said of a motion that no integrator carries on, as where steps have become too short.
+#: Text for a motion that cannot be integrated, as where steps become too short.
 UNFOLLOWED = "the motion can't be followed"
 
-#: Numbers of a record, in this order.
+#: Names of the numbers in a record, in order.
 MEASURED = ("kind", "period", "exponent", "exponent_error", "time_scale", "t")
 
 
 @dataclass(frozen=True, eq=False)
 class Fate(Result):
-    r"""The attractor or lift-off that a motion ends in, or why that is undecided.
+    r"""The attractor or lift-off that a motion ends in, or the reason why that is undecided.
 
     Attributes
     ----------
     kind : str
         "rest", "cycle", "lift-off", "chaotic" or "undecided".
     why : str
-        What decides that; of an undecided motion, what would.
+        The evidence for the kind; for an undecided motion, what is missing.
     t : float
-        How long the motion was followed.
+        Time over which the motion was followed.
     outcome : Outcome
         The attractor, reached or approached.
     exponents, error : ndarray, shape (m,)
-        Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers and
-        their errors, infinite where rounding hides a multiplier; else measured, with half-widths of
-        95 % intervals. NaN for lift-off.
+        Lyapunov exponents, largest first, and their errors. From the eigenvalues or multipliers of
+        the attractor, where the error is infinite if rounding hides a multiplier; else averaged
+        along the motion, with half-widths of 95 % confidence intervals. NaN for lift-off.
     trivial : int
-        Which of them is that of the flow's own direction, known to be 0; −1 where there is none.
+        Index of the exponent along the flow, which is 0; −1 if there is none.
     time_scale : float
-        On which the slowest small deviations from steady sliding die out, −1 / max Re λ of its
-        eigenvalues; infinite where they do not. A motion settles in some ten of these.
+        Time in which the slowest small deviations from steady sliding decay by 1/e, −1 / max Re λ;
+        infinite if they do not decay. A motion settles within about ten of these.
     near : str
-        What Newton's method finds near the end of an undecided motion; that is not to say that it
-        comes to that.
+        The cycle that Newton's method finds near the end of an undecided motion. The motion need
+        not approach it.
     end : ndarray, shape (m,)
-        Where the motion is at ``t``.
+        State of the motion at ``t``.
     """
 
     kind: str
@@ -99,27 +103,27 @@ def fate(
 ) -> Fate:
     """Long-run fate of a motion: rest, a cycle, chaos or lift-off, or undecided with the reason.
 
-    An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers
-    decide. Where none is found, the motion is chaotic if the 95 % intervals of its Lyapunov
-    exponents say so: one is positive, every other one but the trivial one is told from 0, and the
-    motion has settled. Else it is undecided. Under a clock a motion rests where friction, by
-    forces enclosed over a turn of it, holds what moves, on belts that stand still.
+    An equilibrium or a cycle is computed by Newton's method; its eigenvalues or multipliers decide.
+    Without one, the motion is chaotic if, by the 95 % confidence intervals of its Lyapunov
+    exponents, one is positive and all others but the trivial one differ from 0, and if the motion
+    has settled. Otherwise it is undecided. With a clock, a motion is at rest if friction holds it
+    in every phase, which is proved by interval arithmetic.
 
     Parameters
     ----------
     p : Parameters of any model
         Scalars.
     start : array_like, optional
-        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
+        Initial state, coordinates, then rates; by default 0.
     t_end : float, optional
-        How long to follow the motion; 40,000 times its unit of time where it is left out: 1 over
-        the fastest rate, rounded to a power of four, and 1 from 1/32 to 32. Exponents are looked at
-        after that, for a fifth of it, and for as long as it where one may be positive.
+        Time over which the motion is followed, by default 40,000 times the motion's unit of time
+        (1 over the fastest rate, rounded to a power of four; 1 from 1/32 to 32). After that,
+        exponents are averaged over a fifth of it, and over all of it if one may be positive.
     backend : {"heyoka", "scipy"}, optional
     options : MotionOptions, optional
-        Numbers by which a fate is told.
+        Tolerances by which a fate is recognized.
     **values : float, optional
-        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
+        Values of parameters that replace those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -128,13 +132,13 @@ def fate(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense.
+        For invalid arguments.
 
     Notes
     -----
-    Source: (8)–(11). No finite time tells a chaotic transient from chaos for good: of a chaotic
-    motion four neighbours are followed as well, none of which may settle, and ``why`` says how long
-    a transient would have to last.
+    Source: (8)–(11). No finite time distinguishes a chaotic transient from permanent chaos. So four
+    neighbours of a chaotic motion are followed, too, none of which may settle, and ``why`` states
+    how long a transient would have to last.
 
     Examples
     --------
@@ -159,6 +163,9 @@ def fate(
 
 
 def _followed(system: System, begun: Fate, t_end: float | None) -> Fate:
+    """The fate of the motion from ``begun.end``, followed to ``t_end``; other fields of ``begun``
+    are defaults.
+    """
     start = begun.end
     scales, looks = system.scales(start), system.options.times
     t_end = looks[-1] * scales.time if t_end is None else t_end
@@ -184,12 +191,9 @@ def _followed(system: System, begun: Fate, t_end: float | None) -> Fate:
             error=error,
             trivial=int(np.flatnonzero(spectrum == 0)[0]) if moves else -1,
         )
-    # Exponents are looked at over a share of this time, and where one may be positive over the rest
-    # as well.
     rates = rates_along(system, verdict.end, 0.2 * t_end, scales)
-    if (
-        rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any()
-    ):  # others are no chaos, however long
+    # More time helps only if an exponent is already positive.
+    if rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any():
         rates = rates.joined(rates_along(system, rates.end, 0.8 * t_end, scales))
     why, near = rates.undecided(t_end) or _transient(system, start, t_end), ""
     if why:
@@ -197,7 +201,8 @@ def _followed(system: System, begun: Fate, t_end: float | None) -> Fate:
         if scale < np.inf:
             where = system.field.place(nearby, ".6g")
             why += f"; at steady sliding, {where}, deviations die out as exp(−τ / {scale:.3g})"
-    # None of so many has settled: with 95 %, the mean life is above a third of their time.
+    # No motion has settled in this total time: with 95 % confidence the mean lifetime of a
+    # transient exceeds a third of it (e⁻³ = 0.05).
     lasting = (system.options.neighbours + 1) * t_end / 3
     reason = why or (
         "every exponent but the trivial one is told from 0, and one at least is positive; as "
@@ -219,56 +224,55 @@ def _followed(system: System, begun: Fate, t_end: float | None) -> Fate:
 
 
 def _time_scale(system: System, verdict: FateVerdict) -> tuple[float, FloatArray]:
-    """−1 / max Re λ at the equilibrium that it comes to, or one near no displacement or its end;
-    infinite where none attracts.
+    """Time scale −1 / max Re λ at an attracting equilibrium, and that equilibrium.
 
-    And that equilibrium.
+    It is searched for near zero displacement and near the motion's end, in the opposite order if
+    the motion comes to rest. Infinity, and the motion's end, if none attracts.
     """
-    places = [np.zeros_like(verdict.end), verdict.end]
-    for near in places[:: -1 if verdict.kind == Regime.EQUILIBRIUM else 1]:
+    guesses = [np.zeros_like(verdict.end), verdict.end]
+    if verdict.kind == Regime.EQUILIBRIUM:
+        guesses.reverse()
+    for near in guesses:
         with suppress(ConvergenceError, ParameterError, ArithmeticError):
             rest = system.equilibrium(near)
             eigenvalues, _, error = spectrum(system, rest)
-            if (eigenvalues.real + error < 0).all():  # it attracts, by more than rounding may add
+            if (eigenvalues.real + error < 0).all():
                 return float(-1 / eigenvalues.real.max()), rest
     return float("inf"), verdict.end
 
 
 def _transient(system: System, start: FloatArray, t_end: float) -> str:
-    """Whether motions that begin beside an irregular one settle, in words; empty where none
+    """Text that an irregular motion is a transient, because a neighbour settles; empty if none
     does.
     """
     for i in range(1, system.options.neighbours + 1):
-        off = i * system.options.offset
-        beside = judged(system, start + off * system.scales(start).states, times=(t_end,))
-        if beside.decided:
+        offset = i * system.options.offset
+        neighbour = judged(system, start + offset * system.scales(start).states, times=(t_end,))
+        if neighbour.decided:
             return (
-                f"it is a transient: a motion that begins {off:.0e} beside it comes to "
-                f"{beside.described()} by t = {t_end:g}"
+                f"it is a transient: a motion that begins {offset:.0e} beside it comes to "
+                f"{neighbour.described()} by t = {t_end:g}"
             )
     return ""
 
 
 def _near(system: System, end: FloatArray) -> str:
-    """The cycle near a state, in words."""
+    """Text about the cycle near a state."""
     try:
         found = cycle_near(system, end, patient=False)
     except ConvergenceError:
         return "no cycle"
     neutral = system.flow.options.neutral
-    repels = bool((np.abs(found.multipliers[1:]) - found.multiplier_errors > 1 + neutral).any())
-    word = (
-        "stable"
-        if found.stable
-        else "unstable"
-        if repels
-        else "neither stable nor unstable by its multipliers"
-    )
+    word = "neither stable nor unstable by its multipliers"
+    if found.stable:
+        word = "stable"
+    elif (np.abs(found.multipliers[1:]) - found.multiplier_errors > 1 + neutral).any():
+        word = "unstable"
     return f"a cycle of period {found.period:.6g}, {word}, {distance(found, end):.2g} away"
 
 
 class FateKind(IntEnum):
-    """Fate of a motion, as :attr:`spragsym.results.Fate.kind` has it in words."""
+    """Codes of the kinds of fate in :attr:`spragsym.results.Fate.kind`."""
 
     UNDECIDED = 0
     REST = 1
@@ -279,29 +283,29 @@ class FateKind(IntEnum):
 
 @dataclass(frozen=True, eq=False)
 class FateMap(Result):
-    """Fates of motions over a grid of parameters; every array has the common shape of the
-    parameters.
+    """Fates of motions over arrays of parameters. All arrays have the common shape of these.
 
     Attributes
     ----------
     inputs : dict of str to ndarray
-        The parameters as they were given, which broadcast together.
+        The parameters as given, which broadcast together.
     start : tuple of float
-        Where every motion begins: coordinates, then rates, but for that of a clock.
+        Initial state of every motion: coordinates, then rates, without the rate of a clock.
     t_end : float
     backend : str
     kind : ndarray of int8
         0 undecided, 1 rest, 2 cycle, 3 lift-off, 4 chaotic.
     period : ndarray
-        Of the cycle; NaN for none.
+        Period of the cycle; NaN for none.
     exponent, exponent_error : ndarray
-        The largest Lyapunov exponent but the trivial one, and the half-width of its 95 % interval.
+        The largest Lyapunov exponent except the trivial one, and the half-width of its 95 %
+        confidence interval.
     time_scale : ndarray
-        On which the slowest deviations from steady sliding die out.
+        Time in which the slowest deviations from steady sliding decay by 1/e.
     t : ndarray
-        How long the motion was followed.
+        Time over which the motion was followed.
     why : ndarray of str
-        What decides the kind, or would.
+        The evidence for the kind, or what is missing.
     model : Model
     options : MotionOptions
     """
@@ -387,26 +391,26 @@ def fate_map(
     store: str | os.PathLike[str] | None = None,
     **values: ArrayLike | None,
 ) -> FateMap:
-    """Fates of the motion from one start, at every point of a broadcast of parameters.
+    """Fates of the motion from a start, at every point of a broadcast of parameters.
 
     Parameters
     ----------
     p : Parameters of any model
         Any shape.
     start : array_like, optional
-        Coordinates, then rates, of the article's model x, y, x', y'; 0 where it is left out.
+        Initial state, coordinates, then rates; by default 0.
     t_end : float, optional
-        As for :func:`spragsym.fate`, of all points as long as of the slowest.
+        As for :func:`spragsym.fate`; the default of the slowest point is used for all.
     backend : {"heyoka", "scipy"}, optional
     options : MotionOptions, optional
         As for :func:`spragsym.fate`.
     workers, progress
         As for :func:`~spragsym.rms_sweep`.
     store : path, optional
-        ``*.csv``. Finished points go to ``<store>.partial`` one by one; the same call goes on from
-        there after a kill, and loads the file when it is finished.
+        ``*.csv``. Finished points are written to ``<store>.partial`` one by one. After a kill the
+        same call resumes from there; once the file is complete, it loads the file.
     **values : array_like, optional
-        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
+        Values of parameters that replace those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -415,7 +419,7 @@ def fate_map(
     Raises
     ------
     ParameterError, ParameterTypeError
-        Before the work starts. A motion that can't be followed is undecided, with the reason.
+        Before any integration. A motion that cannot be integrated is undecided, with the reason.
 
     Examples
     --------
@@ -429,7 +433,7 @@ def fate_map(
     p.require(*p.ranges)
     p = p.given(**values)
     inputs = {name: p[name] for name in p.ranges}
-    # The rate of a clock is that of each point.
+    # The rate of a clock depends on the point.
     given = list(initial_state(model, start, {}, p).values())[: model.field.deviations]
     begun, options = tuple(map(float, given)), options or MotionOptions()
     settings = {
@@ -454,12 +458,10 @@ def fate_map(
 def _longest(
     model: Model, inputs: Mapping[str, FloatArray], start: tuple[float, ...], longest: float
 ) -> float:
-    """Longest time that motions are followed where nobody says, by the largest unit of their
-    times.
-    """
+    """Default duration for all points: ``longest`` times the largest of their units of time."""
     units = list[float]()
     for point in np.broadcast(*inputs.values()):
-        with suppress(ParameterError, ArithmeticError):  # where none begins one is not followed
+        with suppress(ParameterError, ArithmeticError):  # no motion is possible there
             state = state_of(
                 model, start, p=model.Parameters(**dict(zip(inputs, point, strict=True)))
             )
@@ -470,14 +472,13 @@ def _longest(
 def _records(
     model: Model, settings: Mapping[str, Any], points: Sequence[tuple[float, ...]]
 ) -> list[Record]:
-    """The record of one point, which is a task of its own; undecided with the reason where no
-    motion begins there.
+    """The record of the only point in ``points``; undecided, with the reason, if no motion is
+    possible there.
     """
     (values,) = points
+    named = dict(zip(model.parameters, values, strict=True))
     try:
-        found = fate(
-            model.Parameters(**dict(zip(model.parameters, values, strict=True))), **settings
-        )
+        found = fate(model.Parameters(**named), **settings)
     except (ParameterError, ArithmeticError) as error:
         return [([], f"{UNFOLLOWED}: {error}")]
     kind = FateKind[found.kind.upper().replace("-", "_")]
@@ -495,6 +496,6 @@ def _made(
     columns: dict[str, Any],
     _: object,
 ) -> FateMap:
-    """The map of these columns."""
+    """The map with these columns."""
     columns["kind"] = np.nan_to_num(columns["kind"], nan=FateKind.UNDECIDED).astype(np.int8)
     return FateMap(inputs, **settings, **columns, model=model)

@@ -1,9 +1,10 @@
-"""A cycle from a state near it, from a motion that approaches it, or from the Hopf point at which
-it is born; and attractors, the limit of a motion as a solution of an equation.
+"""Finding cycles: from a state near one, from a motion that approaches one, or from the Hopf point
+at which one is born. All end in Newton's method for a closed orbit
+(:mod:`spragsym.motion.shooting`).
 
-What a motion comes to is told by the classifier (:mod:`spragsym.motion.classify`). Here it becomes
-an equilibrium or a closed orbit by Newton's method, which can be followed to other values of the
-parameters and compared with another.
+Also attractors: the classifier (:mod:`spragsym.motion.classify`) detects the limit of a motion;
+here Newton's method computes it as an equilibrium or closed orbit (:class:`Attractor`), which can
+be continued in a parameter and compared with another.
 """
 
 from __future__ import annotations
@@ -66,39 +67,37 @@ def cycle(
     """The cycle near a state, or the one that a motion approaches, or the one that is born at an
     onset of flutter.
 
-    Newton's method on the flow and its derivatives, by multiple shooting; the orbit may lose
-    contact and overtake the belt as often as it likes, and stick where friction holds it
-    (``page.friction``): there the derivatives go on from border to border.
+    Newton's method with the derivatives of the flow, by multiple shooting. The orbit may lose
+    contact and overtake the belt any number of times, and may stick where friction holds it
+    (``page.friction``).
 
     Parameters
     ----------
     p : Parameters of any model
         Scalars.
     near : array_like, Trajectory or Cycle, optional
-        A state near the cycle, stable or not, coordinates, then rates, of the article's model x, y,
-        x', y'; or a motion whose end approaches it; or a cycle for other values of the parameters.
-        0 where left out.
+        A state near the cycle, which may be unstable: coordinates, then rates, by default 0. Or a
+        motion whose end approaches the cycle; or a cycle at other values of the parameters.
     backend : {"heyoka", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
     patient : bool
-        Whether to follow the motion from a state that is not near a cycle, for up to 40 000 time
-        units.
+        From a state that is not near a cycle, follow the motion for up to 40 000 time units.
     onset : Onsets, optional
-        Of :func:`~spragsym.flutter_onsets`. They know their model and its parameters: ``p``,
-        ``near`` and ``values`` are left out.
+        Result of :func:`~spragsym.flutter_onsets`. It contains the model and its parameters, so
+        ``p``, ``near`` and ``values`` are omitted.
     index : int
-        The number of the onset among them.
+        Index of the onset.
     amplitude : float, optional
-        Of the cycle that is born there: half of the range of the coordinate that moves most, to a
-        thousandth; see :func:`spragsym.orbits.finding.born_at`. The parameter along which the
-        onsets were found takes the value that belongs to it.
+        Amplitude of the cycle born there, to a thousandth: half the range of the coordinate that
+        moves most. The parameter along which the onsets were found takes the value at which the
+        cycle has this amplitude; see :func:`spragsym.orbits.finding.born_at`.
     turns : int, optional
-        Of a page with a clock: the cycle that closes after so many turns of it, stable or not, by
-        Newton's method from ``near``; without that from the end of a motion of a hundred turns.
+        For a page with a clock: the cycle that closes after this number of turns, stable or not, by
+        Newton's method from ``near``, by default from the end of a motion of a hundred turns.
     options : ShootingOptions, optional
-        Tolerances and limits of Newton's method, and of what is followed from the cycle.
+        Tolerances and limits of Newton's method, also for later continuation of the cycle.
     **values : float, optional
-        Parameters in place of those of ``p``, as ``V=0.5, d=10.0``.
+        Values of parameters that replace those of ``p``, as ``V=0.5, d=10.0``.
 
     Returns
     -------
@@ -107,12 +106,11 @@ def cycle(
     Raises
     ------
     ConvergenceError
-        Where there is no cycle near: it says what the motion comes to instead.
+        If there is no cycle near. The message says what the motion comes to instead.
 
     Notes
     -----
-    Source: (8)–(11). What is found is a cycle to the error that is told; that there are no others
-    is not.
+    Source: (8)–(11). The result is a cycle up to its stated error. Other cycles may exist.
 
     Examples
     --------
@@ -144,7 +142,7 @@ def cycle(
 
 
 def _after_turns(system: System, near: ArrayLike | Trajectory | Cycle | None, turns: int) -> Cycle:
-    """The cycle of so many turns of the clock."""
+    """The cycle that closes after a number of turns of the clock."""
     field = system.field
     if field.clock is None:
         raise ParameterError(
@@ -157,7 +155,6 @@ def _after_turns(system: System, near: ArrayLike | Trajectory | Cycle | None, tu
     else:
         start = _state(system, near)
     if near is None:
-        # Turns of a clock after which a motion is near a cycle.
         start = system.motion(start, 100 * turn).state[:, -1]
     try:
         found = cycle_at(system, start, turns * turn)
@@ -178,13 +175,17 @@ def _after_turns(system: System, near: ArrayLike | Trajectory | Cycle | None, tu
 def cycle_near(
     system: System, near: ArrayLike | Trajectory | Cycle | None = None, *, patient: bool = True
 ) -> Cycle:
-    """:func:`cycle` of any system."""
+    """:func:`cycle` of a system.
+
+    From a state, closed orbits are first computed from close returns of the motion. If there are
+    none, or ``near`` is a motion, the limit of the motion is classified.
+    """
     field, flow = system.field, system.flow
     if isinstance(near, Cycle):
         near.require(field, "near")
         return _checked(_towards(flow, near.orbit.guess, system.values))
     approached = near is None or isinstance(near, Trajectory)
-    looks = None if patient or approached else 1
+    attempts = None if patient or approached else 1
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(system, near)
     if not np.isfinite(rate(field, start, system.constants)).all():
         raise ParameterError(
@@ -193,15 +194,14 @@ def cycle_near(
     scales = system.scales(start)
     own = system.scaled(scales)
     try:
-        # Returns of a motion are looked at over this time, and over a longer one where
-        # it hardly has turned by then.
-        for time in () if approached else (400.0, 3000.0, 20000.0)[:looks]:
+        # A longer motion is needed only if there are hardly any extrema.
+        for time in () if approached else (400.0, 3000.0, 20000.0)[:attempts]:
             flow_result = own.flow.plain(start / scales.states, own.constants, time, loose=True)
             if (found := _by_returns(own, flow_result.extrema)) is not None:
                 return _checked(found)
             if len(flow_result.extrema) > 2:
                 break
-        times = [t * scales.time for t in system.options.times[:looks]]
+        times = [t * scales.time for t in system.options.times[:attempts]]
         verdict = judged(system, start, times=times)
     except ConvergenceError as error:
         raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
@@ -216,25 +216,26 @@ def cycle_near(
 
 
 def cycle_at(system: System, state: FloatArray, period: float) -> Cycle:
-    """The cycle of about a period near a state: Newton's method and nothing else."""
+    """The cycle near a state and a period, by Newton's method alone."""
     return _checked(_from_guess(system.flow, Iterate(state[None], period, system.values)))
 
 
 def _steep(system: System) -> str:
-    """Feature that may be too much for an integrator."""
+    """Text that names the largest parameter if it exceeds 1e8, for a motion that cannot be
+    integrated.
+    """
     value, name = max(
         (abs(value), name)
         for name, value in zip(system.field.parameters, system.values, strict=True)
     )
-    # Parameters beyond this are named where a motion can't be followed.
     if value > 1e8:
         return f"; {name} = {value:g} is larger than it can carry: give a smaller one"
     return ""
 
 
 def _towards(flow: Flow, earlier: Iterate, values: Values, halvings: int = 6) -> Orbit:
-    """The closed orbit at other values of the parameters, by steps half as wide where Newton's
-    method fails.
+    """The closed orbit at other values of the parameters; if Newton's method fails, by way of the
+    orbit halfway.
     """
     try:
         return _from_guess(flow, Iterate(earlier.states, earlier.period, values))
@@ -247,6 +248,7 @@ def _towards(flow: Flow, earlier: Iterate, values: Values, halvings: int = 6) ->
 
 
 def _checked(orbit: Orbit) -> Cycle:
+    """The cycle of an orbit; ConvergenceError if it is an equilibrium."""
     if _rests(orbit):
         raise ConvergenceError(
             "there is no cycle near: what Newton's method finds is rest, at "
@@ -256,22 +258,19 @@ def _checked(orbit: Orbit) -> Cycle:
 
 
 def _rests(orbit: Orbit) -> bool:
-    """Whether a closed orbit is an equilibrium, which closes after any period, as an orbit beside
-    it nearly does.
+    """True if a closed orbit is an equilibrium, which closes after any period: its extent is below
+    1e-9 or a hundred times its error.
     """
     orbit = in_scales(orbit)
-    # A closed orbit of a smaller extent is rest.
-    least_extent = 1e-9
-    # So is one whose extent is less than so many of its errors.
-    return extent(orbit) <= max(least_extent, 100.0 * error_of(orbit))
+    return extent(orbit) <= max(1e-9, 100.0 * error_of(orbit))
 
 
 def _state(system: System, near: ArrayLike | None) -> FloatArray:
+    """The state that a user gives, (m,), 0 for None; one without clock begins at its phase 0."""
     field = system.field
     n = len(field.coordinates) - bool(field.clock)
     state = np.zeros(2 * n) if near is None else as_numbers("near", near)
     if field.clock and state.shape == (2 * n,):
-        # Without the clock, which begins at 0 and keeps its rate.
         state = np.concatenate([state[:n], [0.0], state[n:], [field.clock(system.constants)]])
     if state.shape != (field.size,):
         raise ParameterError(
@@ -282,8 +281,8 @@ def _state(system: System, near: ArrayLike | None) -> FloatArray:
 
 
 def _by_returns(system: System, extrema: Sequence[Extremum]) -> Orbit | None:
-    """The first closed orbit that Newton's method finds from two states that are alike: with the
-    first one, the last one, any.
+    """The first closed orbit, not at rest, that Newton's method finds from close returns: to the
+    first maximum, to the last one, between any two; None if there is none.
     """
     periodic = system.field.periodic
     for begin, end in [pair for row in (0, -1, None) for pair in returns(extrema, periodic, row)]:
@@ -298,46 +297,44 @@ def _by_returns(system: System, extrema: Sequence[Extremum]) -> Orbit | None:
 def returns(
     extrema: Sequence[Extremum], periodic: WholeTurns, row: int | None = None
 ) -> list[tuple[Extremum, Extremum]]:
-    """Pairs of alike states, largest in the leading coordinate: of each number of rounds the
-    nearest, or the first one (0), or the last one (−1).
+    """Close returns of a motion: pairs of maxima of the leading coordinate with similar states,
+    eight at most.
 
-    One counts only if it is twice as near as those of fewer rounds that count. Those come first
-    that are the nearest, times their rounds. States are in units of the motion.
+    For each number of rounds up to 59 between the two, the closest pair is taken, or that of the
+    first maximum (``row`` 0) or the last one (−1). A pair counts if its distance is below 0.3 of
+    the motion's extent, and half that of every pair with fewer rounds that counts. Pairs are sorted
+    by distance × rounds. States are in units of the motion.
     """
     extrema = [extremum for extremum in extrema if extremum.border == -1]
-    # A return that misses by more than this share of the motion's extent is not tried.
-    largest_miss = 0.3
-    highest = [extremum for extremum in extrema if extremum.direction < 0]
-    found, best = [], 2 * largest_miss
-    states = np.array([extremum.state for extremum in highest])
+    largest_distance = 0.3
+    maxima = [extremum for extremum in extrema if extremum.direction < 0]
+    found, best = [], 2 * largest_distance
+    states = np.array([extremum.state for extremum in maxima])
     scale = np.ptp([extremum.state for extremum in extrema] or np.zeros((1, 1)), axis=0)
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
-    # Rounds after which a state may return, at most.
-    for rounds in range(1, min(len(highest), 60)):
-        off = np.abs(apart(states[rounds:], states[:-rounds], periodic) / scale).max(axis=1)
-        i = int(off.argmin()) if row is None else row % len(off)
-        if off[i] < best / 2:
-            best = float(off[i])
+    for rounds in range(1, min(len(maxima), 60)):
+        distances = np.abs(apart(states[rounds:], states[:-rounds], periodic) / scale).max(axis=1)
+        i = int(distances.argmin()) if row is None else row % len(distances)
+        if distances[i] < best / 2:
+            best = float(distances[i])
             found.append((rounds * best, i, i + rounds))
-    # Most pairs that are tried.
-    return [(highest[i], highest[j]) for _, i, j in sorted(found)[:8]]
+    return [(maxima[i], maxima[j]) for _, i, j in sorted(found)[:8]]
 
 
 def _from_guess(flow: Flow, guess: Iterate) -> Orbit:
-    """Newton's method from a guess, in as many mesh intervals as its growth asks for; it may not go
-    far.
-    """
+    """The closed orbit near a guess, on a refined mesh, no farther away than half its extent."""
     orbit = in_scales(subdivided(flow, guess))
     reach = 0.5 * extent(orbit) if orbit.extrema() else np.inf
     return natural(closed_orbit(orbit.flow, orbit, across(orbit), reach=reach))
 
 
 def stands_still(system: System, state: FloatArray) -> str:
-    """Reason: nothing moves; empty where it moves."""
+    """Text that explains why a motion from a state does not move; empty if it moves, or cannot be
+    integrated.
+    """
     n = len(system.field.coordinates)
     try:
         scales = system.scales(state)
-        # So long a motion tells whether anything moves.
         states = system.motion(state, 200.0 * scales.time).state[:n]
         moved = np.ptp(states, axis=1) / scales.places
     except ConvergenceError:
@@ -359,14 +356,17 @@ def born_at(
     backend: str | None,
     options: ShootingOptions | None = None,
 ) -> Cycle:
-    """The cycle of an amplitude in the family that is born at one of the onsets, along their first
-    parameter.
+    """The cycle of a given amplitude in the family born at a Hopf point.
 
-    The motion takes friction at its sliding speed. Where statics takes its limit at fast sliding
-    (``at_rest`` on the page), the Hopf point of the motion is sought beside the one that is proved.
-    From there the normal form u = u* + 2 Re(z q) + …, with |z|² = −(d Re λ/dp) (p − p*)/(ω l₁), is
-    corrected by Newton's method on the closed orbit, its period and the parameter. Without an
-    amplitude it is a tenth of that at which the motion would come to a border of the field.
+    The Hopf point is number ``index`` of the onsets; the parameter is the first one along which
+    they were found. Statics may use the friction limit at fast sliding (``at_rest`` on the page),
+    while the motion uses the friction at its sliding speed: so the Hopf point of the motion is
+    computed first, by :func:`_of_the_motion`.
+
+    The guess is the normal form u = u* + 2 Re(z q) + …, with |z|² = −(d Re λ/dp) (p − p*)/(ω l₁).
+    Newton's method corrects it for the closed orbit, its period and the parameter. z is adjusted
+    until the amplitude is met. The default amplitude is a tenth of that at which the motion first
+    reaches a border of the field.
     """
     if not len(onsets):
         raise ParameterError("there are no onsets; search where there is one to begin from")
@@ -392,67 +392,65 @@ def born_at(
     system = System(Flow.of(model.field, backend, options), tuple(given.tolist()))
     rest = still(state)
     scales = system.scales(rest)
-    most = int(np.abs(form.q[: len(state)] / scales.places).argmax())
-    size = float(np.abs(form.q[most]))
-    border, reach = _first_border(system, rest, form)
+    leading = int(np.abs(form.q[: len(state)] / scales.places).argmax())
+    size = float(np.abs(form.q[leading]))
+    border, largest_z = _first_border(system, rest, form)
     if amplitude is None:
         unit = 1 / norm(form.q / scales.states)
-        # A tenth of that at which it first comes to a border; where it comes to none, in units of
-        # the motion.
-        free = 0.1 * reach if border else 0.01 * unit
+        # Without a border, in units of the motion.
+        free = 0.1 * largest_z if border else 0.01 * unit
         z = min(free, unit, _within(model, given, parameter, form))
-        asked = 2 * z * size
+        target = 2 * z * size
     else:
-        z, asked = amplitude / 2 / size, amplitude
-    least, remedy = 2 * reach * size, "give a smaller one, and go on from it with cycle_branch"
-    if asked > least:
-        remedy += f"; to first order only amplitudes below {least:.3g} do not come to {border}"
-    # The longest of these steps, as a factor, and how many there are at most.
-    farthest, steps = 2.0, 20
-    for _ in range(steps):
+        z, target = amplitude / 2 / size, amplitude
+    limit, remedy = 2 * largest_z * size, "give a smaller one, and go on from it with cycle_branch"
+    if target > limit:
+        remedy += f"; to first order only amplitudes below {limit:.3g} do not come to {border}"
+    for _ in range(20):
         try:
             found = _along(system, rest, parameter, form, z)
         except ConvergenceError as error:
             raise ConvergenceError(
-                f"no cycle of the amplitude {asked:.3g} was found: {error}; {remedy}"
+                f"no cycle of the amplitude {target:.3g} was found: {error}; {remedy}"
             ) from error
-        reached = float(np.ptp(found.samples.states[most])) / 2
-        # How closely an amplitude is met, relatively.
-        if amplitude is None or abs(reached / asked - 1) < 1e-3:
+        reached = float(np.ptp(found.samples.states[leading])) / 2
+        if amplitude is None or abs(reached / target - 1) < 1e-3:
             return found
-        z *= min(max(asked / reached, 1 / farthest), farthest)
+        z *= min(max(target / reached, 0.5), 2.0)
     raise ConvergenceError(
-        f"no cycle of the amplitude {asked:g} was found: the last one has {reached:.6g}; {remedy}"
+        f"no cycle of the amplitude {target:g} was found: the last one has {reached:.6g}; {remedy}"
     )
 
 
 def still(position: FloatArray) -> FloatArray:
-    """The state at rest in a place."""
+    """The state at rest at a position: rates 0 appended."""
     return np.append(position, np.zeros(len(position)))
 
 
 def _along(system: System, rest: FloatArray, parameter: int, form: NormalForm, z: float) -> Cycle:
-    """The cycle whose largest state has the part 2 |z| along q, as the normal form has it to first
-    order.
+    """The cycle of the family born at a Hopf point whose first state has the component 2 z along q,
+    to first order of the normal form.
+
+    Newton's method for the closed orbit and the parameter. The two conditions fix the complex
+    component of the first state along q: modulus and phase.
     """
     scales = system.scales(rest)
     own, unit = system.scaled(scales), 1 / norm(form.q / scales.states)
-    decided = abs(form.lyapunov) > form.lyapunov_error
-    aside = -form.omega * form.lyapunov * z**2 / form.crossing if decided else 0.0
-    ahead = form.along * aside + 2 * z * form.q.real + z**2 * (form.square.real + form.mean)
+    criticality_known = abs(form.lyapunov) > form.lyapunov_error
+    change = -form.omega * form.lyapunov * z**2 / form.crossing if criticality_known else 0.0
+    ahead = form.along * change + 2 * z * form.q.real + z**2 * (form.square.real + form.mean)
     first, middle = (rest + ahead) / scales.states, rest / scales.states
     start = list(system.values)
-    start[parameter] += aside
+    start[parameter] += change
 
-    # What is asked of the first state: its part along q, as the normal form has it.
     left_eigenvector = form.p.conjugate() * scales.states / unit
-    wanted = float((left_eigenvector @ (first - middle)).real)
+    target = float((left_eigenvector @ (first - middle)).real)
 
     def conditions(orbit: Orbit) -> tuple[FloatArray, FloatArray]:
-        seen = left_eigenvector @ (orbit.state - middle)
-        wide = np.zeros((2, orbit.states.size + 2))
-        wide[:, : len(rest)] = left_eigenvector.real, left_eigenvector.imag
-        return np.array([seen.real - wanted, seen.imag]), wide
+        component = left_eigenvector @ (orbit.state - middle)
+        rows = np.zeros((2, orbit.states.size + 2))
+        rows[:, : len(rest)] = left_eigenvector.real, left_eigenvector.imag
+        return np.array([component.real - target, component.imag]), rows
 
     period = 2 * math.pi / form.omega / scales.time
     guess = subdivided(own.flow, Iterate(first[None], period, tuple(start), (parameter,))).guess
@@ -462,9 +460,12 @@ def _along(system: System, rest: FloatArray, parameter: int, form: NormalForm, z
 def _of_the_motion(
     model: Model, given: FloatArray, state: FloatArray, parameter: int, form: NormalForm
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Parameters and coordinates at the Hopf point of the motion itself, and how well each is
-    known, by Newton's method in units of the motion and of the parameter: its value, or what makes
-    of the pair's real part its frequency.
+    """Parameters and coordinates at the Hopf point of the motion near that of statics, and radii of
+    their errors, (n + 1,).
+
+    Newton's method for n accelerations = 0 and Re λ = 0, with differences as Jacobian. Coordinates
+    are in units of the motion. The unit of the parameter is its value, or if that is 0 the change
+    that changes Re λ by ω.
     """
     field, n = model.field, len(state)
     scales = scales_of(field, field.constants(given.tolist()), still(state).tolist())
@@ -477,19 +478,15 @@ def _of_the_motion(
         u = still(np.array(q)).tolist()
         mode = field.exact(field.mode_at_rest(u, constants))
         accelerations = field.rates(u, constants, mode)[n:]
-        roots = np.linalg.eigvals(field.matrix(u, constants, mode))
-        near = roots[np.abs(roots - 1j * form.omega).argmin()]
-        off = near.real / form.crossing / units[n]
-        return np.append(accelerations * scales.time**2 / scales.places, off)
+        eigenvalues = np.linalg.eigvals(field.matrix(u, constants, mode))
+        nearest = eigenvalues[np.abs(eigenvalues - 1j * form.omega).argmin()]
+        growth = nearest.real / form.crossing / units[n]
+        return np.append(accelerations * scales.time**2 / scales.places, growth)
 
     found = np.append(state, given[parameter]) / units
     scale = 1 + magnitude(found)
-    # Least half-width of the box that is taken around the Hopf point of the motion, over its
-    # numbers, which are no less than 1 in units of the motion and of the parameter.
     rounding = 1e-13
-    # Most steps of Newton's method.
-    steps = 20
-    for _ in range(steps):
+    for _ in range(20):
         step = np.linalg.lstsq(differences(residual, found, 1e-6 * scale), residual(found))[0]
         found, width = found - step, magnitude(step)
         if not rounding * scale < width < scale:
@@ -501,14 +498,14 @@ def _of_the_motion(
             f"the onset at {vary} = {given[parameter]:.6g}: see the labels H of "
             f"ss.diagram(p, {vary!r}, between=...)"
         )
-    there = given.copy()
-    *q, there[parameter] = units * found
-    return there, np.array(q), 4 * max(width, rounding * scale) * units
+    values = given.copy()
+    *q, values[parameter] = units * found
+    return values, np.array(q), 4 * max(width, rounding * scale) * units
 
 
 def _first_border(system: System, rest: FloatArray, form: NormalForm) -> tuple[str, float]:
-    """The border that gap or sliding speed would come to first, and the |z| at which they do, to
-    first order; none, infinity.
+    """Name of the border that a growing cycle reaches first, and the |z| at which it does, to first
+    order: at a distance h it is |h| / (2 |∇h q|). An empty name and infinity without borders.
     """
     field, constants = system.field, system.constants
     borders = [border for border in field.borders if any(border.crossings)]
@@ -522,25 +519,25 @@ def _first_border(system: System, rest: FloatArray, form: NormalForm) -> tuple[s
 
     with np.errstate(divide="ignore"):
         steps = 1e-6 * system.scales(rest).states
-        reach = np.abs(levels(rest)) / (2 * np.abs(differences(levels, rest, steps) @ form.q))
-    return borders[int(reach.argmin())].name, float(reach.min())
+        at_z = np.abs(levels(rest)) / (2 * np.abs(differences(levels, rest, steps) @ form.q))
+    return borders[int(at_z.argmin())].name, float(at_z.min())
 
 
 def _within(model: Model, given: FloatArray, parameter: int, form: NormalForm) -> float:
-    """|z| up to which the parameter stays within a tenth of its range, to first order."""
+    """|z| up to which the parameter changes by at most a tenth of the distance to the end of its
+    range, to first order.
+    """
     entry, value = model.about["parameters"][parameter], given[parameter]
-    ahead = -form.omega * form.lyapunov / form.crossing
-    end = entry["high"] if ahead > 0 else entry["low"]
-    return np.inf if end is None or not ahead else math.sqrt(0.1 * abs(end - value) / abs(ahead))
-
-
-# ------------------------------------------------------------------------------------------------
-# attractors
+    per_square = -form.omega * form.lyapunov / form.crossing
+    end = entry["high"] if per_square > 0 else entry["low"]
+    if end is None or not per_square:
+        return np.inf
+    return math.sqrt(0.1 * abs(end - value) / abs(per_square))
 
 
 @dataclass(frozen=True)
 class Attractor:
-    """A stable equilibrium or cycle; of lift-off the kind alone, which all of it shares."""
+    """A stable equilibrium or cycle, or lift-off, for which only the kind matters."""
 
     kind: Regime
     system: System
@@ -549,8 +546,8 @@ class Attractor:
 
 
 def attractor(system: System, verdict: FateVerdict) -> Attractor:
-    """The attractor of a verdict, by Newton's method; ConvergenceError where that does not find the
-    one that was told.
+    """The attractor that a motion was seen to approach, by Newton's method; ConvergenceError if it
+    converges to another one.
     """
     found = verdict.outcome
     if verdict.kind == Regime.LIFT_OFF:
@@ -569,8 +566,8 @@ def attractor(system: System, verdict: FateVerdict) -> Attractor:
 
 
 def followed(earlier: Attractor, system: System) -> Attractor:
-    """The attractor continued to another value of one parameter; ConvergenceError where it ends or
-    is lost on the way.
+    """The attractor continued to a system with another value of one parameter; ConvergenceError if
+    it ends or loses its stability before.
     """
     if earlier.kind == Regime.LIFT_OFF or earlier.system == system:
         return replace(earlier, system=system)
@@ -578,14 +575,14 @@ def followed(earlier: Attractor, system: System) -> Attractor:
         return _of_cycle(system, followed_cycle(earlier.orbit, system.values))
     index, span = _varied(earlier.system.values, system.values)
     scales = earlier.system.scales(earlier.state)
-    there = earlier.system.scaled(scales)
-    rest = FixedPoints(there.field).started(there, earlier.state / scales.states, index, span)
+    own = earlier.system.scaled(scales)
+    rest = FixedPoints(own.field).started(own, earlier.state / scales.states, index, span)
     return _at_rest(system, natural(along(rest, system.values[index]).orbit).state)
 
 
 def followed_cycle(earlier: Cycle, values: Values) -> Cycle:
-    """The cycle continued to another value of one parameter; ConvergenceError where it turns back,
-    or is lost, on the way.
+    """The cycle continued to another value of one parameter; ConvergenceError if the branch has a
+    fold or ends before.
     """
     index, span = _varied(earlier.values, values)
     own = in_scales(earlier.orbit)
@@ -594,7 +591,7 @@ def followed_cycle(earlier: Cycle, values: Values) -> Cycle:
 
 
 def _varied(now: Values, then: Values) -> tuple[int, float]:
-    """Parameter in which two sets differ alone, and by how much."""
+    """Index of the only parameter that differs, and the absolute difference."""
     ((index, span),) = (
         (i, abs(b - a)) for i, (a, b) in enumerate(zip(now, then, strict=True)) if a != b
     )
@@ -602,21 +599,20 @@ def _varied(now: Values, then: Values) -> tuple[int, float]:
 
 
 def attractor_exponents(system: System, verdict: FateVerdict) -> tuple[str, FloatArray, FloatArray]:
-    """The kind of attractor that a decided motion comes to, its Lyapunov exponents, largest first,
-    and their errors.
+    """Kind of the attractor of a motion, its Lyapunov exponents, largest first, and their errors.
 
-    Real parts of eigenvalues, or ln |μ| / T: of a multiplier that is lost in its error nothing is
-    known; −∞ of deviations that sticking ends. NaN for lift-off.
+    They are real parts of eigenvalues, or ln |μ| / T of multipliers μ; −∞ for deviations that
+    sticking ends, NaN for lift-off. The error is infinite for a multiplier below its own error.
     """
     kind, size = verdict.kind.attractor, system.field.deviations
     if verdict.kind == Regime.EQUILIBRIUM and system.field.clock:
-        # Held in every phase: nothing decays along coordinates and phase, sticking ends the rest.
+        # Held in every phase: deviations of the coordinates persist, sticking ends those of rates.
         held = np.where(np.arange(size) < len(system.field.coordinates), 0.0, -np.inf)
         return kind, held, np.zeros(size)
     limit = attractor(system, verdict)
     if limit.kind == Regime.LIFT_OFF:
-        nothing = np.full(size, np.nan)
-        return kind, nothing, nothing
+        unknown = np.full(size, np.nan)
+        return kind, unknown, unknown
     if limit.orbit is None:
         values, _ = spectrum_at_rest(
             system.field, system.constants, limit.state, system.mode(limit.state)
@@ -625,20 +621,20 @@ def attractor_exponents(system: System, verdict: FateVerdict) -> tuple[str, Floa
         rates[: len(values)] = values.real
         errors = np.zeros(len(rates))
     else:
-        sizes = np.abs(limit.orbit.multipliers)
+        moduli = np.abs(limit.orbit.multipliers)
         off = np.array([0.0, *limit.orbit.multiplier_errors])
         with np.errstate(divide="ignore", invalid="ignore"):
-            rates = np.log(sizes) / limit.orbit.period
-            known_from = np.where(sizes > 0, off < sizes, off == 0)
-            relative = np.divide(off, sizes, out=np.zeros_like(off), where=sizes > 0)
-            errors = np.where(known_from, -np.log1p(-relative) / limit.orbit.period, np.inf)
+            rates = np.log(moduli) / limit.orbit.period
+            known = np.where(moduli > 0, off < moduli, off == 0)
+            relative = np.divide(off, moduli, out=np.zeros_like(off), where=moduli > 0)
+            errors = np.where(known, -np.log1p(-relative) / limit.orbit.period, np.inf)
         rates[0] = 0.0
     order = np.argsort(-rates, kind="stable")
     return kind, rates[order], errors[order]
 
 
 def same(one: Attractor, other: Attractor) -> bool:
-    """Whether two attractors at the same values of the parameters are one."""
+    """True if two attractors at the same values of the parameters are the same."""
     if one.kind != other.kind or one.kind == Regime.LIFT_OFF:
         return one.kind == other.kind
     if one.orbit is None or other.orbit is None:
@@ -649,6 +645,7 @@ def same(one: Attractor, other: Attractor) -> bool:
 
 
 def _at_rest(system: System, state: FloatArray) -> Attractor:
+    """The attractor of an equilibrium; ConvergenceError if it is unstable."""
     matrix = system.linearization(state)
     if np.linalg.eigvals(matrix).real.max() > rounding_of(matrix):
         raise ConvergenceError("the equilibrium loses its stability on the way")
@@ -656,6 +653,7 @@ def _at_rest(system: System, state: FloatArray) -> Attractor:
 
 
 def _of_cycle(system: System, orbit: Cycle) -> Attractor:
+    """The attractor of a cycle; ConvergenceError if it is not stable."""
     if not orbit.stable:
         raise ConvergenceError("the cycle loses its stability on the way")
     return Attractor(Regime.LIMIT_CYCLE, system, orbit.state, orbit)

@@ -9,43 +9,47 @@ from ..core.options import Options, option
 
 @dataclass(frozen=True)
 class BranchOptions(Options):
-    """Options of pseudo-arclength continuation. Lengths of steps are those of the arc: in states,
-    shares of the period and halves of the parameter's range.
+    """Options of pseudo-arclength continuation of closed orbits.
+
+    Steps are measured in arclength, with the units: states in those of the motion, the period of
+    the first orbit, and half the parameter's range.
 
     Parameters
     ----------
     first_step, longest_step, shortest_step : float
-        Length of the first step, of the longest, and of that below which a branch is given up.
+        First and longest step. The branch ends if a step shorter than the last one is needed.
     kink : float
-        Length within which a bend is a kink of the branch, and not followed by shorter steps.
+        A bend within this length counts as a kink of the branch, which shorter steps do not
+        resolve.
     straight : float
-        Cosine of the largest angle between a step and the tangents at its ends.
+        Smallest cosine of the angle between a step and the tangents at its ends.
     straighter : float
-        That of a smaller one, at which steps become longer faster.
+        Steps grow faster if this cosine is above ``straighter``.
     move : float
         Largest change of the states in one step.
     share : float
-        That change over the orbit's extent: an equilibrium is a closed orbit of every period, onto
-        which Newton's method may not fall.
+        Largest change of the states in one step, relative to the orbit's extent. It keeps Newton's
+        method from converging to an equilibrium, which is a closed orbit of any period.
     vanished : float
-        Extent of an orbit, and its share of the first one's, below which it has shrunk onto an
-        equilibrium.
+        An orbit has shrunk onto an equilibrium if its extent, itself and relative to that of the
+        first orbit, is below this.
     shrunk : float
-        That share where the parameter turns back.
+        The same limit of the relative extent at a fold of the branch.
     long_period : float
-        Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
+        A branch ends as homoclinic if its period exceeds so many periods of the first orbit, and
+        the orbit comes to rest at some place.
     still : float
-        Slowest rate of an orbit at which it is said to come to rest.
+        An orbit comes to rest where its rate is below this.
     event_step : float
-        Step beyond which one is made shorter in which an event is not located.
+        A step with an event that cannot be located is shortened down to this length.
     located : float
-        Length to which an event is located.
+        Accuracy in arclength with which an event is located.
     meeting : float
-        Distance of the halves of an orbit, over its extent, below which it meets the cycle of half
-        its period.
+        A doubled orbit meets the cycle of half its period if the distance of its halves, relative
+        to its extent, is below this.
     scatter : float
-        Times that the scatter of an event or of an end counts in its error: of few orbits it is
-        less than rounding may make it.
+        Safety factor: how much the scatter of an event's location, computed from a few orbits,
+        contributes to its error.
 
     Examples
     --------

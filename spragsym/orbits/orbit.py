@@ -1,5 +1,8 @@
-"""A cycle: a closed orbit with its multipliers, its events, and what is measured over one
-period.
+"""A cycle as users see it: a closed orbit with its Floquet multipliers, stability, events, modes
+and averages over one period.
+
+:func:`cycle_of` makes it of an orbit from shooting: reduced to the least period, in a standard
+phase, on a refined mesh, with error estimates.
 """
 
 from __future__ import annotations
@@ -51,43 +54,42 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Cycle(Result):
-    """A cycle: a motion that repeats itself.
+    """A cycle: a periodic motion.
 
-    ``spring_force`` and ``contact_force`` are ranges over one period, computed when they are asked
-    for.
+    ``spring_force`` and ``contact_force`` are ranges over one period, computed on access.
 
     Attributes
     ----------
     period : float
-        The least one.
+        The least period.
     state : ndarray, shape (m,)
-        Where the first coordinate that moves is largest; for the article's model x, y, x' = 0, y'.
-        Anywhere if it only turns around, or where dry friction turns around just then, as on a belt
-        that stands still.
+        State of the cycle at which the first coordinate that moves is largest; for the article's
+        model x, y, x' = 0, y'. Any state if that coordinate only rotates, or if dry friction
+        changes its direction at the maximum, as on a belt at rest.
     multipliers : ndarray of complex, shape (m,)
-        Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding;
-        then by size. Of a page with a clock those of the stroboscopic map follow the trivial one,
-        m − 2 of them.
+        Floquet multipliers (eigenvalues of the monodromy matrix): first the trivial one, which is 1
+        up to rounding, then the others by modulus. For a page with a clock the others are the m − 2
+        multipliers of the stroboscopic map.
     multiplier_errors : ndarray, shape (m − 1,)
-        Estimated errors of all but the trivial one: how far they move if the derivatives err as
-        much as they do along the flow.
+        Estimated errors of all but the trivial one: their changes if the derivatives of the flow
+        have errors as large as along the flow.
     stable : bool
-        Whether all others are inside of the unit circle, by more than their errors.
+        True if all others are inside the unit circle by more than their errors.
     error : float
-        Estimated error of state and period: the orbit's sensitivity times what does not close, or
-        by what the flow without derivatives ends elsewhere; no less than what the trivial
-        multiplier lacks to 1.
+        Estimated error of state and period: the sensitivity of the orbit times its largest gap, or
+        times the difference to the flow without derivatives; at least the error of the trivial
+        multiplier.
     residual : float
-        By how much the orbit does not close.
+        Largest gap of the orbit.
     events : Events
-        Where it passes a kink: ``t`` from ``state`` on.
+        Events over one period; ``t`` is counted from ``state``.
     rms, mean, amplitude : float
-        Of the first coordinate over one period: root mean square about zero, mean, half of its
-        range. Where it turns around the first two are NaN, and the last one is π.
+        Root mean square about zero, mean, and half the range of the first coordinate over one
+        period. If it rotates, the first two are NaN, and the last is π.
     backend : str
         The integrator.
     orbit : Orbit
-        The orbit as it was solved for, with its derivatives.
+        The solution of shooting, with derivatives.
     """
 
     schema = (
@@ -115,7 +117,7 @@ class Cycle(Result):
 
     @property
     def field(self) -> Field:
-        """The model."""
+        """The field of the motion."""
         return self.orbit.field
 
     @property
@@ -123,15 +125,14 @@ class Cycle(Result):
         return self.field.model
 
     def require(self, field: Field, name: str) -> None:
-        """Raise unless this is a cycle of that field: another's would be taken for what it is
-        not.
+        """Raise ParameterTypeError unless this is a cycle of the model of ``field``.
 
         Parameters
         ----------
         field : Field
-            That of the model with its parameters' names.
+            Field of the required model.
         name : str
-            What the cycle is called in the error.
+            Name of the argument, for the error message.
 
         Examples
         --------
@@ -155,12 +156,12 @@ class Cycle(Result):
 
     @cached_property
     def samples(self) -> PiecewisePolynomial:
-        """One period by the polynomials through its samples."""
+        """One period as a piecewise polynomial."""
         return self.orbit.samples()
 
     @cached_property
     def phases(self) -> Phases:
-        """The modes that one period passes through."""
+        """The sequence of modes in one period."""
         t = np.array([0.0, *self.events.t, self.period])
         states = self.samples((t[1:] + t[:-1]) / 2).T
         modes = np.array([self.orbit.mode(state) for state in states], dtype=np.int8)
@@ -174,18 +175,18 @@ class Cycle(Result):
 
     @property
     def spring_force(self) -> tuple[float, float]:
-        """Least and largest tension of the inclined spring, over k_c L_0."""
+        """Smallest and largest tension of the inclined spring, over k_c L_0."""
         return self._force("spring_force")
 
     @property
     def contact_force(self) -> tuple[float, float]:
-        """Least and largest force of the contact, over k_c L_0."""
+        """Smallest and largest normal force of the contact, over k_c L_0."""
         return self._force("contact_force")
 
     @cached_property
     def forces(self) -> dict[str, tuple[float, float]]:
-        """Least and largest of every force of the model: of its contact, and of its springs,
-        ``spring_force_1``, … of several.
+        """Smallest and largest value over one period of every force of the model, by name; several
+        springs have ``spring_force_1``, ….
         """
         return {
             name: _range(self.samples, force, self.orbit.constants)
@@ -206,14 +207,14 @@ class Cycle(Result):
         return dict(zip(self.field.parameters, self.values, strict=True))
 
     def trajectory(self, periods: float = 1.0, **options: Any) -> Trajectory:
-        """The motion over one period, or more of them, as :func:`~spragsym.simulate` gives it.
+        """The motion over a number of periods, as :func:`~spragsym.simulate` gives it.
 
         Parameters
         ----------
         periods : float
-            How many of them.
+            Number of periods.
         **options
-            Those of :func:`spragsym.simulate`.
+            Options of :func:`spragsym.simulate`.
 
         Returns
         -------
@@ -231,7 +232,7 @@ class Cycle(Result):
         return motion_of(self.field, self.values, self.state, periods * self.period, **chosen)
 
     def to_dataset(self) -> Dataset:
-        """An ``xarray.Dataset``: the samples of one period, with everything else as attributes
+        """An ``xarray.Dataset`` of the samples of one period, with all other results as attributes
         (extra ``sweep``).
 
         Returns
@@ -274,17 +275,19 @@ class Cycle(Result):
 
 
 def cycle_of(orbit: Orbit) -> Cycle:
-    """The cycle that a closed orbit is, begun anew where the first coordinate that moves is
-    largest.
+    """The cycle of a closed orbit, starting where the first coordinate that moves is largest.
+
+    Raises ConvergenceError if the trivial multiplier is not 1, which shows that the derivatives of
+    the flow are inaccurate.
     """
     orbit = least_period(in_scales(orbit).bound().with_lead())
     orbit = refined(orbit, orbit.top.t if orbit.top else 0.0)
-    aside = off_jumps(orbit)
-    if aside is not orbit:
-        orbit = refined(aside, offset_from_jumps(aside))
+    shifted = off_jumps(orbit)
+    if shifted is not orbit:
+        orbit = refined(shifted, offset_from_jumps(shifted))
     found = orbit.multipliers
-    lost = abs(found.trivial - 1)
-    if not lost < orbit.options.trivial:
+    trivial_error = abs(found.trivial - 1)
+    if not trivial_error < orbit.options.trivial:
         raise ConvergenceError(
             "the derivatives of the flow are not resolved: the trivial multiplier is "
             f"{found.trivial:.6g} instead of 1; "
@@ -300,7 +303,7 @@ def cycle_of(orbit: Orbit) -> Cycle:
         multipliers=found.values,
         multiplier_errors=found.errors,
         stable=is_stable(orbit),
-        error=max(unit * error_of(orbit, difference(orbit)), lost),
+        error=max(unit * error_of(orbit, difference(orbit)), trivial_error),
         residual=size * orbit.largest_gap,
         events=events_of(own.field, own.crossings()),
         rms=rms,
@@ -312,16 +315,16 @@ def cycle_of(orbit: Orbit) -> Cycle:
 
 
 def same_cycle(one: Cycle, other: Cycle) -> bool:
-    """Whether two cycles at the same values of the parameters are one."""
-    units = units_of(one)
+    """True if two cycles at the same values of the parameters are the same.
+
+    Period and averages must agree to 1e-6, and the state of one must be near the samples of the
+    other, within 5 % of the extent.
+    """
+    units, tolerance = units_of(one), 1e-6
     size = max(extent(one.orbit, units), extent(other.orbit, units))
     averages = np.abs([one.rms - other.rms, one.mean - other.mean]) / units[0]
-    # Periods, and averages as shares of the extent, that differ by less may be of one cycle.
-    alike = 1e-6
-    if abs(one.period / other.period - 1) >= alike or averages.max() >= alike * size:
+    if abs(one.period / other.period - 1) >= tolerance or averages.max() >= tolerance * size:
         return False
-    # They are if the state of one lies as near the other's samples, as a share of the
-    # extent.
     return distance(one, other.state) < 0.05 * size
 
 
@@ -331,7 +334,7 @@ def units_of(cycle: Cycle) -> FloatArray:
 
 
 def distance(cycle: Cycle, state: FloatArray) -> float:
-    """Distance of a state to the nearest sample of a cycle, but for whole turns, in units of the
+    """Distance of a state from the nearest sample of a cycle, modulo whole turns, in units of the
     motion.
     """
     off = apart(cycle.samples.states.T, state, cycle.field.periodic) / units_of(cycle)
@@ -345,15 +348,14 @@ class Phases(Result):
     Attributes
     ----------
     t, duration : ndarray, shape (k,)
-        When each begins, from the state of the cycle on, and how long it lasts.
-    contact : ndarray of int, shape (k,)
-        1 in contact, 0 in lift-off; of a contact that presses on either of two faces 1 where N is
-        not negative, 0 on the opposite one.
-    side : ndarray of int, shape (k,)
-        1 where the belt is ahead, −1 where the mass is, 0 where it sticks.
-        Of several contacts both have a column for each.
+        Begin of each mode, counted from the state of the cycle, and its duration.
+    contact : ndarray of int, shape (k,) or (k, contacts)
+        1 in contact, 0 in lift-off; for a contact that presses on either of two faces 1 if N is not
+        negative, 0 on the opposite face.
+    side : ndarray of int, shape (k,) or (k, frictions)
+        1 if the belt is faster than the mass, −1 if the mass is, 0 while it sticks.
     contacts, rubbing : tuple of str
-        Names of the contacts, and of those with friction, where there are several.
+        Names of the contacts, and of those with friction, if there are several contacts.
     """
 
     schema = (
@@ -371,7 +373,7 @@ class Phases(Result):
     rubbing: tuple[str, ...] = dataclasses.field(default=(), repr=False)
 
     def _shown(self) -> dict[str, Any]:
-        """The columns of its table: of several contacts one for each."""
+        """Columns of the table, one for each of several contacts."""
         whole = {} if self.contacts else {"contact": self.contact, "side": self.side}
         return {
             "t": self.t,
@@ -384,7 +386,7 @@ class Phases(Result):
 
 @dataclass(frozen=True, eq=False)
 class Cycles(Sequence[Cycle]):
-    """The cycles that closed orbits are, each made when it is asked for first."""
+    """A sequence of cycles, each computed from its closed orbit on first access."""
 
     orbits: tuple[Orbit, ...]
 
@@ -405,7 +407,7 @@ class Cycles(Sequence[Cycle]):
 
 
 def is_stable(orbit: Orbit) -> bool:
-    """Whether all multipliers but the trivial one are inside of the unit circle, by more than their
+    """True if all multipliers but the trivial one are inside the unit circle by more than their
     errors.
     """
     found = orbit.multipliers
@@ -413,12 +415,11 @@ def is_stable(orbit: Orbit) -> bool:
 
 
 def range_of(orbit: Orbit) -> tuple[float, float]:
-    """Least and largest first coordinate, ∓π where it turns around; an extremum between mesh
-    intervals is in a state only.
+    """Smallest and largest value of the first coordinate, over its extrema and the mesh nodes; ∓π
+    if it rotates.
     """
     if orbit.winding:
         return -math.pi, math.pi
-    # The first coordinate stands still where another one leads.
     values = [
         *(float(extremum.state[0]) for extremum in orbit.extrema() if extremum.border == -1),
         *orbit.states[:, 0].tolist(),
@@ -427,29 +428,31 @@ def range_of(orbit: Orbit) -> tuple[float, float]:
 
 
 def refined(orbit: Orbit, begin: float) -> Orbit:
-    """The orbit from a time on, in as many mesh intervals as its growth asks for."""
-    cut: Iterate | None = remeshed(orbit, len(orbit.states), begin)
-    shortest = dataclasses.replace(orbit.options, steps=7, last_step=1e-15)
-    while cut:
+    """The orbit with another starting time, on a mesh that is refined until deviations grow little
+    per interval.
+
+    Newton's method corrects it, by at most 1e-9. If it fails, as at a fold, where the Jacobian is
+    singular, the orbit is accepted if its gaps are below 1e-10.
+    """
+    guess: Iterate | None = remeshed(orbit, len(orbit.states), begin)
+    options = dataclasses.replace(orbit.options, steps=7, last_step=1e-15)
+    while guess:
+        at_guess = phase(orbit, guess)
         try:
-            # A closed orbit that is begun elsewhere moves by less: where Newton's
-            # method goes farther, as at a fold, its shortest steps do.
-            found = closed_orbit(orbit.flow, cut, phase(orbit, cut), reach=1e-9, options=shortest)
-        except ConvergenceError:  # as at a fold, where Newton's matrix is singular
-            found = integrated(orbit.flow, cut)
-            # An orbit on which Newton's method fails as it is begun anew is told as
-            # it is if it is no more open than this.
+            found = closed_orbit(orbit.flow, guess, at_guess, reach=1e-9, options=options)
+        except ConvergenceError:
+            found = integrated(orbit.flow, guess)
             if found.largest_gap > 1e-10:
                 raise
-        cut = refined_mesh(found)
+        guess = refined_mesh(found)
     return found
 
 
 def _range(
     samples: PiecewisePolynomial, force: Callable[..., FloatArray], constants: Values
 ) -> tuple[float, float]:
-    """Least and largest value, at a sample or where the values turn between two."""
+    """Smallest and largest value of a force, at the samples and at extrema between them."""
     values = force(samples.states, constants)
-    turns = PiecewisePolynomial(samples.t, values[None]).turns(0)
-    values = np.append(values, force(samples(turns), constants))
+    extrema_t = PiecewisePolynomial(samples.t, values[None]).turns(0)
+    values = np.append(values, force(samples(extrema_t), constants))
     return float(values.min()), float(values.max())

@@ -1,4 +1,8 @@
-"""Proofs that a cycle exists, is the only one near, and is stable or not."""
+"""Proofs that a cycle exists, is unique in a box, and is stable or unstable, by interval methods.
+
+:func:`prove_cycle` sends a claim to a process that runs :mod:`.ball_proof`, and returns its result
+as a :class:`CycleProof`.
+"""
 
 import importlib.util
 import json
@@ -22,33 +26,33 @@ from .orbit import Cycle
 
 @dataclass(frozen=True, eq=False)
 class CycleProof(Result):
-    """Proof of a cycle.
+    """Result of a proof.
 
-    ``print`` and :meth:`decimals` write the numbers with bounds that hold for the digits as they
-    are written.
+    ``print`` and :meth:`decimals` write the numbers with error bounds that include the rounding to
+    the written digits.
 
     Attributes
     ----------
     proved : bool
-        Whether there is exactly one cycle whose state, where x' = 0, and period lie within
-        ``radius`` of those below.
+        True if there is exactly one cycle whose state, at x' = 0, and period are within ``radius``
+        of those below.
     reason : str
-        Why not.
+        Reason for which the proof failed.
     radius : float
-        Half width of the box in which the cycle exists and is the only one.
+        Half-width of the box in which the cycle exists and is unique.
     error : float
-        A proved bound on |state − its state| and |period − its period|, both as they stand.
+        Proved bound of the distance of the cycle's state and period from those below.
     state : tuple of mpf
-        With x' = 0, exactly.
+        State with x' = 0, exactly.
     period : mpf
     multipliers : tuple of (mpc, float)
-        Middles and radii of balls that hold the multipliers, the trivial one first; empty where
-        they could not be told apart.
+        Midpoints and radii of balls that contain the multipliers, the trivial one first; empty if
+        they could not be separated.
     stable : bool or None
-        Whether all others are proved to be within the unit circle (True), or one outside of it
-        (False).
+        True if all others are proved to be inside the unit circle, False if one is proved to be
+        outside, None if neither is.
     values : tuple of float
-        Parameters: the binary numbers that these floats are, exactly.
+        Parameters: the exact values of these binary floats.
     """
 
     proved: bool
@@ -62,11 +66,11 @@ class CycleProof(Result):
     values: tuple[float, ...]
 
     def decimals(self, digits: int | None = None) -> dict[str, Decimal]:
-        """State, period and multipliers in decimals, each with a bound that covers the rounding to
-        these digits too.
+        """State, period and multipliers as decimals, each with an error bound that includes the
+        rounding to these digits.
 
-        ``digits`` are significant ones; by default as many as are proved. A multiplier's imaginary
-        part has a row of its own.
+        ``digits`` is the number of significant digits, by default as many as are proved. A
+        multiplier's imaginary part has a row of its own.
         """
         numbers = {
             f"state_{i + 1}": rounded_decimal(value, self.error, digits)
@@ -83,43 +87,38 @@ class CycleProof(Result):
         return numbers
 
     def as_table(self) -> Table:
-        """The decimals, a row each."""
-        verdict = {True: "stable", False: "unstable", None: "stability open"}[self.stable]
-        title = (
-            f"CycleProof, proved, {verdict}"
-            if self.proved
-            else f"CycleProof, not proved: {self.reason}"
-        )
-        return Table(
-            title,
-            ("", "value", "error"),
-            tuple((name, *each) for name, each in self.decimals().items()),
-        )
+        """The :meth:`decimals`, a row each."""
+        title = f"CycleProof, not proved: {self.reason}"
+        if self.proved:
+            verdict = {True: "stable", False: "unstable", None: "stability open"}[self.stable]
+            title = f"CycleProof, proved, {verdict}"
+        rows = tuple((name, *each) for name, each in self.decimals().items())
+        return Table(title, ("", "value", "error"), rows)
 
 
 def prove_cycle(cycle: Cycle, *, digits: int = 25, patience: float = 1800.0) -> CycleProof:
-    """Prove that a cycle exists, that it is the only one near, and where its multipliers are.
+    """Prove that a cycle exists and is unique in a box, and enclose its multipliers.
 
-    A box of starts of half width 10^−digits is carried once around by Taylor polynomials in ball
-    arithmetic, every crossing of a border enclosed and shown to be one; Krawczyk's operator of the
-    return maps the box into itself.
+    A box of initial states of half-width 10^−digits is integrated over one period by Taylor
+    polynomials in ball arithmetic; every crossing of a border is enclosed, and proved to be a
+    single one. Then Krawczyk's operator of the return map maps the box into itself.
 
     Parameters
     ----------
     cycle : Cycle
-        Of :func:`~spragsym.cycle`; it need not be stable.
+        Result of :func:`~spragsym.cycle`, stable or not.
     digits : int
-        10 to 200: the box has a half width of 10^−digits, or less where that is too wide to show
-        anything, down to 10^−25. A long or unstable cycle needs more. The article's cycle, of
-        period 34, takes half a minute to 25 digits, three times as long to 60, and some ten minutes
-        to 200.
+        10 to 200. The half-width of the box is 10^−digits; if that is too wide for the proof,
+        smaller ones down to 10^−25 are tried. A long or unstable cycle needs more digits. The
+        article's cycle, of period 34, takes half a minute with 25 digits, three times as long with
+        60, and some ten minutes with 200.
     patience : float
-        Seconds after which it is given up. The proof runs in a process of its own.
+        Time limit in seconds. The proof runs in a process of its own.
 
     Returns
     -------
     CycleProof
-        With ``proved`` False and the reason where something could not be shown.
+        If the proof fails, ``proved`` is False, with the reason.
 
     Raises
     ------
@@ -128,8 +127,8 @@ def prove_cycle(cycle: Cycle, *, digits: int = 25, patience: float = 1800.0) -> 
 
     Notes
     -----
-    Source: (8)–(11) as they stand, with the exponential of (10) everywhere. The parameters are
-    taken as the binary numbers that the floats are.
+    Source: (8)–(11), with the exponential of (10) nowhere omitted. The parameters are the exact
+    values of the binary floats.
     """
     require_kind("cycle", cycle, Cycle, "one of ss.cycle(...)")
     if cycle.field.model is not None:
@@ -148,7 +147,7 @@ def prove_cycle(cycle: Cycle, *, digits: int = 25, patience: float = 1800.0) -> 
 
 
 def proof_of(cycle: Cycle, found: dict[str, Any]) -> CycleProof:
-    """Proof of a cycle, every bit of it, from what the process says."""
+    """The proof of a cycle from the output of the process, without rounding."""
     multipliers = tuple(
         (
             mpmath.mp.make_mpc((_binary(real)._mpf_, _binary(imaginary)._mpf_)),
@@ -170,7 +169,7 @@ def proof_of(cycle: Cycle, found: dict[str, Any]) -> CycleProof:
 
 
 def _binary(text: str) -> mpmath.mpf:
-    """A binary fraction, every bit of it."""
+    """The exact value of a binary fraction in text."""
     return as_mpf(Fraction(text))
 
 
@@ -181,7 +180,9 @@ def _unproved(cycle: Cycle, reason: str) -> CycleProof:
 
 
 def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
-    """Claim to be proved, as JSON holds it."""
+    """The claim to be proved, as JSON data: field, parameters, approximate state, period and
+    crossings, and the Jacobian of the return in the state without x', and the period.
+    """
     m, n = cycle.field.size, len(cycle.field.coordinates)
     flow = cycle.orbit.rate(cycle.state)
     slopes = np.column_stack([np.delete(cycle.orbit.monodromy - np.eye(m), n, axis=1), flow])
@@ -197,10 +198,10 @@ def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
 
 
 def _run(claim: dict[str, Any], patience: float) -> dict[str, Any]:
-    """The proof in a process of its own."""
+    """Run the proof in a process of its own; its output as data."""
     call = [sys.executable, "-m", "spragsym.orbits.ball_proof"]
     try:
-        # What it says may hold paths, in an encoding that only it knows.
+        # Error messages may contain paths in an unknown encoding.
         done = subprocess.run(
             call,
             input=json.dumps(claim),
@@ -214,8 +215,6 @@ def _run(claim: dict[str, Any], patience: float) -> dict[str, Any]:
         reason = f"it was given up after {patience:g} s; give a larger patience or fewer digits"
         return {"proved": False, "reason": reason}
     if done.returncode:
-        raise ConvergenceError(
-            "the proof stopped: "
-            f"{done.stderr.strip().splitlines()[-1] if done.stderr.strip() else 'no word'}"
-        )
+        lines = done.stderr.strip().splitlines() or ["no word"]
+        raise ConvergenceError(f"the proof stopped: {lines[-1]}")
     return json.loads(done.stdout)

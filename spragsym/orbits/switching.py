@@ -1,5 +1,5 @@
-"""Where branches of cycles meet: from one to another, and the end of a branch of doubled cycles,
-whose halves become one.
+"""Branch switching: from a branch of cycles to another one that meets it; and the end of a branch
+of doubled cycles, at the period doubling where it was born.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
-    """The cycle of :meth:`CycleBranch.switch`."""
+    """Compute a cycle on the other branch at an event: see :meth:`CycleBranch.switch`."""
     cycle = event.cycle
     if event not in branch.events:
         raise ParameterError(
@@ -56,16 +56,16 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     if event.kind == "fold" and crossed is None:
         return _beyond(branch, event, step)
     rounds = 2 if event.kind == "period_doubling" else 1
-    point = _aside(point_of(setting, setting.integrated(orbit.guess)), crossed, rounds)
-    # First steps off a branch, in states.
+    point = _other_direction(point_of(setting, setting.integrated(orbit.guess)), crossed, rounds)
+    # Steps to try, in states.
     steps = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
     for size in (step, *steps):
         for sign in (1.0, -1.0):
             try:
-                aside = corrected(point, sign * size, reach=20 * size, iterations=12).orbit
+                switched = corrected(point, sign * size, reach=20 * size, iterations=12)
             except ConvergenceError:
                 continue
-            found = cycle_of(aside)
+            found = cycle_of(switched.orbit)
             if rounds - 0.5 < found.period / cycle.period < rounds + 0.5:
                 return found
     raise ConvergenceError(
@@ -75,12 +75,12 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     )
 
 
-def _aside(point: BranchPoint, crossed: FloatArray | None, rounds: int) -> BranchPoint:
-    """Starts beside a place where branches meet, so many times round: the other of two directions,
-    across that of the branch.
+def _other_direction(point: BranchPoint, crossed: FloatArray | None, rounds: int) -> BranchPoint:
+    """The branching point, repeated for a number of rounds, with the direction of the other branch.
 
-    It is of unit size in the first state; ``crossed`` is the branch's direction, where a tangent
-    can't be computed.
+    There the Jacobian has a two-dimensional null space. The direction is that in the null space
+    orthogonal to the known branch, normalized to 1 in the first state. ``crossed`` is the known
+    branch's direction, None for the tangent of ``point``.
     """
     setting, guess = point.setting, point.orbit.guess
     orbit = setting.integrated(
@@ -89,21 +89,17 @@ def _aside(point: BranchPoint, crossed: FloatArray | None, rounds: int) -> Branc
     unknowns = point.tangent if crossed is None else crossed
     size = guess.states.size
     weights = setting.weights(orbit)
-    along = (
-        np.concatenate(
-            [*[unknowns[:size]] * rounds, rounds * unknowns[size : size + 1], unknowns[size + 1 :]]
-        )
-        * weights
-    )
-    along = along / norm(along)
+    repeated = [*[unknowns[:size]] * rounds, rounds * unknowns[size : size + 1]]
+    known = np.concatenate([*repeated, unknowns[size + 1 :]]) * weights
+    known = known / norm(known)
     plane = directions(setting, orbit)[1][-2:]
-    plane = plane - np.outer(plane @ along, along)
+    plane = plane - np.outer(plane @ known, known)
     direction = max(plane, key=norm) / weights
     return BranchPoint(setting, orbit, direction / norm(direction[: orbit.field.size]))
 
 
 def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
-    """The first cycle of the branch behind a fold that is a step off, or the last one."""
+    """The first cycle of the branch behind a fold whose distance is ``step``, else the last one."""
     for i in range(branch.places[branch.events.index(event)], len(branch.cycles)):
         found: Cycle = branch.cycles[i]
         if magnitude(found.state - event.cycle.state) >= step:
@@ -112,26 +108,25 @@ def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
 
 
 def parted(point: BranchPoint) -> FloatArray:
-    """Distance between the two halves of a round: states less those half a round before, across the
-    flow, over √their number.
+    """Difference between the two halves of an orbit: states minus those half a period before,
+    without the component along the flow, over √(their number).
     """
     states, half = point.orbit.states, len(point.orbit.states) // 2
-    apart = states[half:] - states[:half]
+    difference = states[half:] - states[:half]
     flows = np.array([point.orbit.rate(state) for state in states[:half]])
-    along = (flows * apart).sum(axis=1) / (flows * flows).sum(axis=1)
-    return (apart - along[:, None] * flows).ravel() / np.sqrt(half)
+    along = (flows * difference).sum(axis=1) / (flows * flows).sum(axis=1)
+    return (difference - along[:, None] * flows).ravel() / np.sqrt(half)
 
 
 def meets(one: BranchPoint, other: BranchPoint) -> float | None:
-    """The share of the step from one point to the next at which their halves come together; None if
-    they do not.
+    """The share of the step from one point to the next at which the two halves of the orbit
+    coincide; None if they do not.
     """
     if len(one.orbit.states) != len(other.orbit.states):
         return None
     before, after = parted(one), parted(other)
     was, now = norm(before), norm(after)
-    # Halves this close from the beginning are an orbit twice round.
-    if not was > 1e-9:
+    if not was > 1e-9:  # the same orbit twice
         return None
     if now < min(was, one.setting.options.meeting * extent(other.orbit)):
         return 1.0
@@ -139,11 +134,10 @@ def meets(one: BranchPoint, other: BranchPoint) -> float | None:
 
 
 def halved(one: BranchPoint, other: BranchPoint, share: float) -> tuple[Orbit, float] | None:
-    """The doubling of the cycle of half the period at a share of a step, and the error of its
-    parameter.
+    """The period doubling of the cycle of half the period, near a share of a step, and the error of
+    the parameter.
 
-    None if there is none among the states of the step: then the halves have only come near each
-    other.
+    None if there is none between the states of the step: then the halves only pass near each other.
     """
     kind, setting, a, b = "period_doubling", one.setting, one.orbit.guess, other.orbit.guess
     states, half = (1 - share) * a.states + share * b.states, len(a.states) // 2
@@ -162,8 +156,7 @@ def halved(one: BranchPoint, other: BranchPoint, share: float) -> tuple[Orbit, f
     reach = norm(states[:half] - states[half:]) + norm(b.states - a.states)
     if not norm(orbit.states - guess.states) < reach:
         return None
-    there = point_of(setting, orbit)
-    steepness = float(doubling(orbit)[1][-1] @ there.tangent) * resolution(near, kind)
-    return orbit, unsure(orbit, kind) * abs(turning(there) / steepness) + 1e-15 * (
-        1 + abs(there.value)
-    )
+    point = point_of(setting, orbit)
+    steepness = float(doubling(orbit)[1][-1] @ point.tangent) * resolution(near, kind)
+    error = unsure(orbit, kind) * abs(turning(point) / steepness)
+    return orbit, error + 1e-15 * (1 + abs(point.value))

@@ -1,5 +1,6 @@
-"""A model at values of its parameters, with an integrator: its motions, what they come to, its
-equilibria and saddles.
+"""A model at given values of its parameters, with an integrator (:class:`System`): its motions,
+their fates (:class:`FateVerdict`), and its equilibria, which may be saddles (:class:`Saddle`) and
+can be continued as fixed points (:class:`FixedPoints`).
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ from .orbit import Cycle
 
 @dataclass(frozen=True)
 class System:
-    """A flow at values of the parameters, in the order of the field's."""
+    """A flow at given values of the parameters, in the order of the field."""
 
     flow: Flow
     values: Values
@@ -48,7 +49,7 @@ class System:
         options: MotionOptions | None = None,
         **values: float | None,
     ) -> System:
-        """The system of a set of parameters, with values in place of some of its own."""
+        """The system of a set of parameters, some of which are replaced by ``values``."""
         options = options or MotionOptions()
         flow = Flow.of(model_of(p).field, backend, options.shooting)
         return cls(flow, p.given(**values).scalars(*p.ranges), options)
@@ -60,11 +61,11 @@ class System:
 
     @property
     def constants(self) -> Values:
-        """Arguments of the field's functions."""
+        """Constants that the field's functions take."""
         return self.field.constants(self.values)
 
     def same_limit(self, one: Outcome, other: Outcome) -> bool | None:
-        """Whether two motions have one limit; None where that is not known."""
+        """True if two motions have the same limit; None if that is not known."""
         return same_limit(one, other, self.field, self.constants, self._sets_of_rest)
 
     @cached_property
@@ -73,18 +74,14 @@ class System:
         return RestSets(self.field.parameter_set(**dict(named)))
 
     def at(self, vary: str, value: float) -> System:
-        """The system at another value of one parameter, which is checked."""
+        """The system at another value of one parameter; ParameterError if it is not allowed."""
         self.field.check(vary, value)
-        return replace(
-            self,
-            values=tuple(
-                value if name == vary else own
-                for name, own in zip(self.field.parameters, self.values, strict=True)
-            ),
-        )
+        values = list(self.values)
+        values[self.field.parameters.index(vary)] = value
+        return replace(self, values=tuple(values))
 
     def motion(self, start: FloatArray, t_end: float, **options: Any) -> Trajectory:
-        """The motion from a state."""
+        """The motion from a state to ``t_end``."""
         return motion_of(
             self.field, self.values, start, t_end, backend=self.flow.backend, **options
         )
@@ -94,7 +91,7 @@ class System:
         return scales_of(self.field, self.constants, state.tolist())
 
     def scaled(self, scales: MotionScales) -> System:
-        """The system in these units; itself where all are 1."""
+        """The system in units of ``scales``."""
         if scales.trivial:
             return self
         return replace(self, flow=replace(self.flow, field=scaled(self.field, scales)))
@@ -104,7 +101,7 @@ class System:
         return self.field.initial_mode(state.tolist(), self.constants)
 
     def equilibrium(self, near: FloatArray) -> FloatArray:
-        """The equilibrium that Newton's method finds from the coordinates of a state or a place."""
+        """The equilibrium found by Newton's method from a state or its coordinates; (m,)."""
         n = len(self.field.coordinates)
         start = np.concatenate([near[:n], np.zeros(n)])
         scales = self.scales(start)
@@ -113,7 +110,7 @@ class System:
         return found * scales.states
 
     def linearization(self, state: FloatArray) -> FloatArray:
-        """The matrix of the motion about an equilibrium, shape (m, m), in units of the motion."""
+        """Jacobian of the motion at an equilibrium, (m, m), in units of the motion."""
         scales = self.scales(state)
         matrix = self.field.matrix(state.tolist(), self.constants, self.mode(state))
         return matrix * scales.time * scales.states / scales.states[:, None]
@@ -121,8 +118,8 @@ class System:
 
 @dataclass(frozen=True)
 class FateVerdict:
-    """Fate of a motion, seen at ``t``, where it is at ``end``; ``otherwise`` is what one within
-    rounding comes to.
+    """Fate of a motion as judged at time ``t``, when its state is ``end``. ``otherwise`` describes
+    the fate of a motion that starts within rounding of it, if that differs.
     """
 
     outcome: Outcome
@@ -137,11 +134,11 @@ class FateVerdict:
 
     @property
     def decided(self) -> bool:
-        """Whether it is seen to come to an attractor."""
+        """True if the motion approaches an attractor, whatever the rounding."""
         return bool(self.kind.attractor) and not self.otherwise
 
     def described(self) -> str:
-        """Verdict in words."""
+        """The fate as text, to follow "it comes to"."""
         found, limit = self.outcome, f"nothing that is decided by t = {self.t:g}"
         if self.kind == Regime.EQUILIBRIUM:
             coordinates = zip(found.names, found.rest, strict=False)
@@ -150,7 +147,9 @@ class FateVerdict:
             limit = f"a cycle of period {found.period:.6g}"
         elif self.kind == Regime.LIFT_OFF:
             limit = "lift-off"
-        return limit + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
+        if self.otherwise:
+            limit += f" or, as rounding decides, to {self.otherwise}"
+        return limit
 
 
 def judged(
@@ -160,7 +159,7 @@ def judged(
     times: Sequence[float] | None = None,
     rtol: float | None = None,
 ) -> FateVerdict:
-    """Fate of the motion from a state, looked at later and later as long as that is undecided."""
+    """Fate of the motion from a state, judged at each of ``times`` until it is decided."""
     state, begun, options = start, 0.0, system.options
     for t_end in times or [t * system.scales(start).time for t in options.times]:
         motion = system.motion(state, t_end - begun, rtol=options.rtol if rtol is None else rtol)
@@ -175,10 +174,10 @@ def judged(
 def verified(
     system: System, start: FloatArray, verdict: FateVerdict, alike: Callable[[FateVerdict], bool]
 ) -> FateVerdict:
-    """A verdict, or an undecided one where rounding decides it.
+    """The verdict, made undecided if rounding may change it.
 
-    That is where motions by two tolerances part on their way, as irregular ones do, and the finer
-    one, or one of some that begin within rounding, comes to something that is not ``alike``.
+    Motions with two tolerances are compared. If they diverge, as irregular ones do, the finer one
+    and several that start within rounding are judged, too: all fates must be ``alike``.
     """
     if not verdict.decided:
         return verdict
@@ -189,23 +188,24 @@ def verified(
     if not magnitude((one - other) / scales.states[:, None]) > options.parted:
         return verdict
     for i in range(options.neighbours + 1):
-        off = i * options.rtol * scales.states
-        beside = judged(system, start + off, rtol=rtols[0 if i else 1])
-        if not beside.decided:  # it may only take longer
-            later = judged(system, beside.end)
-            beside = replace(later, t=beside.t + later.t)
-        if not beside.decided or not alike(beside):
-            return replace(verdict, otherwise=beside.described())
+        offset = i * options.rtol * scales.states
+        neighbour = judged(system, start + offset, rtol=rtols[0 if i else 1])
+        if not neighbour.decided:  # it may need more time
+            later = judged(system, neighbour.end)
+            neighbour = replace(later, t=neighbour.t + later.t)
+        if not neighbour.decided or not alike(neighbour):
+            return replace(verdict, otherwise=neighbour.described())
     return verdict
 
 
 @dataclass(frozen=True)
 class Saddle:
-    """An equilibrium with one real direction of growth, and no other that is proved.
+    """An equilibrium with exactly one eigenvalue of significantly positive real part, ``growth``,
+    which is real.
 
-    ``left_eigenvector``, the left eigenvector of the eigenvalue ``growth``, is 1 along the right
-    one's direction: ``left_eigenvector @ (state − saddle)`` grows as exp(growth τ). ``attracts`` is
-    that all other eigenvalues are proved to have negative real parts.
+    ``left_eigenvector`` belongs to it, normalized to 1 for the unit right eigenvector:
+    ``left_eigenvector @ (state − saddle)`` grows as exp(growth τ). ``attracts`` is True if all
+    other eigenvalues have significantly negative real parts.
     """
 
     state: FloatArray
@@ -215,16 +215,13 @@ class Saddle:
 
 
 def rounding_of(matrix: FloatArray) -> float:
-    """Largest rounding error of a real part of an eigenvalue of a matrix of well separated
-    eigenvalues.
-    """
-    # Of a matrix of the motion about an equilibrium: relative error, with a margin.
+    """Bound of the rounding error of well separated eigenvalues of a matrix, with a margin."""
     return 1e-13 * max(1.0, magnitude(matrix))
 
 
 def saddle_near(system: System, state: FloatArray) -> Saddle:
-    """The saddle near a state; ConvergenceError where the equilibrium there has no direction of
-    growth, or several.
+    """The saddle near a state, by Newton's method; ConvergenceError if the equilibrium does not
+    have exactly one unstable direction.
     """
     rest = system.equilibrium(state)
     eigenvalues, vectors, error = spectrum(system, rest)
@@ -238,23 +235,24 @@ def saddle_near(system: System, state: FloatArray) -> Saddle:
 
 
 def spectrum(system: System, state: FloatArray) -> tuple[Any, Any, FloatArray]:
-    """Eigenvalues of the motion about an equilibrium with their vectors and errors: by how much
-    more than the matrix each moves; infinite for a double one.
+    """Eigenvalues at an equilibrium, right eigenvectors (columns), and errors of the eigenvalues:
+    rounding times the condition number of each, infinite for a double one.
     """
     scales, matrix = system.scales(state), system.linearization(state)
     eigenvalues, vectors = np.linalg.eig(matrix)
     try:
-        with np.errstate(over="ignore"):  # vectors that are one but for rounding: infinite, too
-            moves = np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0)
+        with np.errstate(over="ignore"):  # nearly parallel eigenvectors: infinite, too
+            condition = np.linalg.norm(np.linalg.inv(vectors), axis=1)
+            condition = condition * np.linalg.norm(vectors, axis=0)
     except np.linalg.LinAlgError:
-        moves = np.full(len(vectors), np.inf)
-    error = rounding_of(matrix) * moves / scales.time
+        condition = np.full(len(vectors), np.inf)
+    error = rounding_of(matrix) * condition / scales.time
     return eigenvalues / scales.time, scales.states[:, None] * vectors, error
 
 
 def growth_of_cycle(cycle: Cycle) -> float | None:
-    """ln μ / T of the one multiplier beyond the unit circle; None unless it is proved that there is
-    one, and one only.
+    """Growth rate ln |μ| / T of a saddle cycle, whose multiplier μ is the only one outside the unit
+    circle; None unless that is certain within the errors.
     """
     sizes, error = np.abs(cycle.multipliers[1:]), cycle.multiplier_errors
     which = int(np.argmax(sizes))
@@ -265,52 +263,55 @@ def growth_of_cycle(cycle: Cycle) -> float | None:
 
 @dataclass(frozen=True)
 class FixedPoints:
-    """Equilibria, fixed points of the map that adds to a state its rates; ``mode`` is kept where it
-    is given.
+    """Equilibria as closed orbits of period 1, for the continuation of branches.
+
+    The flow map is replaced by the map u → u + u̇(u), of which equilibria are the fixed points. The
+    rates are those in ``mode``, if it is given, else in the state's own mode.
     """
 
     field: Field
     mode: Mode | None = None
 
     def started(self, system: System, state: FloatArray, index: int, span: float) -> BranchPoint:
-        """An equilibrium of a system as a point from which it is followed in one parameter."""
+        """First point of a branch of equilibria in one parameter, of range 2 ``span``."""
         setting = Setting(
             replace(system.flow, other=self.flow_map), (index,), 1.0, (span,), _of_one_time
         )
         return started(setting, Iterate(state[None], 1.0, system.values))
 
     def at(self, state: FloatArray, constants: Values) -> tuple[list[float], Values, Mode]:
-        """State, constants and mode, whose last numbers go with the place."""
+        """Arguments of the field's functions: state, constants and mode. The last numbers of a
+        mode, of torsion springs, are always those of the state.
+        """
         numbers = state.tolist()
         own = self.field.initial_mode(numbers, constants)
-        kept = len(own) - self.field.torsion_sides
-        return numbers, constants, (self.mode or own)[:kept] + own[kept:]
+        fixed = len(own) - self.field.torsion_sides
+        return numbers, constants, (self.mode or own)[:fixed] + own[fixed:]
 
     def flow_map(
         self, state: FloatArray, constants: Values, _: float, directions: FloatArray
     ) -> FlowResult:
-        """The map with its derivatives."""
-        there = self.at(state, constants)
+        """The map u → u + u̇(u) with its derivatives, as :meth:`Flow.flow_map`."""
+        arguments = self.at(state, constants)
         by_parameters = np.zeros((self.field.size, len(directions)))
         n = len(self.field.coordinates)
         try:
-            end = state + self.field.rates(*there)
-            by_state = np.eye(self.field.size) + self.field.matrix(*there)
-            by_parameters[n:] = (
-                np.array(self.field.by_parameters(*there, FLOATS), dtype=float) @ directions.T
-            )
+            end = state + self.field.rates(*arguments)
+            by_state = np.eye(self.field.size) + self.field.matrix(*arguments)
+            slopes = np.array(self.field.by_parameters(*arguments, FLOATS), dtype=float)
         except ArithmeticError as error:
             raise ConvergenceError("there is no motion") from error
+        by_parameters[n:] = slopes @ directions.T
         return FlowResult(end, by_state, by_parameters, (), ())
 
     def eigenvalues(self, point: BranchPoint) -> list[complex]:
         """Eigenvalues of the linearized motion."""
-        there = self.at(point.orbit.state, point.orbit.constants)
-        return [complex(value) for value in np.linalg.eigvals(self.field.matrix(*there))]
+        arguments = self.at(point.orbit.state, point.orbit.constants)
+        return [complex(value) for value in np.linalg.eigvals(self.field.matrix(*arguments))]
 
     def pairs(self, point: BranchPoint) -> float:
-        """Product of the sums of all pairs of eigenvalues, each over its size: 0 where a pair is ±
-        i ω.
+        """Test function of a Hopf point: product of λ + μ over all pairs of eigenvalues, each
+        divided by |λ| + |μ|. It is 0 for a pair ± i ω.
         """
         pairs = combinations(self.eigenvalues(point), 2)
         return float(
@@ -318,8 +319,8 @@ class FixedPoints:
         )
 
     def inside(self, point: BranchPoint) -> bool:
-        """Whether a state is on this side of all kinks; the field jumps at the end of a torsion
-        spring, or is smooth.
+        """True if the state is within its mode with respect to all kinks at which the field is
+        continuous.
         """
         state, constants, mode = self.at(point.orbit.state, point.orbit.constants)
         kinks = (border for border in self.field.borders if border.kink and border.jumps is None)
@@ -330,6 +331,6 @@ class FixedPoints:
 
 
 def _of_one_time(_: Setting, near: Orbit, __: FloatArray) -> Conditions:
-    """An equilibrium has no period: it stays 1."""
+    """Condition in place of the phase, which an equilibrium does not have: the period is 1."""
     row = np.eye(1, len(near.guess.coordinates), near.states.size)
     return lambda orbit: (np.array([orbit.period - 1.0]), row)

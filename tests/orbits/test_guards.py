@@ -14,7 +14,7 @@ from spragsym.orbits import basin_boundaries, branch, exponents, fate_boundaries
 def test_a_line_along_the_boundary_does_not_cross_it() -> None:
     """Newton's method has no step where the side changes across the line alone."""
     walk = SimpleNamespace(
-        off=lambda *_: (0.3, np.array([0.0, 1.0])),
+        component=lambda *_: (0.3, np.array([0.0, 1.0])),
         saddle=SimpleNamespace(growth=1.0),
         plane=np.eye(2),
     )
@@ -25,7 +25,7 @@ def test_a_line_along_the_boundary_does_not_cross_it() -> None:
 def test_the_boundary_of_a_plane_is_found_by_newtons_method() -> None:
     """Of a motion that is off it by x + 2 y − 1, along a direction (1, 1): at x = y = 1/3."""
     walk = SimpleNamespace(
-        off=lambda state, _: (state @ [1.0, 2.0] - 1.0, np.array([1.0, 2.0])),
+        component=lambda state, _: (state @ [1.0, 2.0] - 1.0, np.array([1.0, 2.0])),
         saddle=SimpleNamespace(growth=1.0),
         plane=np.eye(2),
     )

@@ -1,15 +1,13 @@
-"""Interval arithmetic of any precision, on Python's integers: the same bits on every machine, in
+"""Ball arithmetic of any precision, on Python's integers: the same bits on every machine and in
 every thread.
 
-A :class:`Ball` is an interval (mid ± rad) 2^exp of three integers. It carries the number of bits
-that results of it are rounded to, and every rounding goes into ``rad``. Integers are exact, so
-nothing here depends on a precision that is kept elsewhere.
+A :class:`Ball` is an interval (mid ± rad) 2^exp with three integers. It carries the precision, in
+bits, to which results are rounded; every rounding error is added to ``rad``.
 
-python-flint's Arb and mpmath's intervals keep theirs in one variable for all threads
-(``flint.ctx.prec``, ``mpmath.iv.prec``, and mpmath's memory of π in another): to set it changes
-what the user's other threads compute meanwhile, which no lock of this package can prevent. At fifty
-digits most of the time is Python's own, and a point costs 1.6 times what it would with Arb, at a
-thousand digits 3.4 times. All precisions are in bits.
+Why not python-flint's Arb or mpmath's intervals: they keep their precision in one variable for all
+threads (``flint.ctx.prec``, ``mpmath.iv.prec``, and mpmath its cache of π in another). Setting it
+changes what the user's other threads compute meanwhile, which no lock of this package can prevent.
+With fifty digits a point takes 1.6 times as long as with Arb, with a thousand digits 3.4 times.
 """
 
 from __future__ import annotations
@@ -30,27 +28,27 @@ from ..core.type_variables import T
 from .arithmetic import Arithmetic, Number
 from .jets import Functions
 
-#: A :class:`Ball`, or what is made of balls and numbers beside them.
+#: A :class:`Ball`, or a rational number.
 Interval: TypeAlias = Any
 
-#: Bits of a radius: more would be of no use, and fewer would make it grow by rounding.
+#: Bits of a radius: fewer would let it grow by rounding, more would be useless.
 RADIUS_BITS = 30
-#: Bits beyond those asked for, which absorb the roundings inside of a function.
+#: Additional bits with which functions compute internally.
 GUARD_BITS = 16
 
 _BITS: ContextVar[int] = ContextVar("bits", default=53)
 
 
 class UndecidedSign(ArithmeticError):
-    """A sign that the precision can't decide."""
+    """A sign that the precision does not decide."""
 
 
-#: Bits of the first try.
+#: Precision of the first attempt.
 FIRST_BITS = 192
 
 
 class Ball(Arithmetic):
-    """All numbers (mid ± rad) 2^exp; results of it are rounded to ``bits`` bits, outward."""
+    """The interval (mid ± rad) 2^exp; results are rounded outward to ``bits`` bits."""
 
     __slots__ = ("bits", "exp", "mid", "rad")
 
@@ -77,8 +75,8 @@ class Ball(Arithmetic):
                 return Ball(n, s, exp, self.bits)
             if not (n or s):
                 return Ball(m, r, one.exp, self.bits)
-            # What lies far below the last bit of the result goes into the radius, lest a wide gap
-            # cost its number of bits.
+            # Bits far below the last one of the result go into the radius: otherwise a wide gap
+            # would make long integers.
             drop = gap - self.bits - 2 * GUARD_BITS
             if drop > 0:
                 n, s, exp, gap = n >> drop, _rounded(s, drop), exp + drop, gap - drop
@@ -92,7 +90,7 @@ class Ball(Arithmetic):
         return Ball(abs(self.mid), self.rad, self.exp, self.bits)
 
     def sign(self) -> int:
-        """−1 or 1; :class:`UndecidedSign` where the ball holds 0."""
+        """−1 or 1; raises :class:`UndecidedSign` if the ball contains 0."""
         return decided(self, "the sign of a ball that holds 0")
 
     def __mul__(self, other: Any) -> Ball:
@@ -129,24 +127,25 @@ class Ball(Arithmetic):
 
 
 def _rounded(radius: int, shift: int) -> int:
-    """The radius in units of 2^shift around a middle that is rounded down to them: rounded up, and
-    a unit for the middle.
+    """Radius in units of 2^shift, rounded up, plus one unit for the midpoint, which is rounded
+    down.
     """
     return 1 - (-radius >> shift)
 
 
 def ball(value: float, bits: int) -> Ball:
-    """An integer or float, exactly."""
+    """The exact ball of an integer or float."""
     numerator, denominator = value.as_integer_ratio()
     return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
 
 
 def _as_ball(value: Number, bits: int) -> Ball | None:
-    """A number that is exactly an integer over a power of two."""
+    """The exact ball of an integer or float; None for other types."""
     return ball(value, bits) if isinstance(value, int | float) else None
 
 
 def _quotient(one: Ball, other: Ball) -> Ball:
+    """Quotient of two balls; UndecidedSign if the divisor contains 0."""
     m, n, r, s = one.mid, other.mid, one.rad, other.rad
     least = abs(n) - s
     if least <= 0:
@@ -162,8 +161,8 @@ def _quotient(one: Ball, other: Ball) -> Ball:
 
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
-    """Numbers made inside carry ``bits`` bits; each thread and each asynchronous task has its
-    own.
+    """Context in which new balls have a precision of ``bits`` bits; separate for each thread and
+    each asynchronous task.
     """
     token = _BITS.set(bits)
     try:
@@ -173,7 +172,7 @@ def precision(bits: int) -> Iterator[None]:
 
 
 def exact(value: Fraction) -> Ball:
-    """A small interval around a rational: the number itself where its digits fit."""
+    """A ball around a rational, which is exact for an integer over a power of two."""
     numerator, denominator, bits = value.numerator, value.denominator, _BITS.get()
     if denominator & (denominator - 1) == 0:
         return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
@@ -182,12 +181,12 @@ def exact(value: Fraction) -> Ball:
 
 
 def between(low: Fraction, high: Fraction) -> Ball:
-    """An interval that holds [low, high]."""
+    """A ball that contains [low, high]."""
     return union(exact(low), exact(high))
 
 
 def union(one: Ball, other: Ball) -> Ball:
-    """An interval that holds both."""
+    """A ball that contains both."""
     exp = min(one.exp, other.exp)
     m, r = one.mid << one.exp - exp, one.rad << one.exp - exp
     n, s = other.mid << other.exp - exp, other.rad << other.exp - exp
@@ -196,12 +195,12 @@ def union(one: Ball, other: Ball) -> Ball:
 
 
 def middle(value: Ball) -> Ball:
-    """Midpoint of a ball, as an interval without width."""
+    """The midpoint of a ball, as an exact ball."""
     return Ball(value.mid, 0, value.exp, value.bits)
 
 
 def ends(value: Ball | Fraction | int) -> tuple[Fraction, Fraction]:
-    """Lower and upper end, exactly; of a rational that itself."""
+    """Lower and upper end, exactly; for a rational, the number twice."""
     if not isinstance(value, Ball):
         return Fraction(value), Fraction(value)
     low, high = value.mid - value.rad, value.mid + value.rad
@@ -211,21 +210,21 @@ def ends(value: Ball | Fraction | int) -> tuple[Fraction, Fraction]:
 
 
 def sign(value: Ball | Fraction | int) -> int:
-    """−1 or 1 where a ball or rational has that sign; 0 for 0, and where a ball holds 0."""
+    """−1 or 1 if a ball or rational has that sign; 0 for 0, and for a ball that contains 0."""
     if isinstance(value, Ball):
         return 1 if value.mid > value.rad else -1 if value.mid < -value.rad else 0
     return (value > 0) - (value < 0)
 
 
 def cos_sin(angle: Ball) -> tuple[Ball, Ball]:
-    """Cosine and sine: each changes by no more than the angle does."""
+    """Cosine and sine. The radius is that of the angle, as both have Lipschitz constant 1."""
     if not angle.mid:
         return 1 + angle, angle
     wanted = angle.bits + GUARD_BITS
     places = wanted + _leading_zeros(angle)
     cosine, sine, error = _cos_sin(angle.mid, angle.exp, places)
-    # Near a multiple of π/2 one of them is small: again, with the bits that it lacks, if the angle
-    # is known so well.
+    # Near a multiple of π/2 one of them is small: compute again with more bits, if the angle is
+    # exact.
     lacking = wanted - min(cosine.bit_length(), sine.bit_length())
     if not angle.rad and lacking > GUARD_BITS // 2:
         places += lacking
@@ -235,7 +234,7 @@ def cos_sin(angle: Ball) -> tuple[Ball, Ball]:
 
 
 def sqrt(value: Ball) -> Ball:
-    """Square root; :class:`UndecidedSign` where the interval holds negative numbers."""
+    """Square root; :class:`UndecidedSign` if the ball contains negative numbers."""
     if value.mid < value.rad:
         raise UndecidedSign("the square root of an interval that holds negative numbers")
     if not value.mid:
@@ -248,9 +247,7 @@ def sqrt(value: Ball) -> Ball:
 
 
 def atan(value: Ball) -> Ball:
-    """Arc tangent, which changes by no more than its argument does; of a large one through its
-    reciprocal.
-    """
+    """Arc tangent, which has Lipschitz constant 1; of large arguments by ±π/2 − atan(1/x)."""
     if value.mid.bit_length() + value.exp > 1 and abs(value.mid) > value.rad:
         half = _pi(value.bits) * 0.5
         return (half if value.mid > 0 else -half) - atan(1 / value)
@@ -271,8 +268,8 @@ def _pi(bits: int) -> Ball:
 
 
 def atan2(sine: Ball, cosine: Ball) -> Ball:
-    """Angle of a vector of balls, from −π to π; :class:`UndecidedSign` where they meet the ray on
-    which it jumps.
+    """Angle of a vector of balls in [−π, π]; :class:`UndecidedSign` if it may be on the branch
+    cut.
     """
     up, right = (sign(part) for part in (sine, cosine))
     if right > 0 and (not up or _size(sine) <= _size(cosine)):
@@ -294,10 +291,9 @@ def sin(angle: Ball) -> Ball:
 
 
 def exp(value: Ball) -> Ball:
-    """Exponential: Taylor's series of the argument over 2^halvings, squared as often.
+    """Exponential: Taylor series of x / 2^halvings, then as many squarings.
 
-    The argument is cut to at most 2^-8, so that what is dropped after a term is less than that
-    term.
+    The reduced argument is at most 2^-8, so that the remainder is less than the last term.
     """
     halvings = max(0, value.mid.bit_length() + value.exp, value.rad.bit_length() + value.exp) + 8
     bits = value.bits + halvings + GUARD_BITS
@@ -314,7 +310,7 @@ def exp(value: Ball) -> Ball:
 
 
 def log(value: Ball) -> Ball:
-    """Natural logarithm: y + log(1 + z) for a float y near it and z = x e^−y − 1, by Taylor's
+    """Natural logarithm y + log(1 + z), with a float y ≈ log x and z = x e^−y − 1, by Taylor
     series.
     """
     if value.mid <= 2 * value.rad:
@@ -324,7 +320,7 @@ def log(value: Ball) -> Ball:
     y = ball(near, bits)
     z = Ball(value.mid, value.rad, value.exp, bits) * exp(-y) - 1
     total, power, order = z, z, 1
-    # z is below 2/3: all that is left out together is less than three times its first term.
+    # |z| < 2/3: the remainder is less than three times its first term.
     while _size(power) > -bits and order < bits:
         order += 1
         power = power * -z
@@ -334,7 +330,7 @@ def log(value: Ball) -> Ball:
 
 
 def tanh(value: Ball) -> Ball:
-    """Hyperbolic tangent, 1 − 2/(e^2x + 1), with the bits that it lacks near 0."""
+    """Hyperbolic tangent 1 − 2/(e^2x + 1), with additional bits near 0, where it cancels."""
     bits = value.bits + max(0, min(-_size(value), 4 * value.bits)) + GUARD_BITS
     found = 1 - 2 / (exp(Ball(value.mid, value.rad, value.exp + 1, bits)) + 1)
     return Ball(found.mid, found.rad, found.exp, value.bits)
@@ -356,14 +352,15 @@ XP = _BallFunctions(sys.modules[__name__], _taken)
 
 
 def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
-    """Run ``attempt(bits)`` with more and more bits until every sign that it needs is decided."""
+    """Result of ``attempt(bits)``, with twice as many bits as long as it raises UndecidedSign;
+    ConvergenceError beyond 6144 bits, which names ``what`` is computed.
+    """
     bits = max(FIRST_BITS, int(3.4 * digits) + 96)
     while True:
         with precision(bits):
             try:
                 return attempt(bits)
             except (UndecidedSign, ZeroDivisionError) as reason:
-                # Bits of the last try.
                 if bits >= 6144:
                     raise ConvergenceError(
                         f"{what}: {bits} bits do not decide it ({reason}); the parameters are "
@@ -374,13 +371,13 @@ def with_enough_bits(digits: int, attempt: Callable[[int], T], what: str) -> T:
 
 
 def decided(value: Interval, what: str) -> int:
-    """The sign of an interval that must have one."""
+    """The sign, −1 or 1, of an interval; UndecidedSign with the text ``what`` if it contains 0."""
     return sign_or_zero(value, what, lambda: False)
 
 
 def sign_or_zero(value: Interval, what: str, vanishes: Callable[[], bool]) -> int:
-    """The sign of an interval; 0 only where it holds 0 and ``vanishes()`` says that the number in
-    it is exactly 0.
+    """The sign of the number that an interval encloses: 0 if the interval contains 0 and
+    ``vanishes()``, which must prove that the number is 0; else UndecidedSign.
     """
     result = sign(value)
     if result == 0 and not vanishes():
@@ -389,26 +386,24 @@ def sign_or_zero(value: Interval, what: str, vanishes: Callable[[], bool]) -> in
 
 
 def as_floats(intervals: Iterable[Interval]) -> tuple[list[float], float]:
-    """The middles of intervals as floats, infinite beyond float64, and a bound on |error| / max(1,
-    |value|) of all of them.
+    """Midpoints of intervals as floats, infinite beyond float64, and a bound of |error| / max(1,
+    |value|) for all; UndecidedSign if one has less than 15 digits.
     """
-    # Digits that an interval must have to become a float.
     middles, worst, _ = as_numbers(intervals, 15)
-    # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is
-    # rounded and in the sum, 1e-30.
+    # Rounding to a float adds 1.11e-16, and the rounding of the bound itself less than 1e-30.
     return list(map(float, middles)), float(worst) + 1.2e-16
 
 
 def as_numbers(
     intervals: Iterable[Interval], digits: int | None
 ) -> tuple[list[mpmath.mpf], Fraction, Fraction]:
-    """The middles of intervals with every bit that they have, and bounds on |error| / max(1,
-    |value|) and |error| of all.
+    """Exact midpoints of intervals, and bounds of |error| / max(1, |value|) and of |error| for all;
+    UndecidedSign if the first exceeds 10^−digits.
     """
     middles, error, radius = [], Fraction(0), Fraction(0)
     for low, high in map(ends, intervals):
         middle, half = (low + high) / 2, (high - low) / 2
-        # Over the smallest that the value may be, so that it is a bound over the true one as well.
+        # Relative to the smallest |value| in the interval.
         error, radius = max(error, half / max(Fraction(1), abs(middle) - half)), max(radius, half)
         middles.append(as_mpf(middle))
     if digits is not None and error > Fraction(1, 10**digits):
@@ -417,7 +412,7 @@ def as_numbers(
 
 
 def as_mpf(value: Fraction) -> mpmath.mpf:
-    """An integer over a power of two as an mpf, every bit of it, whatever ``mpmath.mp.prec`` is."""
+    """An integer over a power of two as an exact mpf, whatever ``mpmath.mp.prec`` is."""
     if value.denominator & (value.denominator - 1):
         raise ValueError(f"{value} has no finite number of bits")
     return mpmath.mp.make_mpf(
@@ -426,23 +421,23 @@ def as_mpf(value: Fraction) -> mpmath.mpf:
 
 
 def rounded_up(bound: Fraction) -> Fraction:
-    """A number of few bits that is not below ``bound`` ≥ 0."""
+    """``bound`` ≥ 0 rounded up to few bits."""
     shift = bound.denominator.bit_length() - bound.numerator.bit_length() + RADIUS_BITS
     return math.ceil(bound * Fraction(2) ** shift) * Fraction(2) ** -shift
 
 
 def _leading_zeros(value: Ball) -> int:
-    """Number of binary places after the point before the first digit of the middle."""
+    """Number of zeros between the binary point and the first bit of the midpoint."""
     return max(0, -value.exp - value.mid.bit_length())
 
 
 def _size(value: Ball) -> int:
-    """n with |x| < 2^n all over the ball."""
+    """Smallest known n with |x| < 2^n for all x in the ball."""
     return (abs(value.mid) + value.rad).bit_length() + value.exp
 
 
 def _shifted(radius: int, places: int) -> int:
-    """At least radius · 2^places."""
+    """radius · 2^places, rounded up."""
     return -_shifted_down(-radius, places)
 
 
@@ -451,17 +446,15 @@ def _shifted_down(value: int, places: int) -> int:
     return value << places if places >= 0 else value >> -places
 
 
-# ----------------------------------------------------------------------------- functions of
-# fixed-point numbers
-#
-# x stands for x 2^−places. Products are rounded down, so that each is off by less than one unit.
+# Functions of fixed-point numbers: the integer x represents x · 2^−places. Products are rounded
+# down, with an error below one unit.
 
 
 def _cos_sin(mid: int, exp: int, places: int) -> tuple[int, int, int]:
-    """Cosine and sine of mid · 2^exp, and a bound on the error of both, in units of 2^−places.
+    """Cosine and sine of mid · 2^exp, and a bound of their errors, in units of 2^−places.
 
-    Taylor's series of the angle over 2^halvings, then the square of cos + i sin as often: each
-    doubles an error, and adds less than two units to it.
+    Taylor series of the angle / 2^halvings, then as many squarings of cos + i sin. Each doubles the
+    error and adds less than two units.
     """
     halvings = max(0, mid.bit_length() + exp + math.isqrt(places) // 2)
     inner = places + halvings + GUARD_BITS
@@ -475,18 +468,18 @@ def _cos_sin(mid: int, exp: int, places: int) -> tuple[int, int, int]:
     cosine = math.isqrt((1 << 2 * inner) - sine * sine)
     for _ in range(halvings):
         cosine, sine = (cosine * cosine - sine * sine) >> inner, 2 * cosine * sine >> inner
-    # Each of order/2 terms is off by less than three units, as are x and the rest of the series,
-    # and the cosine by no more.
+    # Each of the order/2 terms has an error below three units, as have x and the remainder; the
+    # error of the cosine is no larger.
     error = (5 * order // 2 + 16) << halvings
     down = inner - places
     return cosine >> down, sine >> down, _rounded(error, down)
 
 
 def _atan(x: int, places: int) -> tuple[int, int]:
-    """Arc tangent of x, itself off by less than one unit, and a bound on its error.
+    """Arc tangent of x, which may have an error of one unit, and a bound of the result's error.
 
-    atan x = 2 atan(x / (1 + √(1 + x²))), as often as pays, then Taylor's series. Each reduction
-    halves an error, and adds less than three units to it.
+    Several reductions atan x = 2 atan(x / (1 + √(1 + x²))), then the Taylor series. Each reduction
+    halves the error and adds less than three units.
     """
     halvings = 2 + math.isqrt(places) // 3
     inner = places + halvings + GUARD_BITS
@@ -500,8 +493,8 @@ def _atan(x: int, places: int) -> tuple[int, int]:
         power = -(power * square >> inner)
         order += 2
         result += power // order
-    # Each of order/2 terms is off by less than two units; x's own unit, of 2^−places, is as large
-    # in the arc tangent.
+    # Each of the order/2 terms has an error below two units; that of x, 2^−places, is not
+    # amplified.
     error = ((order + 16) << halvings) + (1 << inner - places)
     down = inner - places
     return (result << halvings) >> down, _rounded(error, down)
@@ -509,6 +502,6 @@ def _atan(x: int, places: int) -> tuple[int, int]:
 
 @lru_cache(maxsize=64)
 def _pi_fixed(places: int) -> int:
-    """π to less than two units."""
+    """π · 2^places, with an error below two units."""
     inner = places + 2 * GUARD_BITS
     return 4 * _atan(1 << inner, inner)[0] >> 2 * GUARD_BITS

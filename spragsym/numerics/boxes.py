@@ -1,11 +1,12 @@
-"""All roots of small systems in a region, proved: branch and prune, over many boxes and many points
-of parameters at once.
+"""Branch and prune: all roots of a small system of equations in a region, proved, for many
+parameter points at once.
 
-A pair of a box of unknowns and a node of the tree of points is taken from a stack, thousands at a
-time. Whatever :mod:`spragsym.numerics.contractors` proves of it holds for all points of the node:
-so it is dropped, or decided for all of them. What is not decided is halved: the box where the width
-of the unknowns is what keeps it open, the node where the spread of the parameters is. Points of a
-space of parameters are the leaves of a tree of boxes, so that one proof serves all points of a box.
+The parameter points are the leaves of a binary tree (:class:`Tree`); each node has the smallest box
+around its points, so that one proof serves all points of a node. The search works on pairs of a box
+of unknowns and a node, thousands at a time, from a stack. For each pair interval Newton
+(:mod:`spragsym.numerics.contractors`) may prove that the box contains no root, or exactly one, for
+all points of the node. Otherwise the box is bisected, or, if the spread of the parameters is the
+reason, the node is replaced by its two children.
 """
 
 from __future__ import annotations
@@ -32,40 +33,40 @@ from .interval_arrays import (
 from .plans import Plan
 from .verdicts import NARROW, BoxVerdict, Judged, Looked, Rules, judged, with_room
 
-#: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
+#: Number of pairs per step: large against the overhead of calls, small enough for the cache.
 CHUNK = 2048
 
 
 @dataclass(frozen=True)
 class BoxOptions(Options):
-    """Options of a search over boxes, which is a proof whatever they are.
+    """Options of branch and prune. The result is a proof whatever they are.
 
     Parameters
     ----------
     budget : int, optional
-        Boxes that are looked at for one point of the parameters, after which what is left is
-        undecided. Left out, each question has its own: 20,000 for equilibria of up to two
-        coordinates, 200,000 for those of more and for points in up to three unknowns, 1,000,000 in
-        four, 500,000 in more.
+        Maximum number of boxes examined for one parameter point; the remaining ones are undecided.
+        The default depends on the question: 20,000 for equilibria of up to two coordinates, 200,000
+        for those of more and for points in up to three unknowns, 1,000,000 in four, 500,000 in
+        more.
     node_budget : int
-        Boxes of several points together after which these are parted in any case.
+        Maximum number of boxes examined for several points together, before these are separated.
     narrow : float, optional
-        Relative width of boxes that are not halved any more. Left out, each question has its own:
-        2⁻¹⁹ for equilibria, which are then looked at with many digits, else 2⁻⁴⁴.
+        Relative width below which boxes are not bisected. The default is 2⁻¹⁹ for equilibria, which
+        are then examined with more digits, else 2⁻⁴⁴.
     margin : float
-        Share of its width by which a box is widened before it is asked for a root, so that roots
-        on its border are inside.
+        A box is widened by this share of its width before the test for a root, so that roots on its
+        border are inside.
     shrunk : float
-        Share of a box above which it is halved when contraction leaves as much.
+        A box is bisected if contraction leaves more than this share of it.
     spread : float
-        Share of the box by which parameters, or rounding, move the root, above which points are
-        parted or a small box is given up.
+        If parameters, or rounding, move the root by more than this share of the box, points are
+        separated, or a small box is abandoned.
     small : float
-        Relative width up to which a box is given up for rounding.
+        Relative width up to which a box may be abandoned because of rounding.
     pole : float
-        Width of boxes around a pole of the forces that are not halved any more.
+        Width below which boxes around a pole of the forces are not bisected.
     pieces : int
-        Boxes into which a region is cut at once where there are few points.
+        Number of boxes into which a region is cut at the beginning, if there are few points.
     """
 
     budget: int | None = limit(None)
@@ -80,72 +81,70 @@ class BoxOptions(Options):
 
 
 class EquationSystem:
-    """n equations in n unknowns with parameters: their values and slopes over boxes.
+    """n equations F(x, p) = 0 in n unknowns x with parameters p, evaluated over boxes.
 
-    All else has a default that knows nothing more.
+    ``residuals`` and ``jacobian`` must be defined. The defaults of all others are trivial.
     """
 
-    #: Boxes of a point after which it is given up, where nobody says.
+    #: Default maximum number of boxes for a parameter point.
     usual_budget = 20_000
-    #: Beyond these, −low and high, (2, n), F is not asked for.
+    #: −low and high, (2, n), of the domain in which F is evaluated.
     limits: Any = np.inf
 
     @property
     def options(self) -> BoxOptions:
-        """Options of the search for its roots."""
+        """Options of the search for the roots."""
         return BoxOptions()
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n,
-        N).
-        """
+        """Enclosure of F over N boxes, (n, N): unknowns (n, N), parameters (P, N)."""
         raise NotImplementedError
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Enclosure of ∂F/∂x, shape (n, n, N)."""
+        """Enclosure of ∂F/∂x over N boxes, (n, n, N)."""
         raise NotImplementedError
 
     def excluded(self, unknowns: Intervals, parameters: Intervals) -> BoolArray:
-        """Boxes that hold nothing wanted for another reason than F, shape (N,)."""
+        """Mask of boxes without wanted roots, by a condition other than F, (N,)."""
         return np.zeros(unknowns.shape[1:], dtype=bool)
 
     def excluded_without_plan(self, unknowns: Intervals, parameters: Intervals) -> BoolArray | None:
-        """Of what is excluded that which no plan tells; None where it tells all."""
+        """The part of :meth:`excluded` that a plan does not test; None if it tests all."""
         return None
 
     @property
     def covered_by_plan(self) -> bool:
-        """Whether a plan makes all tests of a box: nothing is excluded or abandoned beside it."""
+        """True if a plan makes all tests of a box, and ``excluded`` and ``abandoned`` add none."""
         return False
 
     def plan(self, parameters: Intervals) -> Plan | None:
-        """Tapes by which compiled code looks at boxes, for these parameters of all nodes, if all is
-        recorded.
+        """Recorded functions with which compiled code examines boxes, for the parameters of all
+        nodes; None if not all functions can be recorded.
         """
         return None
 
     def prepared(self, bounds: Intervals) -> Intervals:
-        """Parameters as the methods take them, from the boxes of all nodes of the tree, shape
-        (parameters, nodes).
+        """Parameters as the other methods take them, from the boxes of all nodes, (parameters,
+        nodes).
         """
         return bounds
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
-        """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
+        """Ends (2, n, N) of boxes within the given ones that contain the same roots."""
         return unknowns.ends
 
     def abandoned(
         self, unknowns: Intervals, parameters: Intervals, times: float = 1.0
     ) -> BoolArray:
-        """Boxes, up to so many times the width of the options, that halving would never decide, as
-        around a pole of F, shape (N,).
+        """Mask of boxes that bisection would never decide, as around a pole of F, (N,): up to
+        ``times`` the width in the options.
         """
         return np.zeros(unknowns.shape[1:], dtype=bool)
 
 
 @dataclass(frozen=True)
 class Pairs(ByColumn):
-    """Boxes, shape (2, n, N), and the nodes that they are looked at for, shape (N,)."""
+    """N pairs of a box, ``ends`` (2, n, N), and a node of the tree of points, (N,)."""
 
     ends: FloatArray
     nodes: IntArray
@@ -156,10 +155,11 @@ class Pairs(ByColumn):
 
 @dataclass(frozen=True)
 class SearchOutcome:
-    """Outcome of a search: boxes with exactly one root for every point of their node, and boxes
-    that nothing is known of.
+    """Result of branch and prune.
 
-    ``unique`` and ``where`` are one list: any root in the first box lies in the second one, too.
+    ``unique`` are boxes with exactly one root for every point of their node. ``where``, in the same
+    order, are enclosures of these roots: any root in the first box is in the second, too.
+    ``undecided`` are boxes that may contain roots. ``looks`` is the number of boxes examined.
     """
 
     unique: Pairs
@@ -170,7 +170,7 @@ class SearchOutcome:
 
     @property
     def every(self) -> Pairs:
-        """Boxes that hold all roots."""
+        """Boxes that contain all roots."""
         return self.where.concatenated(self.undecided)
 
 
@@ -183,60 +183,61 @@ def search(
     budget: int | None = None,
     narrow: float | None = None,
 ) -> SearchOutcome:
-    """All roots for all points: the box to search is ``region``, −low and high, (2, n, points or
-    1), points (parameters, points).
+    """All roots in a region for all parameter points, by branch and prune.
 
-    ``budget`` is how many boxes one point may take, and ``narrow`` the relative width of boxes that
-    are not halved any more, else as the options of the system say.
+    ``region``, (2, n, points or 1), are −low and high of the box to search. ``low`` and ``high``,
+    (parameters, points), are the parameters, which may be intervals. ``budget`` and ``narrow``
+    replace those of the system's options.
     """
     points, options = tree(low, high), system.options
     first = Pairs(region.max(axis=2, keepdims=True).astype(float), np.zeros(1, dtype=int))
     with quiet():
         beyond = np.asarray(system.limits)[..., None]
         regions = points.hulls(region) if region.shape[2] > 1 else None
-        here = _Search(
+        rules = Rules(
+            options.margin,
+            options.spread,
+            options.small,
+            narrow or options.narrow or NARROW,
+            options.shrunk,
+            bool((low == high).all()),
+            _spans(first.ends[:, :, 0]),
+        )
+        state = _Search(
             system,
             points,
             beyond,
             budget or options.budget or system.usual_budget,
-            Rules(
-                options.margin,
-                options.spread,
-                options.small,
-                narrow or options.narrow or NARROW,
-                options.shrunk,
-                bool((low == high).all()),
-                _spans(first.ends[:, :, 0]),
-            ),
+            rules,
             regions,
             system.prepared(points.bounds),
         )
-        # A look at one box costs as much as at a few.
-        here.run(_parted(first, options.pieces) if low.shape[1] <= 4 else first)
+        # To examine one box costs as much as to examine a few.
+        state.run(_subdivided(first, options.pieces) if low.shape[1] <= 4 else first)
     unique, where, undecided = (
-        first[:0].concatenated(*found) for found in (here.unique, here.where, here.undecided)
+        first[:0].concatenated(*found) for found in (state.unique, state.where, state.undecided)
     )
-    return SearchOutcome(unique, where, undecided, points, here.looks)
+    return SearchOutcome(unique, where, undecided, points, state.looks)
 
 
 def _spans(region: FloatArray) -> FloatArray:
-    """How far the unknowns of a region reach, shape (n,): 1 unless that is far from it, as of
-    lengths in another unit.
+    """Scale of each unknown in a region, (n,): its largest absolute value if that is far from 1, as
+    of lengths in another unit, else 1.
     """
-    reach = np.abs(region).max(axis=0)
-    return np.where(is_in_another_unit(reach), reach, 1.0)
+    largest = np.abs(region).max(axis=0)
+    return np.where(is_in_another_unit(largest), largest, 1.0)
 
 
 @dataclass
 class _Search:
-    """A stack of pairs, and what has been found."""
+    """State of a search: the results so far, and the number of boxes examined for each node."""
 
     system: EquationSystem
     points: Tree
     limits: FloatArray
     budget: int
     rules: Rules
-    #: What is searched for the points of each node, where that is not the same for all points.
+    #: The region of each node, (2, n, nodes), if it is not the same for all points.
     regions: FloatArray | None
     parameters: Intervals
     looks: int = 0
@@ -249,6 +250,7 @@ class _Search:
         self.plan = self.system.plan(self.parameters)
 
     def run(self, start: Pairs) -> None:
+        """Search the boxes of ``start`` until the stack is empty."""
         stack = [self._at_one_point(start)]
         while stack and (len(stack) > 1 or len(stack[0])):
             taken, total = [], 0
@@ -264,8 +266,8 @@ class _Search:
                 stack.append(left)
 
     def _at_one_point(self, start: Pairs) -> Pairs:
-        """What is left of a search at one point by compiled code, as long as all its boxes are
-        looked at at once.
+        """For a single point: search by compiled code, as long as the boxes fit into one step.
+        Returns the remaining pairs; without compiled code all.
         """
         if self.plan is None or self.points.size.tolist() != [1] or not self.system.covered_by_plan:
             return start
@@ -282,7 +284,7 @@ class _Search:
         return left
 
     def look(self, pairs: Pairs) -> Pairs:
-        """One step: what is left to be looked at."""
+        """One step of branch and prune: contract, test and divide pairs; those that remain."""
         self.looks += len(pairs)
         np.add.at(self.work, pairs.nodes, 1)
         given, pairs = self._contracted(pairs)
@@ -291,48 +293,49 @@ class _Search:
         if proved.size:
             self.unique.append(Pairs(wide, pairs.nodes)[proved])
             self.where.append(Pairs(found.step, pairs.nodes)[proved])
-        left = np.flatnonzero(found.verdicts > BoxVerdict.PROVED)
-        return self._divided(
-            Pairs(found.left, pairs.nodes)[left], found.verdicts[left], found.along[left]
-        )
+        rows = np.flatnonzero(found.verdicts > BoxVerdict.PROVED)
+        remaining = Pairs(found.left, pairs.nodes)[rows]
+        return self._divided(remaining, found.verdicts[rows], found.along[rows])
 
     def _at(self, nodes: IntArray) -> Intervals:
-        """Parameters of nodes."""
+        """Parameters of nodes, (P, N)."""
         if self.parameters.shape[1] > 1:
             return self.parameters[:, nodes]
         ends = self.parameters.ends
         return Intervals(np.broadcast_to(ends, (*ends.shape[:2], nodes.size)))
 
     def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs]:
-        """Pairs whose boxes may hold a root, and what is left of the boxes by the system's own
-        contraction.
+        """Pairs whose boxes may contain a root, as given, and with the boxes contracted by the
+        system's own contractor.
         """
         parameters = self._at(given.nodes)
         excluded: Callable[[Intervals, Intervals], BoolArray | None]
         if self.plan is None:
-            ends, keep = self._kept(given.ends, parameters)
+            ends, keep = self._may_hold_root(given.ends, parameters)
             excluded = self.system.excluded
         else:
             ends, keep = self.plan.kept(given.ends, parameters, self.rules.margin)
             excluded = self.system.excluded_without_plan
         rows = np.flatnonzero(keep)
         boxes = ends.take(rows, axis=2)
-        gone = excluded(Intervals(boxes), parameters[:, rows]) if rows.size else None
-        if gone is not None:
-            left = np.flatnonzero(~gone)
-            rows, boxes = rows[left], boxes[:, :, left]
-        kept = given[rows]
-        return kept, Pairs(boxes, kept.nodes)
+        without_root = excluded(Intervals(boxes), parameters[:, rows]) if rows.size else None
+        if without_root is not None:
+            others = np.flatnonzero(~without_root)
+            rows, boxes = rows[others], boxes[:, :, others]
+        selected = given[rows]
+        return selected, Pairs(boxes, selected.nodes)
 
-    def _kept(self, given: FloatArray, parameters: Intervals) -> tuple[FloatArray, BoolArray]:
-        """Contracted boxes, and those in which all values may be 0."""
+    def _may_hold_root(
+        self, given: FloatArray, parameters: Intervals
+    ) -> tuple[FloatArray, BoolArray]:
+        """Contracted boxes, and the mask of those in which all residuals may be 0."""
         after = self.system.contracted(Intervals(given), parameters)
         boxes = Intervals(with_room(after, given, 0.0, self.rules.margin))
         keep = np.logical_and.reduce(self.system.residuals(boxes, parameters).holds_zero())
         return boxes.ends, keep & ~np.logical_or.reduce(width_of(after) < 0)
 
     def _decided(self, given: FloatArray, pairs: Pairs) -> tuple[FloatArray, Judged]:
-        """Boxes with room around, and what becomes of them."""
+        """The boxes widened by a margin, and the result of interval Newton over these."""
         parameters, single = self._at(pairs.nodes), self.points.size[pairs.nodes] == 1
         most = np.where(single, self.budget, self.system.options.node_budget)
         spent = self.work[pairs.nodes] > most
@@ -341,46 +344,38 @@ class _Search:
             return self.plan.decided(
                 (given, pairs.ends), parameters, self.limits, marks, self.rules
             )
-        # Widened, so that a root on the border of a box lies well inside, or by rounding beside it.
-        room = self.rules.margin * Intervals(pairs.ends).width
-        room = room + NARROW * scale_of(pairs.ends).max(axis=0)
-        wide = np.minimum(pairs.ends + room, self.limits)
+        # With the margin, a root on the border of a box, or beside it by rounding, is well inside.
+        margin = self.rules.margin * Intervals(pairs.ends).width
+        margin = margin + NARROW * scale_of(pairs.ends).max(axis=0)
+        wide = np.minimum(pairs.ends + margin, self.limits)
         middle = Intervals(pairs.ends).middle
         values = self.system.residuals(Intervals.point(middle), parameters)
         slopes = self.system.jacobian(Intervals(wide), parameters)
         boxes = Looked(given, pairs.ends, wide, middle, values, slopes, single, spent)
         return wide, judged(boxes, self.rules)
 
-    def _divided(self, now: Pairs, verdicts: Int8Array, along: IntArray) -> Pairs:
-        """Halves of boxes, halves of nodes, or boxes as they are if they have become much
-        narrower.
+    def _divided(self, pairs: Pairs, verdicts: Int8Array, along: IntArray) -> Pairs:
+        """Pairs for the next steps: boxes bisected in the unknown ``along``, nodes replaced by
+        their children, or contracted boxes unchanged. Undecided ones go to the results.
         """
-        hard = self.system.abandoned(Intervals(now.ends), self._at(now.nodes))
-        verdicts[hard] = BoxVerdict.UNDECIDED
-        undecided, better, halve, parted = (
-            np.flatnonzero(verdicts == which)
-            for which in (
-                BoxVerdict.UNDECIDED,
-                BoxVerdict.AGAIN,
-                BoxVerdict.HALVED,
-                BoxVerdict.PARTED,
-            )
-        )
-        if undecided.size:
-            self.undecided.append(now[undecided])
-        left = _cut(now[halve], along[halve])
-        if better.size:
-            left = now[better].concatenated(left)
+        hopeless = self.system.abandoned(Intervals(pairs.ends), self._at(pairs.nodes))
+        verdicts[hopeless] = BoxVerdict.UNDECIDED
+        rows = {which: np.flatnonzero(verdicts == which) for which in BoxVerdict}
+        if rows[BoxVerdict.UNDECIDED].size:
+            self.undecided.append(pairs[rows[BoxVerdict.UNDECIDED]])
+        halved, parted = rows[BoxVerdict.HALVED], rows[BoxVerdict.PARTED]
+        remaining = _bisected(pairs[halved], along[halved])
+        if rows[BoxVerdict.AGAIN].size:
+            remaining = pairs[rows[BoxVerdict.AGAIN]].concatenated(remaining)
         if not parted.size:
-            return left
-        places, children = self.points.children(now.nodes[parted])
-        return self._in_their_regions(Pairs(now.ends[:, :, parted[places]], children)).concatenated(
-            left
-        )
+            return remaining
+        places, children = self.points.children(pairs.nodes[parted])
+        of_children = Pairs(pairs.ends[:, :, parted[places]], children)
+        return self._in_their_regions(of_children).concatenated(remaining)
 
     def _in_their_regions(self, pairs: Pairs) -> Pairs:
-        """Intersections of boxes with the regions of their nodes: that of one point may be wide,
-        and that of another narrow.
+        """Intersections of boxes with the regions of their nodes, which may differ from point to
+        point.
         """
         if self.regions is None:
             return pairs
@@ -388,19 +383,19 @@ class _Search:
         return Pairs(ends, pairs.nodes)[np.logical_and.reduce(width_of(ends) >= 0)]
 
 
-def _parted(pairs: Pairs, pieces: int) -> Pairs:
-    """Pieces of boxes, halved where they are widest."""
+def _subdivided(pairs: Pairs, pieces: int) -> Pairs:
+    """Boxes bisected in their widest unknown, until there are at least ``pieces``."""
     while 0 < len(pairs) < pieces:
-        pairs = _cut(pairs, width_of(pairs.ends).argmax(axis=0))
+        pairs = _bisected(pairs, width_of(pairs.ends).argmax(axis=0))
     return pairs
 
 
-def _cut(pairs: Pairs, along: IntArray) -> Pairs:
-    """Both halves of each box, cut in the unknown of that number."""
+def _bisected(pairs: Pairs, along: IntArray) -> Pairs:
+    """Both halves of each box, cut in the unknown with index ``along``."""
     columns = np.arange(len(pairs))
     ends = np.concatenate([pairs.ends, pairs.ends], axis=2)
     low, high = -ends[0, along, columns], ends[1, along, columns]
-    # Not in the middle, where symmetric systems have their roots.
+    # Not at the midpoint, where symmetric systems have roots.
     cut = np.clip(low + 0.4921875 * (high - low), low, high)
     ends[1, along, columns] = cut
     ends[0, along, columns + len(pairs)] = -cut
@@ -409,48 +404,47 @@ def _cut(pairs: Pairs, along: IntArray) -> Pairs:
 
 @dataclass(frozen=True)
 class Tree:
-    """A binary tree; node i has the children 2 i + 1 and 2 i + 2, and the root is node 0."""
+    """A complete binary tree of parameter points, which are its leaves. The root is node 0; node i
+    has the children 2 i + 1 and 2 i + 2.
+    """
 
-    bounds: Intervals  #: the smallest box around the points of a node, (parameters, nodes)
-    size: IntArray  #: number of points below each node; 0 for nodes that are not there
-    # the points' numbers in the order of the leaves, which stand last; −1 where there is none
-    order: IntArray
+    bounds: Intervals  #: the smallest box around the points of each node, (parameters, nodes)
+    size: IntArray  #: number of points below each node, which may be 0
+    order: IntArray  #: the point of each leaf, −1 for none
     depth: int  #: levels below the root
 
     def below(self, nodes: IntArray) -> tuple[IntArray, IntArray]:
-        """Rows (place among ``nodes``, point) for all points of all of these nodes."""
+        """All points below nodes, as two columns: index into ``nodes``, and point."""
         nodes = nodes.astype(int)
         level = np.frexp(nodes + 1)[1].astype(int) - 1
-        span = 1 << (self.depth - level)
-        ends = np.cumsum(span)
-        places = np.repeat(np.arange(nodes.size), span)
-        leaves = (
-            np.arange(places.size) + ((nodes + 1 - (1 << level)) * span - (ends - span))[places]
-        )
-        there = self.order[leaves] >= 0
-        return places[there], self.order[leaves[there]]
+        leaves_below = 1 << (self.depth - level)
+        first_leaf = (nodes + 1 - (1 << level)) * leaves_below
+        places = np.repeat(np.arange(nodes.size), leaves_below)
+        offset = np.cumsum(leaves_below) - leaves_below
+        leaves = np.arange(places.size) + (first_leaf - offset)[places]
+        with_point = self.order[leaves] >= 0
+        return places[with_point], self.order[leaves[with_point]]
 
     def hulls(self, ends: FloatArray) -> FloatArray:
-        """The hull of the boxes of all points below each node: ends of shape (2, n, points), result
-        of shape (2, n, nodes).
+        """Hull of the boxes of all points below each node, (2, n, nodes); ``ends`` are those of the
+        points, (2, n, points).
         """
-        # Of leaves that are not there, whose number is −1, nothing is known.
-        nothing = np.full((*ends.shape[:2], 1), -np.inf)
-        levels = [np.concatenate([ends, nothing], axis=2)[:, :, self.order]]
+        empty = np.full((*ends.shape[:2], 1), -np.inf)  # of leaves without a point, index −1
+        levels = [np.concatenate([ends, empty], axis=2)[:, :, self.order]]
         for _ in range(self.depth):
             levels.append(levels[-1].reshape(*ends.shape[:2], -1, 2).max(axis=3))
         return np.concatenate(levels[::-1], axis=2)
 
     def children(self, nodes: IntArray) -> tuple[IntArray, IntArray]:
-        """Rows (place among ``nodes``, child) for all children that have points."""
+        """All children that have points, as two columns: index into ``nodes``, and child."""
         children = np.concatenate([2 * nodes + 1, 2 * nodes + 2])
-        there = np.flatnonzero(self.size[children] > 0)
-        return there % nodes.size, children[there]
+        with_points = np.flatnonzero(self.size[children] > 0)
+        return with_points % nodes.size, children[with_points]
 
 
 def tree(low: FloatArray, high: FloatArray) -> Tree:
-    """Halve points, boxes of shape (parameters, points), by the parameter in which they are spread
-    most, again and again.
+    """The tree of parameter points (or boxes) ``low`` to ``high``, (parameters, points): each node
+    is halved in the parameter in which its points are spread most.
     """
     count, points = low.shape
     depth = max(0, int(points - 1).bit_length())
@@ -474,20 +468,20 @@ def tree(low: FloatArray, high: FloatArray) -> Tree:
         highs.append(most)
         sizes.append((blocks >= 0).sum(axis=1))
         if level < depth and count:
-            order = _halved(
-                blocks, low, np.nan_to_num((most - least) / scale[:, None], nan=-1.0).argmax(axis=0)
-            )
+            spread = np.nan_to_num((most - least) / scale[:, None], nan=-1.0)
+            order = _halved(blocks, low, spread.argmax(axis=0))
     bounds = Intervals.between(np.concatenate(lows, axis=1), np.concatenate(highs, axis=1))
     return Tree(bounds, np.concatenate(sizes), order, depth)
 
 
 def _halved(blocks: IntArray, low: FloatArray, along: IntArray) -> IntArray:
-    """Each block in the order of its parameter ``along``, those that are not there last."""
+    """Blocks of points reordered so that the first half of each has the smaller values of its
+    parameter ``along``; missing points (−1) come last.
+    """
     keys = np.where(blocks >= 0, low[along[:, None], blocks], np.inf)
     half = blocks.shape[1] // 2
-    ranks = (
-        np.argpartition(keys, half - 1, axis=1)
-        if half > 1
-        else np.argsort(keys, axis=1, kind="stable")
-    )
+    if half > 1:
+        ranks = np.argpartition(keys, half - 1, axis=1)
+    else:
+        ranks = np.argsort(keys, axis=1, kind="stable")
     return np.take_along_axis(blocks, ranks, axis=1).reshape(-1)

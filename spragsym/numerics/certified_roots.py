@@ -1,5 +1,5 @@
-"""From boxes with one root each to the roots of each point: once each, to full precision, with a
-bound on the error.
+"""Roots of each parameter point from the boxes that branch and prune has found: duplicates are
+removed, and each root is enclosed to full precision, with an error bound (:class:`Roots`).
 """
 
 from __future__ import annotations
@@ -28,29 +28,29 @@ from .interval_arrays import (
 
 @dataclass(frozen=True)
 class Roots:
-    """Roots of many points, sorted by point; boxes are −low and high, (2, n, roots)."""
+    """Roots of many parameter points, sorted by point; boxes are −low and high, (2, n, roots)."""
 
-    ends: FloatArray  #: a box that holds exactly one root
-    alone: FloatArray  #: the larger box in which it is the only one
-    point: IntArray  #: the point of each
-    undecided: FloatArray  #: boxes of which it is not known what they hold
-    undecided_point: IntArray
+    ends: FloatArray  #: a tight box that contains the root
+    alone: FloatArray  #: a larger box in which it is the only root
+    point: IntArray  #: the index of its parameter point
+    undecided: FloatArray  #: boxes that may contain roots
+    undecided_point: IntArray  #: the points of these
 
     @classmethod
     def at(
         cls, ends: FloatArray, alone: FloatArray | None = None, point: IntArray | None = None
     ) -> Roots:
-        """Roots, and nothing undecided: each alone in its box and of point 0, where not said."""
+        """Roots without undecided boxes; by default each unique in its box, and of point 0."""
         point = np.zeros(ends.shape[2], dtype=int) if point is None else point
         return cls(ends, ends if alone is None else alone, point, ends[:, :, :0], point[:0])
 
     @classmethod
     def none(cls, n: int) -> Roots:
-        """No roots, of n unknowns."""
+        """No roots, for n unknowns."""
         return cls.at(np.empty((2, n, 0)))
 
     def select(self, roots: Selection = slice(None), undecided: Selection = slice(None)) -> Roots:
-        """Some of the roots and some of the undecided boxes."""
+        """Selected roots and undecided boxes."""
         return Roots(
             self.ends[:, :, roots],
             self.alone[:, :, roots],
@@ -60,13 +60,13 @@ class Roots:
         )
 
     def of(self, points: IntArray, others: bool = False) -> Roots:
-        """Roots and boxes of some points, or of all others."""
+        """Roots and boxes of given points, or of all ``others``."""
         return self.select(
             *(np.isin(part, points, invert=others) for part in (self.point, self.undecided_point))
         )
 
     def numbered(self, points: IntArray) -> Roots:
-        """Roots of some points, by the numbers of all points."""
+        """The same roots with new point indices: ``points`` are those of the old ones."""
         return replace(self, point=points[self.point], undecided_point=points[self.undecided_point])
 
     def with_undecided(self, boxes: FloatArray, point: IntArray) -> Roots:
@@ -78,35 +78,34 @@ class Roots:
         )
 
     def reopened(self, roots: Selection, open_: Selection) -> Roots:
-        """Some of the roots, and others of them among the undecided boxes."""
+        """The roots ``roots``, with the roots ``open_`` turned into undecided boxes."""
         return self.select(roots).with_undecided(self.ends[:, :, open_], self.point[open_])
 
     def concatenated(self, *others: Roots) -> Roots:
-        """These, and roots and boxes of other searches."""
+        """All roots and boxes of several results."""
         columns = zip(*(vars(part).values() for part in (self, *others)), strict=True)
         return Roots(*(np.concatenate(column, axis=-1) for column in columns))
 
     @property
     def every(self) -> tuple[FloatArray, IntArray]:
-        """Boxes of roots and then the undecided ones, and the points of both."""
-        return np.concatenate([self.ends, self.undecided], axis=2), np.concatenate(
-            [self.point, self.undecided_point]
-        )
+        """Boxes of the roots, then undecided boxes; and the points of all."""
+        boxes = np.concatenate([self.ends, self.undecided], axis=2)
+        return boxes, np.concatenate([self.point, self.undecided_point])
 
     @property
     def middle(self) -> FloatArray:
-        """Floats inside of the boxes, shape (n, roots)."""
+        """Approximate roots: midpoints of the boxes, (n, roots)."""
         return Intervals(self.ends).middle
 
     @property
     def error(self) -> FloatArray:
-        """Bound on |error| / max(1, |value|), over the unknowns, shape (roots,)."""
+        """Error bounds: the largest |error| / max(1, |value|) of the unknowns, (roots,)."""
         return relative_error(self.ends, self.middle)
 
 
 def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
-    """Bound on |x − middle| / max(1, |middle|) over the boxes, shape (2, n, N), the largest of the
-    components.
+    """Upper bound of |x − middle| / max(1, |middle|) over boxes (2, n, N), the largest of the
+    components, (N,).
     """
     return rounded_outward((contractors.distance(ends, middle) / scale_of(middle)).max(axis=0))
 
@@ -114,9 +113,9 @@ def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
 def search(
     system: EquationSystem, region: FloatArray, low: FloatArray, high: FloatArray, **how: Any
 ) -> Roots:
-    """The roots of each point in a region; arguments as of :func:`spragsym.numerics.boxes.search`.
+    """All roots of each point in a region; arguments as of :func:`spragsym.numerics.boxes.search`.
 
-    A root that can't be told from one on the border of the region is among the boxes that are left.
+    A root that may be on the border of the region is undecided.
     """
     outcome = boxes.search(system, region, low, high, **how)
     row, point = outcome.points.below(outcome.unique.nodes)
@@ -124,22 +123,19 @@ def search(
     alone = outcome.unique.ends[:, :, row]
     with quiet():
         ends = np.minimum(outcome.where.ends[:, :, row], alone)
-        ends, gone = _refined(system, ends, Intervals.between(low, high), point)
-        # Each holds a root; where a law ends at the root itself, as a contact's at the touch,
-        # refinement may lose it: undecided.
-        found = Roots(
-            ends, alone, point, outcome.undecided.ends[:, :, open_], undecided_point
-        ).select(~gone)
-        return different(
-            found, np.broadcast_to(region, (*region.shape[:2], low.shape[1]))
-        ).with_undecided(alone[:, :, gone], point[gone])
+        ends, lost = _refined(system, ends, Intervals.between(low, high), point)
+        undecided = outcome.undecided.ends[:, :, open_]
+        found = Roots(ends, alone, point, undecided, undecided_point).select(~lost)
+        regions = np.broadcast_to(region, (*region.shape[:2], low.shape[1]))
+        # Each box contains a root; but if a law ends at the root, as a contact's at the touch,
+        # refinement may lose it. Such a root is undecided.
+        return different(found, regions).with_undecided(alone[:, :, lost], point[lost])
 
 
 def different(found: Roots, regions: FloatArray) -> Roots:
-    """Roots in the regions of their points, each once; what can't be told from another or one on
-    the border is left.
+    """The roots in the regions (2, n, points) of their points, without duplicates.
 
-    ``regions`` have the shape (2, n, points).
+    A root that may be a duplicate, or on the border of the region, is undecided.
     """
     found = distinct(found)
     neighbourhoods = regions[:, :, found.point]
@@ -148,7 +144,9 @@ def different(found: Roots, regions: FloatArray) -> Roots:
 
 
 def distinct(found: Roots) -> Roots:
-    """Roots, each once, by point and lower end; what can't be told from another is left."""
+    """The roots without duplicates, sorted by point and lower end; possible duplicates are
+    undecided.
+    """
     found = found.select(np.lexsort((-found.alone[0, 0], found.point)))
     return found.reopened(*once(found.ends, found.alone, found.point))
 
@@ -156,13 +154,15 @@ def distinct(found: Roots) -> Roots:
 def _refined(
     system: EquationSystem, ends: FloatArray, parameters: Intervals, point: IntArray
 ) -> tuple[FloatArray, BoolArray]:
-    """Boxes contracted until they do not get narrower; and whether one was found empty."""
+    """Boxes contracted by interval Newton until they become no narrower; and the mask of those that
+    became empty.
+    """
     ends = ends.copy()
     empty = np.zeros(point.size, dtype=bool)
     for begin in range(0, point.size, boxes.CHUNK):
         rows = np.arange(begin, min(begin + boxes.CHUNK, point.size))
         at = system.prepared(parameters[:, point[rows]])
-        for _ in range(8):  # each doubles the number of digits
+        for _ in range(8):  # quadratic convergence
             before = ends[:, :, rows]
             step = stepped(system, before, at)
             empty[rows] |= contractors.apart(step.ends, before)
@@ -178,7 +178,7 @@ def _refined(
 
 
 def stepped(system: EquationSystem, ends: FloatArray, parameters: Intervals) -> contractors.Newton:
-    """The step of interval Newton from the middles of boxes of shape (2, n, N)."""
+    """Interval Newton step of boxes (2, n, N)."""
     middle = Intervals(ends).middle
     values = system.residuals(Intervals.point(middle), parameters)
     slopes = system.jacobian(Intervals(ends), parameters)
@@ -186,11 +186,11 @@ def stepped(system: EquationSystem, ends: FloatArray, parameters: Intervals) -> 
 
 
 def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray, IntArray]:
-    """Rows of different roots, and rows that may be a root already found or another; sorted by
+    """Indices of different roots, and of those that may be duplicates; arguments are sorted by
     point and lower end.
 
-    Two boxes of a point hold the same root if one lies where the other's is alone, and different
-    ones if they do not meet.
+    Two boxes of a point contain the same root if one is inside the other's ``alone``, and different
+    roots if they are disjoint.
     """
     keep = np.ones(point.size, dtype=bool)
     unclear = np.zeros(point.size, dtype=bool)
@@ -208,11 +208,11 @@ def once(ends: FloatArray, alone: FloatArray, point: IntArray) -> tuple[IntArray
 
 
 def neighbours(boxes: FloatArray, point: IntArray) -> Iterator[tuple[IntArray, IntArray]]:
-    """Rows of pairs of boxes of one point that overlap in the first unknown; sorted by point and
-    lower end.
+    """Index pairs of boxes of the same point that overlap in the first unknown; the boxes are
+    sorted by point and lower end. Yields arrays of pairs at distance 1, 2, ….
     """
     for shift in range(1, point.size):
-        # In the order of the lower ends: boxes that do not overlap have no overlap farther on.
+        # If no boxes at this distance overlap, none do at a larger one.
         near = (point[shift:] == point[:-shift]) & (boxes[1, 0, :-shift] >= -boxes[0, 0, shift:])
         if not near.any():
             return
@@ -221,18 +221,17 @@ def neighbours(boxes: FloatArray, point: IntArray) -> Iterator[tuple[IntArray, I
 
 
 def in_order(rows: FloatArray, error: FloatArray, point: IntArray) -> IndexArray:
-    """Numbers of states of some points in their order: by the rows from the first on, of which
-    those that agree decide nothing.
+    """Indices that sort states by point and lexicographically by coordinates, where coordinates
+    that agree within their errors count as equal.
 
-    Two states that mirror each other have equal coordinates, of which rounding would make a first
-    and a second. ``rows`` are coordinates, shape (n, states), ``error`` bounds over max(1,
-    |coordinate|); states of one ``point`` are compared.
+    So the order of mirror images, which have equal coordinates, does not depend on rounding.
+    ``rows``, (n, states), are coordinates, ``error`` bounds of |error| / max(1, |coordinate|).
     """
     keys = []
     for row in rows:
         order = np.lexsort((row, point))
         at = row[order]
-        # Of states at infinity those on one side agree, and none of them with a finite one.
+        # States at infinity are equal if they have the same sign.
         near = np.where(np.isfinite(at), 1e-12 * (1 + np.abs(at)) + error[order] * scale_of(at), 0)
         with quiet():
             begins = np.diff(at, prepend=-np.inf) > near + np.roll(near, 1)

@@ -1,15 +1,19 @@
-"""Contractors of many boxes: no root inside, exactly one, or a smaller box that holds every root.
+"""Interval Newton contractors, for many boxes at once: a box contains no root, exactly one, or all
+its roots are in a smaller box.
 
 For a system F of n equations, a box X, its middle m, enclosures J of the Jacobian over X and r of
 |x − m| for x in X:
 
 - every root in X satisfies 0 ∈ F(X), and |F(m)| ≤ |J| r row by row, the mean value theorem;
-- with any matrix Y, A = Y J and b = Y F(m), it lies in N_i = m_i − (b_i ± Σ_{j≠i} |A_ij| r_j) /
-  A_ii, which is interval Newton with a step of Gauss and Seidel's method in each component;
-- if N lies in the interior of X, there is exactly one root in X. There is one by Miranda's theorem,
+- with any matrix Y, A = Y J and b = Y F(m), every root is in N_i = m_i − (b_i ± Σ_{j≠i} |A_ij| r_j)
+  / A_ii: interval Newton with a Jacobi step in each component (Hansen and Sengupta's method without
+  the use of new components);
+- if N is in the interior of X, there is exactly one root in X. There is one by Miranda's theorem,
   since component i of Y F has different signs on the two faces of X at the ends of x_i. There is no
   other since then min A_ii w_i > Σ_{j≠i} |A_ij| w_j for the half-widths w, so that every matrix in
   A is regular, and the difference of two roots would be in the kernel of one.
+
+Y is an approximate inverse of the midpoint of J (preconditioning), or a permutation.
 """
 
 from dataclasses import dataclass
@@ -34,126 +38,114 @@ try:
     from . import _contractors as compiled
 except ImportError:  # there was no compiler
     compiled = None  # type: ignore[assignment]  # a module or nothing
-#: How many unknowns compiled code has room for.
+#: Maximum number of unknowns of compiled code, 0 without it.
 MOST = 0 if compiled is None else compiled.MOST
 
 
 def available() -> bool:
-    """Whether the extension module was built."""
+    """True if the extension module was built."""
     return compiled is not None
 
 
 def compiled_for(n: int) -> ModuleType | None:
-    """The extension module for so many unknowns, if it was built."""
+    """The extension module, if it was built and can handle n unknowns."""
     return compiled if n <= MOST else None
 
 
 @dataclass(frozen=True)
 class Newton:
-    """One step for N boxes."""
+    """Result of an interval Newton step for N boxes."""
 
-    # −low and high of the operator's result, (2, n, N), infinite where A_ii may be 0
-    ends: FloatArray
+    ends: FloatArray  #: −low and high of N, (2, n, N), infinite where A_ii may be 0
     noise: FloatArray  #: half the width of Y F(m), which does not shrink with the box, (n, N)
-    none: BoolArray  #: where |Y F(m)| > |A| r in some row, so that there is no root, (N,)
+    none: BoolArray  #: True if |Y F(m)| > |A| r in some row, so that there is no root, (N,)
 
 
 def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
-    """|x − m| over boxes of shape (2, n, N)."""
+    """Upper bound of |x − m| over boxes (2, n, N), with m of shape (n, N)."""
     return np.maximum(*rounded_outward(ends_around(-middle, ends)))
 
 
-def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
-    """The step of interval Newton, from F(m), shape (n, N), J, shape (n, n, N), m and r, shape (n,
-    N).
-    """
-    if (step := _compiled(values, slopes, middle, reach, rows=False)) is not None:
+def newton(values: Intervals, slopes: Intervals, middle: FloatArray, radius: FloatArray) -> Newton:
+    """Preconditioned interval Newton step, from F(m), (n, N), J, (n, n, N), and m and r, (n, N)."""
+    if (step := _compiled(values, slopes, middle, radius, rows=False)) is not None:
         return step
     Y = inverse(slopes.middle)
-    return _newton_step(
-        product(Y, slopes.ends), product(Y, values.ends[:, :, None])[:, :, 0], middle, reach
-    )
+    A, b = product(Y, slopes.ends), product(Y, values.ends[:, :, None])[:, :, 0]
+    return _newton_step(A, b, middle, radius)
 
 
 def by_rows(
-    values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray
+    values: Intervals, slopes: Intervals, middle: FloatArray, radius: FloatArray
 ) -> FloatArray:
-    """The operator with the unit matrix for Y: ends of its result."""
-    step = _compiled(values, slopes, middle, reach, rows=True)
-    return (_newton_step(slopes.ends, values.ends, middle, reach) if step is None else step).ends
+    """Ends of the interval Newton step without preconditioning, Y = 1, (2, n, N)."""
+    step = _compiled(values, slopes, middle, radius, rows=True)
+    if step is None:
+        step = _newton_step(slopes.ends, values.ends, middle, radius)
+    return step.ends
 
 
 def _compiled(
-    values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray, rows: bool
+    values: Intervals, slopes: Intervals, middle: FloatArray, radius: FloatArray, rows: bool
 ) -> Newton | None:
-    """The step by compiled code, if it was built, with an inverse or by ``rows``."""
+    """The step by compiled code, None if it was not built; without preconditioning if ``rows``."""
     n, count = middle.shape
     extension = compiled_for(n)
     if extension is None:
         return None
     ends, noise, none = np.empty((2, n, count)), np.empty((n, count)), np.empty(count, np.bool_)
-    extension.newton(
-        np.ascontiguousarray(values.ends),
-        np.ascontiguousarray(slopes.ends),
-        np.ascontiguousarray(middle),
-        np.ascontiguousarray(reach),
-        n,
-        rows,
-        ends,
-        noise,
-        none,
-    )
+    given = map(np.ascontiguousarray, (values.ends, slopes.ends, middle, radius))
+    extension.newton(*given, n, rows, ends, noise, none)
     return Newton(ends, noise, none)
 
 
 def by_each_row(
-    values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray
+    values: Intervals, slopes: Intervals, middle: FloatArray, radius: FloatArray
 ) -> tuple[FloatArray, BoolArray]:
-    """The operator with every cyclic permutation of the rows: each unknown by each row, without a
-    matrix.
+    """Intersection of the steps with every cyclic permutation for Y: each unknown is contracted by
+    each equation. Its ends, (2, n, N), and the mask of boxes without a root, (N,).
 
-    Where J is nearly singular, its inverse mixes rows until none of them tells anything; but a
-    single row tells how the unknowns depend on each other along the direction that is left. Gives
-    ends, and boxes without a root, where some |F_i(m)| > |J_i| r.
+    If J is nearly singular, preconditioning mixes the rows so that none contracts any more. A
+    single row still relates the unknowns along the direction of the kernel.
     """
     n = middle.shape[0]
-    every = np.arange(n)
+    diagonal = np.arange(n)
     ends, none = np.full((2, *middle.shape), np.inf), np.zeros(middle.shape[1], dtype=bool)
     for shift in range(n):
-        rows = (every + shift) % n
+        rows = (diagonal + shift) % n
         A, b = slopes.ends[:, rows], values.ends[:, rows]
-        turned = A[1, every, every] < 0  # a row times −1, so that its diagonal may be divided by
-        step = _newton_step(
-            np.where(turned[:, None], A[::-1], A), np.where(turned, b[::-1], b), middle, reach
-        )
+        negative = A[1, diagonal, diagonal] < 0  # multiply these rows by −1: A_ii must be positive
+        A, b = np.where(negative[:, None], A[::-1], A), np.where(negative, b[::-1], b)
+        step = _newton_step(A, b, middle, radius)
         ends, none = np.fmin(ends, step.ends), none | step.none
     return ends, none
 
 
-def _newton_step(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray) -> Newton:
+def _newton_step(A: FloatArray, b: FloatArray, middle: FloatArray, radius: FloatArray) -> Newton:
+    """The step N from ends of A, (2, n, n, N), and b, (2, n, N)."""
     n = middle.shape[0]
     magnitude = np.maximum(A[0], A[1])
     diagonal = np.arange(n)
-    own = magnitude[diagonal, diagonal] * reach
+    own = magnitude[diagonal, diagonal] * radius
     magnitude[diagonal, diagonal] = 0.0
-    # Products and sums of what is not negative lose at most n/2 units, the bound itself another
-    # one; twice as much is added.
-    radius = (magnitude * reach).sum(axis=1) * (1 + 2 * (n + 1) * EPS) + TINY
+    # Rounding of the products and sums of non-negative numbers is at most n/2 units, that of the
+    # bound one more; twice as much is added.
+    others = (magnitude * radius).sum(axis=1) * (1 + 2 * (n + 1) * EPS) + TINY
     least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
-    ends = rounded_outward(b[::-1] + radius)
+    ends = rounded_outward(b[::-1] + others)
     ends = rounded_outward(np.where(ends >= 0, ends / least, ends / most))
     ends = rounded_outward(ends_around(middle, ends))
     noise = 0.5 * width_of(b)
-    none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > rounded_outward(radius + own, 2))
+    none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > rounded_outward(others + own, 2))
     return Newton(np.where(least > 0, ends, np.inf), noise, none)
 
 
 def no_unit_vector(rest: Intervals, factors: Intervals) -> BoolArray:
-    """Boxes where G + M u = 0 for no unit vector u of two components: G of shape (n, N), M of shape
-    (n, 2, N).
+    """Mask of boxes over which G + M u = 0 has no solution u of length 1 with two components: G of
+    shape (n, N), M of shape (n, 2, N).
 
-    With any P, u = −P G − (P M − 1) u, so that |u + P G| is at most the sum of |P M − 1| by rows,
-    since |u_i| ≤ 1.
+    For any matrix P, u = −P G − (P M − 1) u. Since |u_i| ≤ 1, |u + P G| is at most the row sum of
+    |P M − 1|. P is the pseudo-inverse of the midpoint of M.
     """
     m = factors.middle
     gram = (m[:, :, None] * m[:, None]).sum(axis=0)
@@ -169,29 +161,27 @@ def no_unit_vector(rest: Intervals, factors: Intervals) -> BoolArray:
 
 
 def inside(inner: FloatArray, outer: FloatArray) -> BoolArray:
-    """Boxes, shape (2, n, N), of which the one lies in the interior of the other; around 0 radii
-    may stand for that.
-    """
+    """Mask of boxes (2, n, N) in the interior of others; for boxes around 0, radii may be given."""
     return np.logical_and.reduce(inner < outer, axis=(0, 1))
 
 
 def within(inner: FloatArray, outer: FloatArray) -> BoolArray:
-    """Boxes of which the one lies in the other, its border included."""
+    """Mask of boxes that are subsets of others."""
     return np.logical_and.reduce(inner <= outer, axis=(0, 1))
 
 
 def apart(one: FloatArray, other: FloatArray) -> BoolArray:
-    """Boxes that have no common point."""
+    """Mask of boxes without a common point."""
     return np.logical_or.reduce(one + other[::-1] < 0, axis=(0, 1))
 
 
 def inverse(matrices: FloatArray) -> FloatArray:
-    """Inverses of matrices of shape (n, n, N), roughly; the unit matrix where there is none."""
+    """Approximate inverses of matrices (n, n, N); the unit matrix for singular ones."""
     n = matrices.shape[0]
     if (extension := compiled_for(n)) is not None:
-        made = np.empty(matrices.shape)
-        extension.inverse(np.ascontiguousarray(matrices, dtype=float), n, made)
-        return made
+        out = np.empty(matrices.shape)
+        extension.inverse(np.ascontiguousarray(matrices, dtype=float), n, out)
+        return out
     with quiet():
         if n == 1:
             out = 1 / matrices
@@ -205,11 +195,11 @@ def inverse(matrices: FloatArray) -> FloatArray:
 
 
 def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
-    """By Gauss's and Jordan's elimination with the largest pivot of each column."""
+    """Inverses by Gauss–Jordan elimination with partial pivoting."""
     n, _, count = matrices.shape
     every, finite = np.arange(count), np.isfinite(matrices).all(axis=(0, 1))
     unit = np.broadcast_to(np.eye(n)[:, :, None], matrices.shape)
-    # Of what is not finite there is no inverse, nor of a 0.
+    # Matrices with infinite entries are replaced by 0, which has no inverse either.
     work = np.concatenate([np.where(finite, matrices, 0.0), unit], axis=1)
     for k in range(n):
         pivot = k + np.abs(work[k:, k]).argmax(axis=0)
@@ -224,12 +214,12 @@ def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
 
 
 def product(Y: FloatArray, ends: FloatArray) -> FloatArray:
-    """Ends of Y times a matrix of intervals of shape (2, n, columns, N)."""
+    """Ends of the product of Y, (n, n, N), and interval matrices, (2, n, columns, N)."""
     n = Y.shape[1]
     total = np.zeros(1)
     size = np.zeros(1)
     for k in range(n):
         part = scaled(ends[:, None, k], Y[None, :, k, None])
         total, size = total + part, size + np.abs(part)
-    # n products, each rounded, and n − 1 sums: less than n units of 2⁻⁵² of the sum of the sizes.
+    # n rounded products and n − 1 sums: an error below n · 2⁻⁵² × (sum of absolute values).
     return total + (size * ((n + 1) * EPS) + TINY)

@@ -1,19 +1,19 @@
-"""Arrays of float64 intervals, rounded outward, and their functions: a number type for generated
-functions, a few nanoseconds an operation.
+"""Interval arithmetic on arrays of float64 intervals, with outward rounding. :class:`Intervals` is
+a number type for generated functions, and takes a few nanoseconds per operation.
 
-An array of intervals is one NumPy array, whose first axis holds (−low, high). So both ends are
-rounded the same way, upward, and one call serves both.
+An array of intervals is one NumPy array whose first axis holds (−low, high). So both ends are
+rounded in the same direction, upward, and one call serves both.
 
-Rounding. NumPy's + − × ÷ and √ round to nearest: for a result r the exact value lies below the
-float after r. That is at most r + 2⁻⁵² |r| for normal r, since the distance to the next float is at
-most 2⁻⁵² |r|; the sum is rounded to nearest, and rounding keeps the order of numbers, so that it
-does not fall below that float. :data:`TINY` is added for r that is 0 or subnormal, where 2⁻⁵² |r|
-may be 0. Only negation, absolute value, sign and union are exact.
+Rounding. NumPy's + − × ÷ and √ round to nearest: if the result is r, the exact value is below the
+float after r. For normal r that float is at most r + 2⁻⁵² |r|, since the distance to it is at most
+2⁻⁵² |r|. The computed sum is not below it either, since rounding to nearest is monotonic.
+:data:`TINY` is added for r that is 0 or subnormal, where 2⁻⁵² |r| may be 0. Only negation, absolute
+value, sign and union are exact.
 
-An end that is NaN bounds nothing, nor does an infinite one: every comparison with NaN is false, so
-that code which concludes from comparisons that hold concludes nothing from it. NaN comes from ∞ −
-∞, 0 · ∞, and division by an interval that holds 0. NumPy's warnings on such numbers are for the
-caller to silence, with :data:`quiet` around a whole computation.
+An end that is NaN or infinite bounds nothing. Every comparison with NaN is false: code must draw
+conclusions only from comparisons that are true. NaN arises from ∞ − ∞, 0 · ∞, and division by an
+interval that contains 0. The caller silences NumPy's warnings about these, with :data:`quiet`
+around a whole computation.
 """
 
 from __future__ import annotations
@@ -36,26 +36,26 @@ Int8Array: TypeAlias = NDArray[np.int8]
 ComplexArray: TypeAlias = NDArray[np.complex128]
 Shape: TypeAlias = tuple[int, ...]
 
-#: Context in which what has no bounds, or no value, is infinite or NaN without a warning.
+#: Context in which NumPy gives infinities and NaN without a warning.
 quiet = partial(np.errstate, all="ignore")
 
-#: Twice the unit of rounding.
+#: Twice the unit roundoff.
 EPS = 2.0**-52
-#: More than half the distance between subnormal numbers, and far enough from them that products
-#: with it stay fast.
+#: More than half the distance between subnormal numbers, and so large that products with it are
+#: normal, hence fast.
 TINY = 2.0**-1000
-#: As an array: NumPy takes one in a third of the time that it takes to make one of a float.
+#: EPS as an array, which NumPy accepts in a third of the time for a float.
 _UNIT = np.array(EPS)
-#: As an array, too.
+#: TINY as an array.
 _TINY = np.array(TINY)
-#: Bound, in units of EPS relative, on the error of NumPy's exp, log, tanh and arctan; what NumPy's
-#: own tests allow is 4.
+#: Bound of the relative error of NumPy's exp, log, tanh and arctan, in EPS; NumPy's own tests allow
+#: 4.
 FUNCTION_ULPS = 8
 
 
 def rounded_outward(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
-    """Upper bounds of the numbers from which ``ends`` differ by at most ``ulps`` units of 2⁻⁵²
-    relative, or by one rounding.
+    """Upper bounds of numbers that were computed as ``ends`` with a relative error of at most
+    ``ulps`` × 2⁻⁵²; the default covers one rounding to nearest.
     """
     out = np.abs(ends)
     out *= _UNIT if ulps == 1.0 else ulps * EPS
@@ -65,34 +65,32 @@ def rounded_outward(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
 
 
 def pair(low: FloatArray, high: FloatArray) -> FloatArray:
-    """Two arrays of one shape as one, as −low and high are: np.stack takes longer to begin."""
+    """Two arrays of equal shape stacked along a new first axis; faster than np.stack."""
     out = np.empty((2, *low.shape))
     out[0], out[1] = low, high
     return out
 
 
 def ends_around(middle: FloatArray, radius: FloatArray) -> FloatArray:
-    """−low and high of boxes around their middles, each end rounded to nearest; radii may differ to
-    both sides.
+    """−low and high of boxes with given midpoints and radii, rounded to nearest; radii of shape
+    (2, …) differ between the two sides.
     """
     return pair(-middle, middle) + radius
 
 
 def width_of(ends: FloatArray) -> FloatArray:
-    """high − low of boxes, of which ``ends`` has −low and high first, rounded to nearest; below 0
-    where nothing is left.
-    """
+    """high − low from ``ends`` (−low, high), rounded to nearest; negative for empty boxes."""
     return ends[0] + ends[1]
 
 
 def spans_of(ends: FloatArray) -> FloatArray:
-    """Lower and upper ends of boxes, on a last axis, of which ``ends`` has −low and high first."""
+    """Lower and upper ends along a last axis, from ``ends`` (−low, high)."""
     return np.stack([-ends[0], ends[1]], axis=-1)
 
 
 def hulls_of(ends: FloatArray, number: IntArray, count: int) -> FloatArray:
-    """Hulls of boxes, shape (2, n, N), of the same number, shape (2, n, count); where there are
-    none their ends are −∞.
+    """Hulls, (2, n, count), of the boxes (2, n, N) that have the same ``number`` (N,); ends −∞ for
+    a number without boxes.
     """
     out = np.full((*ends.shape[:2], count), -np.inf)
     np.maximum.at(np.moveaxis(out, 2, 0), number, np.moveaxis(ends, 2, 0))
@@ -100,14 +98,14 @@ def hulls_of(ends: FloatArray, number: IntArray, count: int) -> FloatArray:
 
 
 def scale_of(values: ArrayLike) -> FloatArray:
-    """max(1, |value|), over which errors and widths are told: relative where numbers are large,
-    absolute where they are small.
+    """max(1, |value|), the unit of errors and widths: relative for large numbers, absolute for
+    small ones.
     """
     return np.maximum(1.0, np.abs(values))
 
 
 def is_in_another_unit(sizes: FloatArray) -> BoolArray:
-    """Mask of sizes so far from 1 that steps and widths are taken in proportion to these."""
+    """Mask of sizes so far from 1 that steps and widths should be taken relative to them."""
     return np.isfinite(sizes) & (sizes > 0) & ((sizes > 2.0**9) | (sizes < 2.0**-9))
 
 
@@ -116,8 +114,8 @@ class Intervals(Arithmetic):
 
     Parameters
     ----------
-    ends : ndarray
-        Shape (2, …): −low and high.
+    ends : ndarray, shape (2, …)
+        −low and high.
 
     Examples
     --------
@@ -134,7 +132,7 @@ class Intervals(Arithmetic):
 
     @classmethod
     def between(cls, low: ArrayLike, high: ArrayLike) -> Intervals:
-        """[low, high], element by element."""
+        """Intervals [low, high], elementwise."""
         one, other = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
         if one.shape != other.shape:
             one, other = np.broadcast_arrays(one, other)
@@ -142,7 +140,7 @@ class Intervals(Arithmetic):
 
     @classmethod
     def point(cls, value: ArrayLike) -> Intervals:
-        """Intervals without width."""
+        """Intervals of width 0."""
         return cls.between(value, value)
 
     @property
@@ -162,37 +160,37 @@ class Intervals(Arithmetic):
 
     @property
     def magnitude(self) -> FloatArray:
-        """Largest |x| of each."""
+        """Largest |x| in each interval."""
         return np.maximum(self.ends[0], self.ends[1])
 
     @property
     def mignitude(self) -> FloatArray:
-        """Smallest |x| of each."""
+        """Smallest |x| in each interval."""
         return np.maximum(-np.minimum(self.ends[0], self.ends[1]), 0.0)
 
     @property
     def width(self) -> FloatArray:
-        """Not less than high − low."""
+        """Upper bound of high − low."""
         return rounded_outward(self.ends[0] + self.ends[1])
 
     @property
     def middle(self) -> FloatArray:
-        """A float inside of each, the nearest to its middle or next to it."""
+        """A float in each interval, at its midpoint up to rounding."""
         halved = 0.5 * self.ends
         return np.clip(halved[1] - halved[0], -self.ends[0], self.ends[1])
 
     @property
     def nearest_to_zero(self) -> FloatArray:
-        """The float in each that is nearest to 0."""
+        """The number in each interval that is nearest to 0."""
         return np.clip(0.0, self.low, self.high)
 
     @property
     def signs(self) -> Int8Array:
-        """1 or −1 where the sign of each is known, else 0."""
+        """1 or −1 for intervals of known sign, else 0."""
         return (self.ends[0] < 0).astype(np.int8) - (self.ends[1] < 0)
 
     def holds_zero(self) -> BoolArray:
-        """Whether each holds 0, or bounds nothing."""
+        """True for intervals that contain 0, or bound nothing."""
         return ~((self.ends[0] < 0) | (self.ends[1] < 0))
 
     def __getitem__(self, index: object) -> Intervals:
@@ -229,8 +227,9 @@ class Intervals(Arithmetic):
         return NotImplemented
 
     def _times(self, factor: float) -> Intervals:
+        """Product with a number."""
         ends = self.ends if factor >= 0 else self.ends[::-1]
-        if factor == 0:  # exactly, unless an end bounds nothing
+        if factor == 0:  # exactly 0, or NaN
             return Intervals(ends * 0.0)
         return Intervals(ends if abs(factor) == 1 else rounded_outward(ends * abs(factor)))
 
@@ -262,52 +261,43 @@ class Intervals(Arithmetic):
             return self
         if power % 2 == 0:
             return self.squared() ** (power // 2)
-        # Monotone. A product of n numbers in any order is off by less than n units, and by less
-        # than TINY where one underflows.
+        # Monotonic. The relative error of a product of n numbers is below n EPS, or the absolute
+        # one below TINY if it underflows.
         return Intervals(rounded_outward(reduce(np.multiply, [self.ends] * power), power))
 
     def sqrt(self) -> Intervals:
-        """Square root; NaN where the interval holds negative numbers."""
+        """Square root; the upper end is NaN if the interval contains negative numbers."""
         root = np.sqrt(pair(-self.ends[0], self.ends[1]))
         root[1] = np.where(self.ends[0] > 0, np.nan, root[1])
         root[0] *= -1
         return Intervals(_not_negative(rounded_outward(root)))
 
     def exp(self) -> Intervals:
-        """Exponential, off by no more than :data:`FUNCTION_ULPS`."""
+        """Exponential."""
         values = self._at_ends(np.exp)
-        # A lower end beyond the largest number is at least that: so that an infinite force is told
-        # from an unknown one.
+        # A lower end that overflows is at least the largest float: then the number is known to be
+        # large, and not unbounded.
         values[0] = np.maximum(values[0], -np.finfo(np.float64).max)
-        # Of 0 it is 1, exactly: laws of friction vanish there.
-        return Intervals(
-            np.where(self.ends == 0, values, _not_negative(rounded_outward(values, FUNCTION_ULPS)))
-        )
+        rounded = _not_negative(rounded_outward(values, FUNCTION_ULPS))
+        # exp(0) = 1 exactly: friction laws 1 − exp(…) vanish there.
+        return Intervals(np.where(self.ends == 0, values, rounded))
 
     def log(self) -> Intervals:
-        """Natural logarithm; NaN where the interval holds negative numbers, −∞ for an end that is
-        0.
-        """
+        """Natural logarithm; NaN for intervals with negative numbers, −∞ for a lower end 0."""
         values = self._at_ends(np.log)
-        # What an upper end −∞ is given as, a bound like it with which one can go on.
-        return Intervals(
-            np.where(
-                self.ends == 0, np.maximum(values, -1e300), rounded_outward(values, FUNCTION_ULPS)
-            )
-        )
+        rounded = rounded_outward(values, FUNCTION_ULPS)
+        # An upper end log(0) = −∞ is replaced by a finite bound.
+        return Intervals(np.where(self.ends == 0, np.maximum(values, -1e300), rounded))
 
     def tanh(self) -> Intervals:
-        """Hyperbolic tangent, between −1 and 1."""
-        values = self._at_ends(np.tanh)
-        return Intervals(
-            np.where(self.ends == 0, 0.0, np.minimum(rounded_outward(values, FUNCTION_ULPS), 1.0))
-        )
+        """Hyperbolic tangent, within [−1, 1]."""
+        rounded = rounded_outward(self._at_ends(np.tanh), FUNCTION_ULPS)
+        return Intervals(np.where(self.ends == 0, 0.0, np.minimum(rounded, 1.0)))
 
     def atan(self) -> Intervals:
         """Arc tangent."""
-        return Intervals(
-            np.where(self.ends == 0, 0.0, rounded_outward(self._at_ends(np.atan), FUNCTION_ULPS))
-        )
+        rounded = rounded_outward(self._at_ends(np.atan), FUNCTION_ULPS)
+        return Intervals(np.where(self.ends == 0, 0.0, rounded))
 
     def cos(self) -> Intervals:
         """Cosine."""
@@ -318,44 +308,41 @@ class Intervals(Arithmetic):
         return _wave(self, np.sin, 0.25)
 
     def not_negative(self) -> Intervals:
-        """Intervals of what is known not to be negative, where rounding has pushed the lower end
-        below 0.
-        """
+        """Intersection with [0, ∞), for numbers that are not negative but for outward rounding."""
         return Intervals(pair(np.minimum(self.ends[0], 0.0), self.ends[1]))
 
     def component(self, across: Intervals) -> Intervals:
-        """x/√(x² + y²), see :func:`unit_vector`."""
+        """x/√(x² + y²) for x = self and y = ``across``, see :func:`unit_vector`."""
         ends = self.ends
         other = np.where(ends > 0, across.mignitude, across.magnitude)
-        # Three roundings, of a sum of squares, and two more: less than 4 units, where nothing
-        # underflows or overflows.
+        # The error of five roundings is below 4 EPS, without underflow and overflow.
         values = rounded_outward(ends / np.sqrt(ends * ends + other * other), 4)
         size = np.maximum(np.abs(ends), other)
         accurate = (size > 1e-140) & (size < 1e150) & (values <= 1)
         return Intervals(np.where(accurate, values, 1.0))
 
     def angle(self, cosine: Intervals, side: int | None) -> Intervals:
-        """Of the vector of which this is the sine, see :func:`atan2`."""
+        """Angle of the vector (cosine, self), see :func:`atan2`."""
         x, y = (np.stack([part.low, part.high]) for part in (cosine, self))
-        cut = ~((x[0] > 0) | (y[0] > 0) | (y[1] < 0))
+        meets_cut = ~((x[0] > 0) | (y[0] > 0) | (y[1] < 0))
         corners = np.stack([np.arctan2(y[j], x[i]) for i in (0, 1) for j in (0, 1)])
         ends = _bounded_by_pi(np.stack([-corners.min(axis=0), corners.max(axis=0)]))
-        if cut.any():
-            ends = np.where(cut, _across(x, y, side), ends)
+        if meets_cut.any():
+            ends = np.where(meets_cut, _across(x, y, side), ends)
         return Intervals(ends)
 
     def is_nothing(self) -> bool:
-        """Whether all are 0."""
+        """True if all intervals are exactly 0."""
         return self.ends.size > 0 and not self.ends.any()
 
     def _at_ends(self, function: np.ufunc) -> FloatArray:
-        """A function that grows with its argument: −least and greatest, as NumPy rounds them."""
+        """−low and high of an increasing function, without outward rounding."""
         values: FloatArray = function(pair(-self.ends[0], self.ends[1]))
         values[0] *= -1
         return values
 
     def sign(self) -> Intervals:
-        """−1, 0 or 1, or an interval of these."""
+        """Sign function: −1, 0, 1, or an interval with these ends."""
         return Intervals(np.sign(self.ends))
 
     def __repr__(self) -> str:
@@ -371,7 +358,7 @@ def exactly(number: float) -> float:
 
 
 def _point(value: Number) -> Intervals | None:
-    """A number or an array of floats as intervals without width."""
+    """A number or an array of floats as intervals of width 0; None for other types."""
     if isinstance(value, int | float):
         number = exactly(value)
         return Intervals(np.array([-number, number]))
@@ -379,9 +366,7 @@ def _point(value: Number) -> Intervals | None:
 
 
 def stacked(parts: Sequence[Any], shape: Shape) -> Intervals:
-    """Several arrays of one shape, or numbers, as one array of intervals with one more axis, the
-    first.
-    """
+    """Stack intervals of one shape, or numbers, along a new first axis."""
     out = np.empty((2, len(parts), *shape))
     for index, part in enumerate(parts):
         if isinstance(part, Intervals):
@@ -392,18 +377,18 @@ def stacked(parts: Sequence[Any], shape: Shape) -> Intervals:
 
 
 def matrix(rows: Matrix, shape: Shape) -> Intervals:
-    """Rows of entries as one array of intervals, shape (rows, columns, …)."""
+    """Rows of entries, intervals or numbers, as intervals of shape (rows, columns, …)."""
     entries = stacked([entry for row in rows for entry in row], shape)
     return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))
 
 
 def scaled(ends: FloatArray, factor: FloatArray) -> FloatArray:
-    """Ends of the product with numbers of either sign, rounded to nearest."""
+    """Ends of the product of intervals and numbers of any sign, rounded to nearest."""
     return np.maximum(ends * factor, -(ends[::-1] * factor))
 
 
 def _aligned(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Both with as many axes as the one that has more, new ones behind the first."""
+    """Both arrays with the same number of axes: missing ones are inserted after the first."""
     if one.ndim < other.ndim:
         one = one.reshape(2, *(1,) * (other.ndim - one.ndim), *one.shape[1:])
     elif other.ndim < one.ndim:
@@ -412,67 +397,64 @@ def _aligned(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray
 
 
 def _extremes(operation: np.ufunc, one: FloatArray, other: FloatArray) -> FloatArray:
-    """(−least, greatest) of the operation on the four pairs of ends, rounded to nearest."""
+    """−low and high of a product or quotient of intervals: the extremes over the four pairs of
+    ends, rounded to nearest.
+    """
     one, other = _aligned(one, other)
     same, cross = operation(one, other), operation(one, other[::-1])
     out: FloatArray = np.empty_like(same)
-    # (−a₀, a₁) with (−b₀, b₁) gives a₀ b₀ and a₁ b₁; with (b₁, −b₀) it gives a₀ b₁ and a₁ b₀ with
-    # the other sign.
+    # (−a₀, a₁) with (−b₀, b₁) gives a₀ b₀ and a₁ b₁; with (b₁, −b₀) it gives −a₀ b₁ and −a₁ b₀.
     np.maximum(np.maximum(same[0], same[1]), -np.minimum(cross[0], cross[1]), out=out[1])
     np.maximum(np.maximum(cross[0], cross[1]), -np.minimum(same[0], same[1]), out=out[0])
     return out
 
 
 def _beside_zero(one: FloatArray, other: FloatArray) -> FloatArray:
-    """Ends of the quotient by intervals that end at 0, for divisors other than 0; NaN where 0 is
-    inside of them.
+    """Ends of quotients by intervals of which one end is 0, for the divisors other than 0; NaN if 0
+    is in the interior of the divisor.
     """
     positive = (other[0] == 0) & (other[1] > 0)
     negative = (other[1] == 0) & (other[0] > 0)
-    # −least and greatest dividend, its sign turned for negative divisors.
-    least, most = np.where(negative, one[::-1], one)
+    # −low and high of the dividend, times −1 for negative divisors.
+    dividends = np.where(negative, one[::-1], one)
     far = np.where(negative, other[0], other[1])
-    ends = np.stack(
-        [np.where(least > 0, np.inf, least / far), np.where(most > 0, np.inf, most / far)]
-    )
+    ends = np.where(dividends > 0, np.inf, dividends / far)
     return np.where(positive | negative, ends, np.nan)
 
 
 def _not_negative(ends: FloatArray) -> FloatArray:
-    """Lower ends of what is not negative, which rounding may have pushed below 0."""
+    """Ends of non-negative numbers, with lower ends below 0 replaced by 0, in place."""
     np.minimum(ends[0], 0.0, out=ends[0])
     return ends
 
 
-#: Beyond it cosine and sine are [−1, 1].
+#: Angles beyond this have the cosine and sine [−1, 1].
 LARGEST_ANGLE = 1e5
 #: Upper bound of π, and an interval around it.
 HALF_TURN = float(np.nextafter(np.pi, 4.0))
 PI = Intervals.between([np.pi], [HALF_TURN])
 
-#: As functions.
+#: The methods as functions.
 sqrt, exp, log, tanh, atan, cos, sin = map(
     methodcaller, ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin")
 )
 
 
 def _wave(angle: Intervals, function: np.ufunc, peak: float) -> Intervals:
-    """A cosine that has its maxima at 2π (peak + n)."""
+    """Sine or cosine, ``function``, which has its maxima at 2π (peak + n)."""
     low, high = angle.low, angle.high
     one, other = function(low), function(high)
-    # Bound on the absolute error of NumPy's sine and cosine, for arguments up to
-    # :data:`LARGEST_ANGLE`.
+    # Absolute error of NumPy's sine and cosine for angles up to LARGEST_ANGLE.
     error = 2.0**-50
     ends = pair(-np.minimum(one, other), np.maximum(one, other)) + error
     turns_low, turns_high = low / (2 * np.pi) - peak, high / (2 * np.pi) - peak
     unknown = ~((angle.magnitude <= LARGEST_ANGLE) & np.isfinite(one) & np.isfinite(other))
-    # More than the error of an angle over 2π: an extremum so near to an end counts as
-    # inside, where it hardly widens anything.
+    # More than the error of an angle over 2π: an extremum this close to an end counts as inside,
+    # which hardly widens the result.
     turn_error = 1e-10
-    for end, shift in ((1, 0.0), (0, 0.5)):
-        inside = np.floor(turns_high + (shift + turn_error)) >= np.ceil(
-            turns_low + (shift - turn_error)
-        )
+    for end, shift in ((1, 0.0), (0, 0.5)):  # maxima, minima
+        first = np.ceil(turns_low + (shift - turn_error))
+        inside = np.floor(turns_high + (shift + turn_error)) >= first
         ends[end] = np.where(inside | unknown, 1.0, np.minimum(ends[end], 1.0))
     return Intervals(ends)
 
@@ -483,42 +465,41 @@ def length(dx: Intervals, dy: Intervals) -> Intervals:
 
 
 def unit_vector(dx: Intervals, dy: Intervals) -> tuple[Intervals, Intervals]:
-    """Direction (dx, dy)/√(dx² + dy²), each component as narrow as it is; [−1, 1] where the vector
-    may be 0.
+    """Tight enclosure of (dx, dy)/√(dx² + dy²); [−1, 1] if the vector may be 0.
 
-    dx/√(dx² + dy²) grows with dx, and with |dy| it goes to 0: so it is largest at the largest dx,
-    and there at the least |dy| if that dx is positive, at the largest if not.
+    dx/√(dx² + dy²) increases with dx, and tends to 0 as |dy| grows. So its maximum is at the
+    largest dx, with the smallest |dy| if that dx is positive, else with the largest |dy|.
     """
     return dx.component(dy), dy.component(dx)
 
 
 def atan2(sine: Intervals, cosine: Intervals, side: int | None = None) -> Intervals:
-    """The angle of the vector (cosine, sine), from −π to π; NaN where the vectors meet the ray on
-    which it jumps, or 0.
+    """The angle of the vector (cosine, sine), in [−π, π].
 
-    With a ``side`` of 1 or −1 there the angles of vectors with a sine not negative or not positive,
-    with 0 all. Over a rectangle that does not meet the ray the angle is least and greatest at
-    corners: on each side it is monotone.
+    Vectors may meet the branch cut, the ray of negative cosines and sine 0. Then the result is NaN
+    if ``side`` is None; the angles of the vectors with a sine ≥ 0 if it is 1, ≤ 0 if it is −1; and
+    [−π, π] if it is 0. Over a rectangle that does not meet the cut the extremes are at corners,
+    because the angle is monotonic along each side.
     """
     return sine.angle(cosine, side)
 
 
 def _across(x: FloatArray, y: FloatArray, side: int | None) -> FloatArray:
-    """Ends of angles of rectangles that meet the ray of negative cosines: x and y are lower and
-    upper ends.
+    """Ends of angles of rectangles that meet the branch cut, for :func:`atan2`; x and y are lower
+    and upper ends, (2, …).
     """
     if side is None:
         return np.full(x.shape, np.nan)
-    most = np.full(x.shape[1:], rounded_outward(np.array(np.pi)))
+    largest = np.full(x.shape[1:], rounded_outward(np.array(np.pi)))
     if side == 0:
-        return np.stack([most, most])
-    # Of vectors with a sine of this sign the angle is least in size at the greatest cosine. A sine
-    # of −0 would stand for the other side.
+        return np.stack([largest, largest])
+    # On this side the smallest |angle| is at the largest cosine. + 0.0 turns −0, which would be on
+    # the other side, into 0.
     far = np.maximum(y[1] if side > 0 else -y[0], 0.0) + 0.0
-    least = -_bounded_by_pi(-np.minimum(np.arctan2(far, x[1]), np.arctan2(0.0, x[1])))
-    return np.stack([-least, most] if side > 0 else [most, -least])
+    smallest = -_bounded_by_pi(-np.minimum(np.arctan2(far, x[1]), np.arctan2(0.0, x[1])))
+    return np.stack([-smallest, largest] if side > 0 else [largest, -smallest])
 
 
 def _bounded_by_pi(ends: FloatArray) -> FloatArray:
-    """Upper bounds of angles that NumPy gives, none of which is larger than π."""
+    """Upper bounds of angles computed by NumPy, at most that of π."""
     return np.minimum(rounded_outward(ends, FUNCTION_ULPS), rounded_outward(np.array(np.pi)))

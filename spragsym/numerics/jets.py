@@ -1,9 +1,9 @@
-"""Taylor polynomials of several variables as a number type: derivatives of whatever the generated
-functions compute.
+"""Truncated Taylor polynomials of several variables as a number type: automatic differentiation of
+generated functions, to any order.
 
-A :class:`Jet` holds the coefficients of a polynomial in the variables' small changes, up to an
-order; the rest is dropped. Its coefficients are numbers of any type: arrays of intervals give
-enclosures of derivatives over boxes.
+A :class:`Jet` has the coefficients of a polynomial in the variables' small changes, up to an order.
+The coefficients are numbers of any type: arrays of intervals give enclosures of derivatives over
+boxes.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from typing import Any, TypeAlias
 
 from .arithmetic import Arithmetic, Number, is_zero, repeated_product
 
-#: Numbers of the variables of a product, ascending: () is the constant, (0, 0, 2) is x₀² x₂.
+#: Indices of the variables of a monomial, ascending: () is the constant, (0, 0, 2) is x₀² x₂.
 Term: TypeAlias = tuple[int, ...]
 
 
 class Jet(Arithmetic):
-    """A polynomial in small changes of variables, cut off beyond ``order``.
+    """A polynomial in small changes of variables, truncated beyond ``order``.
 
     Examples
     --------
@@ -39,7 +39,7 @@ class Jet(Arithmetic):
 
     @classmethod
     def variable(cls, value: Number, number: int, order: int) -> Jet:
-        """The variable of that number at a value."""
+        """The variable with index ``number`` at a value."""
         return cls({(): value, (number,): 1} if order else {(): value}, order)
 
     @property
@@ -48,14 +48,14 @@ class Jet(Arithmetic):
         return self.terms.get((), 0)
 
     def derivative(self, *variables: int) -> Number:
-        """The derivative by these variables; the integer 0 where it is 0 by structure."""
+        """The derivative by these variables; the integer 0 if there is no such term."""
         term = tuple(sorted(variables))
         coefficient = self.terms.get(term, 0)
         repeats = prod(factorial(term.count(number)) for number in set(term))
         return coefficient * repeats if repeats > 1 else coefficient
 
     def differentiated(self, variable: int) -> Jet:
-        """The derivative by a variable as a polynomial, of one order less."""
+        """The derivative by a variable, as a polynomial of one order less."""
         terms = {}
         for term, coefficient in self.terms.items():
             times = term.count(variable)
@@ -118,8 +118,8 @@ class Jet(Arithmetic):
         )
 
     def composed(self, coefficients: Sequence[Any]) -> Jet:
-        """Σ coefficients[k] hᵏ for the part h of this polynomial that is not constant: a function
-        by its Taylor series.
+        """A function of this polynomial, by its Taylor coefficients at the constant term: Σ
+        coefficients[k] hᵏ, with the non-constant part h.
         """
         varying = change(self, self.order)
         result, power = Jet({(): coefficients[0]}, self.order), None
@@ -134,7 +134,7 @@ class Jet(Arithmetic):
         return self.composed([inverse ** (k + 1) * (-1) ** k for k in range(self.order + 1)])
 
     def sign(self) -> Jet:
-        """−1, 0, 1; its slope is unknown where an interval holds 0."""
+        """−1, 0 or 1; its derivative is NaN if an interval contains 0."""
         return self.composed([self.value.sign(), *[self._flat()] * self.order])
 
     def __abs__(self) -> Jet:
@@ -143,13 +143,13 @@ class Jet(Arithmetic):
         )
 
     def _flat(self) -> Any:
-        """0, and nothing known where the value may be 0."""
-        # Without the absolute value one end is known where 0 is an end of an interval.
+        """0, or unbounded if the value may be 0."""
+        # Without abs, an interval that ends at 0 would keep one bound.
         return abs(1 / self.value * 0)
 
     def function(self, name: str, value: object) -> Jet:
-        """A function by its Taylor series; ``value`` is that of the value, of cosine and sine
-        both.
+        """The function ``name`` of this polynomial; ``value`` is that of the constant term, for
+        "cos" and "sin" the pair of both.
         """
         return self.composed(_SERIES[name](self.value, value, self.order))
 
@@ -190,14 +190,12 @@ def _atan(x: Number, y: Number, order: int) -> list[Any]:
 
 
 def _repeated(repeating: Sequence[Any], order: int) -> list[Any]:
-    """Taylor coefficients from derivatives that repeat with the order, as those of the exponential,
-    cosine and sine do.
-    """
+    """Taylor coefficients from periodically repeating derivatives, as of exp, cos and sin."""
     derivatives = islice(cycle(repeating), order + 1)
     return [value / factorial(k) if k > 1 else value for k, value in enumerate(derivatives)]
 
 
-#: Coefficients of a function's series from its argument, its value there and the order.
+#: Taylor coefficients of a function, from its argument, its value there, and the order.
 _SERIES: dict[str, Callable[[Any, Any, int], list[Any]]] = {
     "sqrt": _sqrt,
     "log": _log,
@@ -210,8 +208,10 @@ _SERIES: dict[str, Callable[[Any, Any, int], list[Any]]] = {
 
 
 class Functions:
-    """``xp`` of generated functions for numbers and jets of them: ``kind`` has theirs, ``taken``
-    makes one of an int or float.
+    """Namespace ``xp`` of generated functions, for numbers of a type and jets of these.
+
+    ``kind`` is a module with the functions of the numbers; ``taken`` converts an int or float to
+    one.
     """
 
     def __init__(self, kind: Any, taken: Callable[[Any], Any]) -> None:
@@ -223,7 +223,7 @@ class Functions:
         return lambda value: self.of(name, value)
 
     def of(self, name: str, value: Number) -> Any:
-        """A function of one number or jet."""
+        """The function ``name`` of a number or jet."""
         if not isinstance(value, Jet):
             return getattr(self.kind, name)(self.taken(value))
         at = value.value
@@ -236,15 +236,15 @@ class Functions:
         return (value if isinstance(value, Jet) else self.taken(value)).sign()
 
     def atan2(self, sine: Number, cosine: Number) -> Number:
-        """Angle of the vector (cosine, sine), from −π to π."""
+        """Angle of the vector (cosine, sine), in [−π, π]."""
         if isinstance(sine, Jet) or isinstance(cosine, Jet):
             return argument(*rotation(sine, cosine)) + self.atan2(constant(sine), constant(cosine))
         return self.kind.atan2(self.taken(sine), self.taken(cosine))
 
 
 def argument(u: Jet, v: Jet) -> Jet:
-    """The angle of 1 + u + i v, for changes u and v without a constant term: the imaginary part of
-    log(1 + z) = z − z²/2 + ….
+    """The angle of 1 + z, z = u + i v, for u and v without constant terms: Im log(1 + z) = Im(z −
+    z²/2 + …).
     """
     one, other = u, v
     total = v
@@ -255,35 +255,33 @@ def argument(u: Jet, v: Jet) -> Jet:
 
 
 def order_of(*parts: Any) -> int:
-    """The highest order of the jets among some numbers, 0 where there are none."""
+    """The highest order of the jets among numbers, 0 without jets."""
     return max((part.order for part in parts if isinstance(part, Jet)), default=0)
 
 
 def rotation(sine: Number, cosine: Number) -> tuple[Jet, Jet]:
-    """Change of the vector (cosine, sine), as a multiple 1 + u + i v of its value, of any
-    length.
+    """(u, v) such that the vector cosine + i sine, of any length, is its value times 1 + u + i
+    v.
     """
     c, s = constant(cosine), constant(sine)
     return change_along(cosine, sine, c, s, c * c + s * s)
 
 
 def change_along(dx: Number, dy: Number, c: Number, s: Number, size: Number) -> tuple[Jet, Jet]:
-    """Change of the vector (dx, dy) along (c, s) and across it, over a size."""
+    """Components of the change of a vector (dx, dy) along (c, s) and across it, over ``size``."""
     hx, hy = (change(part, order_of(dx, dy)) for part in (dx, dy))
     return (hx * c + hy * s) / size, (hy * c - hx * s) / size
 
 
 def change(value: Number, order: int) -> Jet:
-    """The part of it that is not constant."""
+    """The non-constant part of a number or jet."""
     terms = value.terms if isinstance(value, Jet) else {}
     return Jet({term: coefficient for term, coefficient in terms.items() if term}, order)
 
 
 @cache
 def binomial_series(exponent: Fraction, order: int) -> tuple[float, ...]:
-    """Coefficients of (1 + h)^exponent up to that order; for half-integers they are binary
-    fractions, hence exact.
-    """
+    """Coefficients of (1 + h)^exponent up to an order; exact for half-integer exponents."""
     series = [Fraction(1)]
     for k in range(order):
         series.append(series[-1] * (exponent - k) / (k + 1))
@@ -291,34 +289,32 @@ def binomial_series(exponent: Fraction, order: int) -> tuple[float, ...]:
 
 
 def variables(values: Sequence[Any], order: int) -> list[Jet]:
-    """All values as variables, numbered from 0."""
+    """Values as jets of independent variables with indices 0, 1, …."""
     return [Jet.variable(value, number, order) for number, value in enumerate(values)]
 
 
 def gradient(value: Number, count: int) -> list[Any]:
-    """First derivatives by the variables 0 to count − 1, of a jet or of a constant."""
+    """First derivatives of a jet or constant by the variables 0 to count − 1."""
     return [value.derivative(number) if isinstance(value, Jet) else 0 for number in range(count)]
 
 
 def is_linear(value: Jet) -> bool:
-    """Whether no term of second order or beyond is in it, by structure."""
+    """True if a jet has no terms of second or higher order."""
     return all(len(term) < 2 or is_zero(part) for term, part in value.terms.items())
 
 
 def constant(value: Number) -> Any:
-    """The value of a jet, and a number itself."""
+    """The constant term of a jet; a number itself."""
     return value.value if isinstance(value, Jet) else value
 
 
 def _times(one: Jet, other: Jet) -> Jet:
-    """A product, also of a thing with itself, without its constant term."""
+    """The product, computed as such even of a jet with itself."""
     return one * Jet(other.terms, other.order)
 
 
 def _power(value: Number, power: int) -> Number:
-    """A power; of python-flint's balls by products, since its own is no number where a ball holds
-    0.
-    """
+    """A power; of python-flint's balls by products, since its own is NaN if a ball contains 0."""
     if power and type(value).__module__.startswith("flint"):
         return repeated_product(value, power)
     return value**power

@@ -1,10 +1,10 @@
-"""Polynomials, coefficients lowest power first: common divisors, squarefree parts, interpolation,
-real roots.
+"""Polynomials in one variable, with coefficients from the lowest power on: greatest common
+divisors, squarefree parts, interpolation, isolation and refinement of real roots.
 
-Coefficients are integers or fractions, of which nothing is rounded, or balls, where
-:class:`.balls.UndecidedSign` says that more bits are needed. Real roots are isolated by Descartes'
-rule of signs, so that none is missed: intervals are halved, which only adds and shifts. At the end
-the half-angle map, and roots of many polynomials in floats.
+Coefficients are integers or fractions, which are exact, or balls; with balls
+:class:`.balls.UndecidedSign` means that more bits are needed. Real roots are isolated by Descartes'
+rule of signs with bisection (Collins and Akritas), which misses none. At the end of the module: the
+half-angle substitution t = tan(θ/2), and roots of many polynomials in floats.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ Polynomial: TypeAlias = tuple[Coefficient, ...]
 
 
 def evaluate(polynomial: Sequence[Coefficient], t: T) -> T:
-    """Horner's rule."""
+    """Value of a polynomial at t, by Horner's rule."""
     value = polynomial[-1]
     for coefficient in reversed(polynomial[:-1]):
         value = value * t + coefficient
@@ -39,25 +39,25 @@ def evaluate(polynomial: Sequence[Coefficient], t: T) -> T:
 
 
 def derivative(polynomial: Sequence[Coefficient]) -> Polynomial:
-    """d/dt."""
+    """Coefficients of the derivative."""
     return tuple(power * coefficient for power, coefficient in enumerate(polynomial))[1:]
 
 
 def common_divisor(one: Polynomial, other: Polynomial) -> tuple[int, ...]:
-    """The greatest common divisor with coprime integer coefficients; () if both are zero."""
+    """Greatest common divisor, with coprime integer coefficients; () if both are zero."""
     dividend, divisor = primitive(one), primitive(other)
     if _coprime(dividend, divisor):
         return (1,)
     return _euclid(dividend, divisor, primitive)
 
 
-#: A prime; residues of it tell quickly that two polynomials have no common factor.
+#: A prime modulo which it is quickly shown that two polynomials have no common factor.
 _PRIME = 2**61 - 1
 
 
 def _coprime(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
-    """Whether residues prove that there is no common factor: it would be one of the residues as
-    well, of the same degree.
+    """True if the polynomials modulo the prime have no common factor. Then they have none
+    themselves, as its residue would be one, of the same degree.
     """
     dividend, divisor = _residues(one), _residues(other)
     return len(other) == len(divisor) > 0 and len(_euclid(dividend, divisor, _residues)) == 1
@@ -72,19 +72,21 @@ def _euclid(
     divisor: tuple[int, ...],
     reduced: Callable[[list[int]], tuple[int, ...]],
 ) -> tuple[int, ...]:
-    """Euclid's algorithm, with remainders as multiples that are ``reduced``."""
+    """Euclid's algorithm with pseudo-remainders, each simplified by ``reduced``."""
     while divisor:
         dividend, divisor = divisor, reduced(_remainder(dividend, divisor))
     return dividend
 
 
 def squarefree(polynomial: Polynomial) -> tuple[int, ...]:
-    """The squarefree part, with the roots each once."""
+    """The squarefree part: the same roots, all simple."""
     return without(polynomial, common_divisor(polynomial, derivative(polynomial)))
 
 
 def without(polynomial: Polynomial, divisor: tuple[int, ...]) -> tuple[int, ...]:
-    """A polynomial over one of coprime integers that divides it: coprime integers again (Gauss)."""
+    """Quotient of a polynomial by a divisor with coprime integer coefficients; its coefficients are
+    coprime integers, too (Gauss's lemma).
+    """
     rest, quotient = list(primitive(polynomial)), list[int]()
     if not divisor:
         return ()
@@ -97,7 +99,9 @@ def without(polynomial: Polynomial, divisor: tuple[int, ...]) -> tuple[int, ...]
 
 
 def primitive(polynomial: Sequence[Coefficient]) -> tuple[int, ...]:
-    """A positive multiple with coprime integers and no leading zero, () for zero."""
+    """The positive multiple with coprime integer coefficients, without leading zeros; () for
+    zero.
+    """
     common = math.lcm(*(value.denominator for value in polynomial))
     integers = [value.numerator * (common // value.denominator) for value in polynomial]
     while integers and not integers[-1]:
@@ -107,12 +111,12 @@ def primitive(polynomial: Sequence[Coefficient]) -> tuple[int, ...]:
 
 
 def has_root(polynomial: Polynomial, low: Fraction, high: Fraction) -> bool:
-    """Whether a polynomial other than zero has a root in (low, high], or at low = high."""
+    """True if a polynomial other than zero has a root in (low, high], or at low = high."""
     return bool(_isolated(squarefree(polynomial), low, high)[1])
 
 
 def _remainder(dividend: tuple[int, ...], divisor: tuple[int, ...]) -> list[int]:
-    """A multiple of dividend mod divisor."""
+    """Pseudo-remainder: a multiple of dividend mod divisor with integer coefficients."""
     rest = list(dividend)
     for shift in range(len(dividend) - len(divisor), -1, -1):
         factor = rest.pop()
@@ -123,11 +127,11 @@ def _remainder(dividend: tuple[int, ...], divisor: tuple[int, ...]) -> list[int]
 
 
 def interpolate(function: Callable[[Fraction], Fraction], degree: int) -> tuple[int, ...]:
-    """The polynomial of that degree through the values of ``function`` at integers about 0, as
-    :func:`primitive` makes it.
+    """The :func:`primitive` polynomial of a degree that agrees with ``function`` at degree + 1
+    integers around 0, up to a factor.
 
-    By Newton's differences, times degree! and the common denominator of the values, so that nothing
-    but integers is added up.
+    By Newton's divided differences, multiplied by degree! and by the common denominator of the
+    values, so that all numbers are integers.
     """
     nodes = range(-(degree // 2), degree - degree // 2 + 1)
     values = [function(Fraction(node)) for node in nodes]
@@ -137,9 +141,8 @@ def interpolate(function: Callable[[Fraction], Fraction], degree: int) -> tuple[
         leading.append(differences[0] * math.perm(degree, degree - order))
         differences = [after - before for before, after in itertools.pairwise(differences)]
     found = list[int]()
-    for node, value in zip(
-        reversed(nodes), reversed(leading), strict=True
-    ):  # Horner's rule, with t less each node
+    # Horner's rule with factors t − node.
+    for node, value in zip(reversed(nodes), reversed(leading), strict=True):
         found = [lower - node * one for lower, one in zip([0, *found], [*found, 0], strict=True)]
         found[0] += value
     return primitive(found)
@@ -147,8 +150,8 @@ def interpolate(function: Callable[[Fraction], Fraction], degree: int) -> tuple[
 
 @dataclass(frozen=True)
 class RootOf:
-    """A real root of a polynomial in (low, high], or of the reversed polynomial: then it is the
-    reciprocal.
+    """A real root of ``polynomial``, in (low, high]; if ``backward``, its reciprocal is in (low,
+    high].
     """
 
     polynomial: Polynomial
@@ -157,21 +160,22 @@ class RootOf:
     backward: bool = False
 
     def interval(self) -> Interval:
-        """An interval that holds the root."""
+        """A ball that contains the root."""
         value = balls.between(self.low, self.high)
         return 1 / value if self.backward else value
 
     def is_of(self, polynomial: Polynomial) -> bool:
-        """Whether it is one of a divisor of its polynomial."""
-        return has_root(
-            tuple(reversed(polynomial)) if self.backward else polynomial, self.low, self.high
-        )
+        """True if the root is one of ``polynomial``, a divisor of its own."""
+        chart = tuple(reversed(polynomial)) if self.backward else polynomial
+        return has_root(chart, self.low, self.high)
 
     def sign_of(
         self, value: Interval, exactly: Callable[[Fraction], Fraction], degree: int, what: str
     ) -> int:
-        """The sign of an interval; 0 where what it encloses is 0 exactly, as a polynomial of that
-        degree has this root too.
+        """The sign of a polynomial of a ``degree`` at this root, which ``value`` encloses.
+
+        ``exactly`` gives its values at rationals, with which it is decided whether it is 0 at the
+        root. ``what`` names it in the error.
         """
 
         def vanishes() -> bool:
@@ -183,41 +187,39 @@ class RootOf:
 def roots_on_the_line(
     polynomial: tuple[Any, ...], bits: int, *, positive: bool = False
 ) -> list[RootOf]:
-    """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as
-    of :func:`.real_roots`.
+    """All real roots, or all positive ones, of a polynomial without multiple roots, to ``bits`` as
+    in :func:`.real_roots`.
 
-    Exact coefficients go with ``positive`` only: an end of a chart may be a root of theirs, where
-    balls are undecided.
+    Two charts: roots t up to a limit, and reciprocals 1/t of larger ones, as roots of the reversed
+    polynomial. Exact coefficients are allowed for ``positive`` only: with balls a root at an end of
+    a chart is undecided.
     """
     while positive and polynomial and isinstance(polynomial[0], int) and polynomial[0] == 0:
         polynomial = polynomial[1:]  # the root 0
     found: list[RootOf] = []
     if not polynomial:
         return found
-    # Lower end of both charts where roots are positive: no round number, where roots of
-    # symmetric parameters are.
-    below = Fraction(-1, 7)
-    # Where the charts meet, no round number either.
-    between = Fraction(13, 11)
+    # Ends of the charts are no round numbers, which are roots for symmetric parameters.
+    below, between = Fraction(-1, 7), Fraction(13, 11)
     for chart, limit, backward in (
         (polynomial, between, False),
         (tuple(reversed(polynomial)), 1 / between, True),
     ):
         for low, high in real_roots(chart, below if positive else -limit, limit, bits):
-            at_the_end = backward and low == limit  # which the first chart has
-            if not at_the_end and (high > 0 or not positive):
+            in_both = backward and low == limit
+            if not in_both and (high > 0 or not positive):
                 found.append(RootOf(polynomial, low, high, backward))
     return found
 
 
 def root_bound(polynomial: Sequence[int]) -> Fraction:
-    """Upper bound of the absolute value of every root: Cauchy's bound."""
+    """Cauchy's bound of the absolute value of every root."""
     return 1 + Fraction(max(map(abs, polynomial)), abs(polynomial[-1]))
 
 
 class IsolatedRoot(NamedTuple):
-    """The only root of its polynomial in [low, high]: inside, or at both where the two are
-    equal.
+    """Interval [low, high] with exactly one root, in its interior or, if low = high, equal to
+    it.
     """
 
     low: Fraction
@@ -225,8 +227,8 @@ class IsolatedRoot(NamedTuple):
 
 
 class _Cell(NamedTuple):
-    """One root in the open interval (n, m)/2^k, or at n/2^k = m/2^k; and the sign between it and
-    m/2^k, where that is asked.
+    """A cell with exactly one root: the open interval (n, m)/2^k, or the point n/2^k = m/2^k.
+    ``above`` is the sign of the polynomial between the root and m/2^k.
     """
 
     n: int
@@ -236,7 +238,7 @@ class _Cell(NamedTuple):
 
 
 def _sign(value: Fraction | Ball) -> int:
-    """Sign of an integer or a ball; only an integer may be 0."""
+    """Sign of an integer, or of a ball, where it must not be 0."""
     found = balls.sign(value)
     if not found and isinstance(value, Ball):
         raise UndecidedSign("a polynomial holds 0 where its sign is needed")
@@ -246,10 +248,10 @@ def _sign(value: Fraction | Ball) -> int:
 def real_roots(
     polynomial: tuple[Any, ...], low: Fraction, high: Fraction, bits: int
 ) -> list[IsolatedRoot]:
-    """Every root in (low, high], ascending, to a width below 2^−bits, and below 2^−bits of a
-    distance from 0 that is below 1.
+    """All roots in (low, high], ascending, in intervals of a width below 2^−bits × min(1, distance
+    from 0).
 
-    The polynomial has no multiple root there, or this does not end.
+    The polynomial must have no multiple root there: otherwise this does not end.
     """
     unit, cells = _isolated(polynomial, low, high)
     common, start, scale = _common(low, high)
@@ -258,11 +260,11 @@ def real_roots(
         return Fraction((start << k) + scale * n, common << k)
 
     def lacking(n: int, k: int) -> int:
-        """Number of halvings of (n, n + 1)/2^k that are still to be done; at most 0 if none is."""
+        """Number of bisections of (n, n + 1)/2^k that are still needed; 0 or less if none is."""
         begin, one = (start << k) + scale * n, common << k
-        distance = (
-            min(abs(begin), abs(begin + scale), one) if begin > 0 or begin + scale < 0 else one
-        )
+        distance = one
+        if begin > 0 or begin + scale < 0:
+            distance = min(abs(begin), abs(begin + scale), one)
         return (-((-scale << bits) // distance) - 1).bit_length()
 
     found = [_refined(cell, unit, lacking) for cell in cells]
@@ -273,11 +275,11 @@ def real_roots(
 def _isolated(
     polynomial: tuple[Any, ...], low: Fraction, high: Fraction
 ) -> tuple[list[Any], list[_Cell]]:
-    """The polynomial in u, where t = low + (high − low) u, and a cell in u for each root in (low,
+    """The polynomial in u, with t = low + (high − low) u, and a cell in u for each root in (low,
     high].
 
-    Source: Descartes' rule in (0, 1) and halves of it: no change of sign, no root; one change, one
-    root (Collins, Akritas 1976).
+    Source: Collins and Akritas (1976). Descartes' rule on (0, 1) and on halves of it: without sign
+    changes there is no root, with one change exactly one root.
     """
     common, start, scale = _common(low, high)
     degree = len(polynomial) - 1
@@ -303,13 +305,13 @@ def _isolated(
 
 
 def _common(low: Fraction, high: Fraction) -> tuple[int, int, int]:
-    """The least common denominator, and times that the lower end and the width."""
+    """The common denominator of both ends; the lower end and the width multiplied by it."""
     common = math.lcm(low.denominator, high.denominator)
     return common, int(low * common), int((high - low) * common)
 
 
 def shifted(coefficients: Sequence[Any], by: Number = 1) -> list[Any]:
-    """Coefficients of the polynomial at u + ``by``."""
+    """Coefficients of the polynomial p(u + by): Taylor shift."""
     values = list(coefficients)
     for start in range(len(values)):
         for power in range(len(values) - 2, start - 1, -1):
@@ -318,10 +320,11 @@ def shifted(coefficients: Sequence[Any], by: Number = 1) -> list[Any]:
 
 
 def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int], int]) -> _Cell:
-    """The root in a cell that lacks nothing and whose ends are no roots, or the root itself.
+    """The cell refined until ``lacking`` is at most 0 and its ends are no roots; or the root
+    itself.
 
-    The secant's guess is tried on a grid of 2^j parts of the cell, j twice as large where it is
-    right, else half. Source: quadratic interval refinement, J. Abbott (2006).
+    Source: quadratic interval refinement, J. Abbott (2006). The cell is divided into 2^j parts, and
+    the part at the secant's zero is tried; j is doubled if it contains the root, else halved.
     """
     n, m, k, above = cell
     if n == m:
@@ -358,8 +361,8 @@ def _refined(cell: _Cell, polynomial: Sequence[Any], lacking: Callable[[int, int
 
 
 def _share(low: Coefficient, high: Coefficient, j: int) -> int:
-    """Part of 2^j, from below, in which the chord of values of opposite signs, or of their middles,
-    crosses zero.
+    """Index of the part, of 2^j, in which the chord between values of opposite signs crosses
+    zero.
     """
     if isinstance(low, Ball):
         low, high = (sum(balls.ends(value)) for value in (low, high))
@@ -367,7 +370,7 @@ def _share(low: Coefficient, high: Coefficient, j: int) -> int:
 
 
 class OnCircle(NamedTuple):
-    """cos θ, sin θ and their denominator 1 + t² at t = tan(θ/2)."""
+    """cos θ, sin θ and their denominator 1 + t², for t = tan(θ/2)."""
 
     cosine: Any
     sine: Any
@@ -375,14 +378,14 @@ class OnCircle(NamedTuple):
 
 
 def on_circle(t: Number) -> OnCircle:
-    """The direction θ with tan(θ/2) = t, exactly for a rational t."""
+    """cos θ and sin θ for tan(θ/2) = t, exact for a rational t."""
     scale = 1 + t * t
     return OnCircle((1 - t) * (1 + t) / scale, 2 * t / scale, scale)
 
 
 def in_t(function: Callable[[Any, Any], Any], degree: int) -> Callable[[Fraction], Fraction]:
-    """(1 + t²)^degree times a function of that degree in cos θ and sin θ, which is a polynomial in
-    t.
+    """The polynomial (1 + t²)^degree f(cos θ, sin θ) in t = tan(θ/2), as a function of t; f is a
+    polynomial of that degree.
     """
 
     def value(t: Fraction) -> Fraction:
@@ -393,7 +396,7 @@ def in_t(function: Callable[[Any, Any], Any], degree: int) -> Callable[[Fraction
 
 
 def of_sine_in_t(polynomial: Sequence[int]) -> tuple[int, ...]:
-    """(1 + t²)^degree times a polynomial in sin θ, lowest power first: its coefficients in t."""
+    """Coefficients in t = tan(θ/2) of (1 + t²)^degree p(sin θ), for the coefficients of p."""
     value, scale = [polynomial[-1]], [1]
     for coefficient in reversed(polynomial[:-1]):  # Horner's rule, times 1 + t² at each step
         scale = [one + other for one, other in zip([*scale, 0, 0], [0, 0, *scale], strict=True)]
@@ -404,15 +407,15 @@ def of_sine_in_t(polynomial: Sequence[int]) -> tuple[int, ...]:
 
 
 def by_power(coefficients: FloatArray) -> tuple[FloatArray, ...]:
-    """Coefficients from the last axis, each ready to meet several arguments, as :func:`evaluate`
-    takes them.
+    """Coefficients along the last axis as a tuple of arrays with a new last axis, for
+    :func:`evaluate` at several arguments per polynomial.
     """
     return tuple(np.moveaxis(coefficients, -1, 0)[..., None])
 
 
 def eigenvalues(coefficients: FloatArray) -> FloatArray | ComplexArray:
-    """All complex roots of each polynomial, lowest power first; 0 where its leading coefficient is
-    too small for them.
+    """All complex roots of polynomials (…, degree + 1), as eigenvalues of the companion matrix,
+    (…, degree); 0 if that overflows because of a small leading coefficient.
     """
     degree = coefficients.shape[-1] - 1
     companion = np.zeros((*coefficients.shape[:-1], degree, degree))
@@ -423,8 +426,8 @@ def eigenvalues(coefficients: FloatArray) -> FloatArray | ComplexArray:
 
 
 def polished(coefficients: FloatArray, roots: FloatArray) -> FloatArray:
-    """Three Newton steps on positive roots in ascending order, none longer than half the way to a
-    neighbour or to 0.
+    """Positive roots, ascending, improved by three Newton steps. Steps longer than half the
+    distance to a neighbour or to 0 are omitted.
     """
     polynomial = by_power(coefficients)
     slope = derivative(polynomial)

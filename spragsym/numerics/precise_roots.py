@@ -1,16 +1,16 @@
-"""Roots with many digits: of a root that floats know a small box of balls, and all roots where the
-Jacobian is nearly singular.
+"""Roots with many digits, in ball arithmetic.
 
-A known root is enclosed by Krawczyk's operator around the end of Newton's method.
+:func:`narrowed` encloses one root, known in floats, by Krawczyk's operator around the result of
+Newton's method.
 
-Near a fold or a cusp the Jacobian has rank n − 1. So n − 1 of the equations determine all unknowns
-but one, u, uniquely in a small box, and the last equation becomes g(u). Its Taylor polynomial of
-degree 3 with an enclosure of the last coefficient holds all roots: a cubic with one coefficient
-that is an interval. These are isolated by halving, in balls of many digits.
-
-What is proved of the box: the other unknowns stay in it, as functions of u, by interval Newton on
-the n − 1 equations; a piece of u holds no root if the polynomial is not 0 on it, and exactly one if
-its slope is not 0 on it and its signs at both ends differ.
+:func:`reduced_roots` finds all roots in a box where the Jacobian is nearly singular, as near a fold
+or a cusp, by Lyapunov–Schmidt reduction. There the Jacobian has rank n − 1. So n − 1 of the
+equations determine all unknowns but one, u, as functions of u in a small box; this is proved by
+interval Newton. The last equation becomes g(u) = 0. Its Taylor polynomial of degree 3, with an
+enclosure of the third coefficient over the whole box, is a cubic with one interval coefficient,
+which contains all roots. These are isolated by bisection in u: a piece contains no root if the
+polynomial is not 0 on it, and exactly one if its derivative is not 0 on it and its signs at both
+ends differ.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from .interval_arrays import FloatArray, Intervals, quiet
 from .jets import Jet, constant, gradient, variables
 from .polynomials import derivative, evaluate, shifted
 
-#: F of balls or of jets of balls.
+#: The function F of balls, or of jets of balls.
 Evaluate: TypeAlias = Callable[[Sequence[Any]], Sequence[Any]]
 #: Lower and upper end of each unknown.
 Box: TypeAlias = list[tuple[Fraction, Fraction]]
@@ -40,15 +40,16 @@ Box: TypeAlias = list[tuple[Fraction, Fraction]]
 
 @dataclass(frozen=True)
 class DigitOptions(Options):
-    """Options of a search with many digits, where roots lie close together.
+    """Options of the search with many digits, where roots are close together.
 
     Parameters
     ----------
     depth : int
-        Times a box is halved.
+        Maximum number of bisections of a box.
     parts : int
-        Parts of a box that are looked at: both halves at each depth around two roots. A box whose
-        halves never get simpler, as along a line of roots or around a pole, costs no more.
+        Maximum number of parts examined; the default suffices for both halves at each depth around
+        two roots. It limits the cost of a box whose halves are no simpler, as along a curve of
+        roots or around a pole.
     """
 
     depth: int = limit(26)
@@ -56,24 +57,24 @@ class DigitOptions(Options):
 
 
 class Digits(Protocol):
-    """n equations in n unknowns, of balls."""
+    """n equations in n unknowns in ball arithmetic."""
 
-    #: Of the balls.
+    #: Precision of the balls.
     bits: int
-    #: How many derivatives the equations themselves are made of.
+    #: Order of the derivatives that occur in the equations.
     order: int = 0
 
     def equations(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """F, of balls or of jets of balls."""
+        """F of jets of balls; of balls only if ``order`` is 0."""
 
     def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """F of balls, or of jets of balls where no derivatives are needed."""
+        """F of balls."""
         if self.order:
             return list(map(constant, self.equations(variables(unknowns, self.order))))
         return self.equations(unknowns)
 
     def slopes(self, unknowns: Sequence[Any]) -> Matrix:
-        """∂F/∂x over a box."""
+        """The Jacobian ∂F/∂x over a box."""
         return [
             gradient(row, len(unknowns))
             for row in self.equations(variables(unknowns, self.order + 1))
@@ -83,17 +84,17 @@ class Digits(Protocol):
 def narrowed(
     system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = Fraction(1, 2**160)
 ) -> list[Ball] | None:
-    """A box of balls around the root in a box of floats, None where it can't be made smaller; both
-    boxes of shape (2, n).
+    """A small box of balls that contains the root in ``box``, (2, n); None if that is not proved.
 
-    Newton's method leads to a point z. Where |1 − Y J| is at most 1/2 in a box of half-width r
-    around z, and r not less than 2 |Y F(z)|, the operator x − Y F(x) maps that box into itself: so
-    it holds a root. It is that of the box of floats where the small box lies in ``alone``, or where
-    |1 − Y J| is at most 1/2 all over a box that holds both.
+    ``alone``, (2, n), is a larger box in which the root is unique. ``enough`` is the Newton step at
+    which the iteration ends, in a point z. If |1 − Y J| ≤ 1/2 in the box of half-width
+    r ≥ 2 |Y F(z)| around z, the operator x − Y F(x) maps this box into itself, so that it contains
+    a root. It is the given root if the box is inside ``alone``, or if |1 − Y J| ≤ 1/2 over a box
+    that contains both.
     """
     z = [ball(float(value), system.bits) for value in Intervals(box).middle]
     with suppress(UndecidedSign, ZeroDivisionError):
-        for _ in range(40):  # steps, each of which doubles the number of digits near the root
+        for _ in range(40):  # quadratic convergence
             Y = _inverse(as_balls(system.slopes(z), system.bits), system.bits)
             values = as_balls([system.values(z)], system.bits)[0]
             step = [_dot(row, values) for row in Y]
@@ -112,32 +113,29 @@ def _proved(
     box: FloatArray,
     alone: FloatArray,
 ) -> list[Ball] | None:
-    """The box of half-width r around z if it is shown to hold the root."""
+    """The box of half-width r around z if it is proved to contain the root; else None."""
     with balls.precision(system.bits):
         enclosed = [part + balls.between(-r, r) for part in z]
         sides = zip(map(balls.ends, enclosed), exact_ends(alone), strict=True)
-        within = all(low <= least and most <= high for (least, most), (low, high) in sides)
-        given = zip(enclosed, exact_ends(box), strict=True)
-        over = (
-            enclosed
-            if within
-            else [balls.union(part, balls.between(*side)) for part, side in given]
-        )
-    columns = list(zip(*as_balls(system.slopes(over), system.bits), strict=True))
-    off = [
+        domain = enclosed
+        if not all(low <= least and most <= high for (least, most), (low, high) in sides):
+            pairs = zip(enclosed, exact_ends(box), strict=True)
+            domain = [balls.union(part, balls.between(*side)) for part, side in pairs]
+    columns = list(zip(*as_balls(system.slopes(domain), system.bits), strict=True))
+    contraction = [
         [_dot(row, column) - int(i == j) for j, column in enumerate(columns)]
         for i, row in enumerate(Y)
     ]
-    return enclosed if max(map(_norm, off)) <= Fraction(1, 2) else None
+    return enclosed if max(map(_norm, contraction)) <= Fraction(1, 2) else None
 
 
 def exact_ends(box: FloatArray) -> Box:
-    """Lower and upper end of each unknown in a box of floats, shape (2, n), exactly."""
+    """Lower and upper end of each unknown of a box of floats (2, n), as fractions."""
     return [(Fraction(-float(low)), Fraction(float(high))) for low, high in box.T]
 
 
 def as_balls(rows: Matrix, bits: int) -> list[list[Ball]]:
-    """Entries that are numbers as balls, too."""
+    """A matrix of balls and numbers as one of balls."""
     return [
         [entry if isinstance(entry, Ball) else ball(float(entry), bits) for entry in row]
         for row in rows
@@ -145,10 +143,10 @@ def as_balls(rows: Matrix, bits: int) -> list[list[Ball]]:
 
 
 def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
-    """The inverse of the matrix of middles, roughly, of balls without width."""
+    """Approximate inverse of the matrix of midpoints, of exact balls."""
     try:
         middles = np.array([[float(sum(balls.ends(entry)) / 2) for entry in row] for row in rows])
-    except OverflowError:  # of no number that is a float
+    except OverflowError:
         middles = np.full((len(rows), len(rows)), np.nan)
     with quiet():
         return [
@@ -158,31 +156,32 @@ def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
 
 
 def _dot(row: Sequence[Any], column: Sequence[Any]) -> Ball:
+    """Scalar product."""
     total: Ball = sum(a * b for a, b in zip(row, column, strict=True))
     return total
 
 
 def _norm(values: Sequence[Ball]) -> Fraction:
-    """Bound on the sum of |x|."""
+    """Upper bound of Σ |x|."""
     return sum((max(map(abs, balls.ends(value))) for value in values), Fraction(0))
 
 
 def as_intervals(values: Sequence[Ball]) -> Intervals:
-    """Balls as intervals of floats, shape (numbers, 1)."""
+    """Balls as intervals of floats, (numbers, 1)."""
     return outward([balls.ends(value) for value in values])
 
 
 def outward(sides: Sequence[tuple[Fraction, Fraction]]) -> Intervals:
-    """Lower and upper ends as intervals of floats, shape (numbers, 1)."""
+    """Pairs (low, high) as intervals of floats rounded outward, (numbers, 1)."""
     ends = np.array([[-float(low) for low, _ in sides], [float(high) for _, high in sides]])
-    # A float is the nearest to its end, or the next one.
+    # float() of a fraction rounds to nearest.
     return Intervals(np.nextafter(ends, np.inf)[:, :, None])
 
 
 @dataclass(frozen=True)
 class Reduced:
-    """Boxes, as pairs of fractions for each unknown: around each root, those in which it is alone,
-    and those still open.
+    """Result of :func:`reduced_roots`: tight boxes around the roots, boxes in which each is unique
+    (``alone``), and undecided boxes.
     """
 
     roots: list[Box]
@@ -197,7 +196,9 @@ def reduced_roots(
     bits: int,
     options: DigitOptions | None = None,
 ) -> Reduced:
-    """All roots in a box; ``jacobian`` is F's somewhere in it, roughly."""
+    """All roots in a box, with pairs (low, high); ``jacobian``, (n, n), is approximately that of F
+    in the box.
+    """
     options = options or DigitOptions()
     task, found = _task(evaluate, jacobian, range(len(box))), Reduced([], [], [])
     with balls.precision(bits):
@@ -209,16 +210,16 @@ def reduced_roots(
 def third_derivative(
     evaluate: Evaluate, box: Box, jacobian: FloatArray, bits: int, among: Sequence[int]
 ) -> Ball:
-    """A sixth of the third derivative of g all over a box, with u and the equation that is left
-    among the given ones.
-    """
+    """Enclosure of g‴/6 over a box; u and the last equation are chosen ``among`` these indices."""
     with balls.precision(bits):
         task = _task(evaluate, jacobian, among)
         return task.third(box[task.along], task.others(box[task.along], box))
 
 
 def _task(evaluate: Evaluate, jacobian: FloatArray, among: Sequence[int]) -> _Task:
-    """With u and the equation that is left among the given ones."""
+    """The reduction of a system, with u and the last equation chosen ``among`` these indices: those
+    with the largest components of the Jacobian's singular vectors of the smallest singular value.
+    """
     left, _, right = np.linalg.svd(jacobian)
     unknowns, equations = (
         _first(max(among, key=lambda i: abs(float(part[i]))), part.size)
@@ -228,14 +229,17 @@ def _task(evaluate: Evaluate, jacobian: FloatArray, among: Sequence[int]) -> _Ta
 
 
 def _first(number: int, n: int) -> tuple[int, ...]:
-    """Numbers in their order, but one of them first."""
+    """0, …, n − 1 with ``number`` moved to the beginning."""
     return (number, *(i for i in range(n) if i != number))
 
 
 @dataclass(frozen=True)
 class _Task:
-    """A system in one box: u is the first of the ``unknowns``, the equation that is left the first
-    of the ``equations``.
+    """Lyapunov–Schmidt reduction of a system.
+
+    ``unknowns`` and ``equations`` are permutations: u is the first of the unknowns, and the last
+    equation, which becomes g(u) = 0, the first of the equations. Methods take and return values in
+    these orders: u and the others, g and the others.
     """
 
     evaluate: Evaluate
@@ -243,16 +247,16 @@ class _Task:
     equations: tuple[int, ...]
 
     def _ordered(self, values: Sequence[Any]) -> list[Any]:
-        """Unknowns in their order, of u and the others."""
+        """Unknowns in the system's own order."""
         return [values[self.unknowns.index(index)] for index in range(len(values))]
 
     def _values(self, unknowns: Sequence[Any]) -> list[Any]:
-        """F, the equation that is left first."""
+        """F."""
         values = self.evaluate(self._ordered(unknowns))
         return [values[row] for row in self.equations]
 
     def _slopes(self, unknowns: Sequence[Any]) -> list[list[Any]]:
-        """Slopes of F by u and the others, the equation that is left first."""
+        """The Jacobian of F."""
         rows = [
             gradient(row, len(unknowns))
             for row in self.evaluate(variables(self._ordered(unknowns), 1))
@@ -260,8 +264,8 @@ class _Task:
         return [[rows[row][index] for index in self.unknowns] for row in self.equations]
 
     def _coefficients(self, series: Matrix, order: int) -> list[Any]:
-        """Coefficients of that order of F along series of u and the others to one order less, the
-        equation that is left first.
+        """Taylor coefficients of F of an order, for unknowns that are power series known to one
+        order less.
         """
         jets = [
             Jet({(0,) * k: part[k] for k in range(order) if not is_zero(part[k])}, order)
@@ -273,8 +277,8 @@ class _Task:
         ]
 
     def _newton(self, u: Ball, others: Sequence[Ball]) -> list[Any]:
-        """Interval Newton's operator m − J⁻¹ S(u, m) for the other unknowns as functions of u,
-        which solve n − 1 equations S.
+        """Interval Newton operator m − J⁻¹ S(u, m) for the other unknowns, with the n − 1 equations
+        S = 0 and midpoints m.
         """
         middle = [balls.middle(value) for value in others]
         slopes = [row[1:] for row in self._slopes([u, *others])[1:]]
@@ -282,8 +286,10 @@ class _Task:
         return [m - step for m, step in zip(middle, steps, strict=True)]
 
     def _expansion(self, u: Ball, others: Sequence[Ball], highest: int) -> list[Any]:
-        """Taylor coefficients of g from the first on; those of F are linear in the last ones of the
-        others.
+        """Taylor coefficients of g in u, from order 1 to ``highest``.
+
+        Order by order, the coefficients of the other unknowns solve a linear system, whose matrix
+        is the Jacobian of S.
         """
         slopes = self._slopes([u, *others])
         matrix, zero = [row[1:] for row in slopes[1:]], Ball(0, 0, 0, u.bits)
@@ -303,29 +309,27 @@ class _Task:
 
     @property
     def along(self) -> int:
-        """Number of u."""
+        """Index of u."""
         return self.unknowns[0]
 
     def third(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Ball:
-        """The third coefficient of the expansion about any point of a span."""
+        """Enclosure of g‴/6 over a span of u."""
         return self._expansion(balls.between(*span), others, 3)[2]
 
     def at(self, u: Fraction, others: Sequence[Ball]) -> list[Any]:
-        """The other coefficients of the expansion about a point."""
-        at = balls.exact(u)
-        sharp = self._narrowed(at, others)
-        return [self._values([at, *sharp])[0], *self._expansion(at, sharp, 2)]
+        """Taylor coefficients of g of order 0, 1, 2 at a point."""
+        point = balls.exact(u)
+        sharp = self._narrowed(point, others)
+        return [self._values([point, *sharp])[0], *self._expansion(point, sharp, 2)]
 
     def search(self, box: Box, found: Reduced, options: DigitOptions) -> None:
-        """All roots of a box: of the whole if it can be settled, else of its halves in u, and of
-        theirs.
-        """
+        """Add all roots of a box to ``found``, by bisection in u until they are isolated."""
         waiting = deque([(box, options.depth)])
         for _ in range(options.parts):
             if not waiting:
                 return
             part, depth = waiting.popleft()
-            if self._settled(part, found):
+            if self._isolates(part, found):
                 continue
             if not depth:
                 found.undecided.append(part)
@@ -333,16 +337,12 @@ class _Task:
             low, high = part[self.along]
             cut = low + (high - low) * Fraction(61, 128)
             for side in ((low, cut), (cut, high)):
-                waiting.append(
-                    (
-                        [side if i == self.along else other for i, other in enumerate(part)],
-                        depth - 1,
-                    )
-                )
+                half = [side if i == self.along else other for i, other in enumerate(part)]
+                waiting.append((half, depth - 1))
         found.undecided.extend(part for part, _ in waiting)
 
-    def _settled(self, box: Box, found: Reduced) -> bool:
-        """Whether the roots of a box could be isolated; those found are kept."""
+    def _isolates(self, box: Box, found: Reduced) -> bool:
+        """Isolate the roots of a box and add them to ``found``; False if that fails."""
         low, high = box[self.along]
         middle = (low + high) / 2
         try:
@@ -358,23 +358,25 @@ class _Task:
         return True
 
     def _boxed(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Box:
-        """A span of u, and the other unknowns."""
+        """The box with a span of u and the other unknowns."""
         sides = [span, *map(balls.ends, others)]
         return self._ordered(sides)
 
     def _polished(self, span: tuple[Fraction, Fraction], others: list[Ball], last: Number) -> Box:
-        """A small box around the only root in a span, by interval Newton on g; ``last`` is its
-        third coefficient.
+        """A tight box around the only root in a span, by interval Newton for g; ``last`` encloses
+        g‴/6.
         """
-        for _ in range(12):  # steps, the last of which no longer narrow it
+        for _ in range(12):
             middle = _short((span[0] + span[1]) / 2)
-            point = [*self.at(middle, others), last]
-            about, off = _about(point, balls.between(span[0] - middle, span[1] - middle))
+            coefficients = [*self.at(middle, others), last]
+            piece = balls.between(span[0] - middle, span[1] - middle)
+            about, off = _about(coefficients, piece)
             slope = evaluate(derivative(about), off)
             if not balls.sign(slope):
                 break
-            # By the ends: a ball of a wide quotient would be wider.
-            steps = [value / by for value in balls.ends(point[0]) for by in balls.ends(slope)]
+            # Quotients of the ends: the ball of a wide quotient would be wider.
+            values = balls.ends(coefficients[0])
+            steps = [value / by for value in values for by in balls.ends(slope)]
             new = (max(middle - max(steps), span[0]), min(middle - min(steps), span[1]))
             if new[1] - new[0] > (span[1] - span[0]) * Fraction(3, 4):
                 break
@@ -384,13 +386,13 @@ class _Task:
         return self._boxed(span, self._narrowed(balls.between(*span), others))
 
     def others(self, span: tuple[Fraction, Fraction], box: Box) -> list[Ball]:
-        """Balls that hold the other unknowns for all u of the span: exactly one value for each u,
-        in the box.
+        """Balls that contain the other unknowns for all u of a span, with exactly one value for
+        each u; UndecidedSign if that is not proved.
         """
         u = balls.between(*span)
         given = [balls.between(*side) for number, side in enumerate(box) if number != self.along]
-        # Widened, until the unknowns as functions of u stay inside; where they leave the box itself
-        # no harm is done.
+        # The balls are widened until interval Newton maps them into themselves. They may exceed the
+        # box.
         for _ in range(8):
             wide = [value + (value - balls.middle(value)) * 3 for value in given]
             image = self._newton(u, wide)
@@ -400,11 +402,11 @@ class _Task:
         raise UndecidedSign("the other unknowns in a box")
 
     def _narrowed(self, u: Ball, others: Sequence[Ball]) -> list[Ball]:
-        """Balls of the other unknowns contracted until they are not narrower by much, or far
-        narrower than the digits of u.
+        """Balls of the other unknowns contracted by interval Newton, until they shrink by less than
+        half, or are far narrower than the precision of u.
 
-        Around an exact 0 the contraction never ends: exponents would grow threefold a step, until
-        no memory holds them.
+        Without the second limit the contraction towards an exact 0 would never end: exponents would
+        triple in each step, until they exceed the memory.
         """
         current, enough = list(others), Fraction(1, 1 << 4 * u.bits)
         for _ in range(12):
@@ -424,57 +426,58 @@ class _Task:
 def _isolated(
     coefficients: Sequence[Any], low: Fraction, high: Fraction
 ) -> list[tuple[Fraction, Fraction]]:
-    """Intervals with exactly one root each of a cubic, all of its roots in [low, high]; Undecided
-    where that can't be told.
+    """All roots in [low, high] of a polynomial with balls as coefficients: intervals with exactly
+    one root each; UndecidedSign if they cannot be isolated.
     """
-    found, stack, looks = [], [(low, high, 0)], 0
+    found, stack, pieces = [], [(low, high, 0)], 0
     while stack:
-        one, two, depth = stack.pop()
-        looks += 1
-        h = balls.between(one, two)
-        about, off = _about(coefficients, h)
+        begin, end, depth = stack.pop()
+        pieces += 1
+        about, off = _about(coefficients, balls.between(begin, end))
         if balls.sign(evaluate(about, off)):
             continue
         if balls.sign(evaluate(derivative(about), off)):
-            signs = [balls.sign(evaluate(coefficients, balls.exact(end))) for end in (one, two)]
+            signs = [balls.sign(evaluate(coefficients, balls.exact(u))) for u in (begin, end)]
             if 0 in signs:
                 raise UndecidedSign("a root on the end of a piece")
             if signs[0] != signs[1]:
-                found.append((one, two))
+                found.append((begin, end))
             continue
-        # Else the expansion is made anew for the halves of the box.
-        if depth > 60 or looks > 300:
+        if depth > 60 or pieces > 300:  # then new expansions about smaller boxes are needed
             raise UndecidedSign("roots that lie close together")
-        cut = one + (two - one) * Fraction(63, 128)
-        stack += [(one, cut, depth + 1), (cut, two, depth + 1)]
+        cut = begin + (end - begin) * Fraction(63, 128)
+        stack += [(begin, cut, depth + 1), (cut, end, depth + 1)]
     return found
 
 
-def _about(c: Sequence[Any], h: Ball) -> tuple[list[Any], Ball]:
-    """Coefficients of the polynomial about the middle of a piece, and what the piece is from
-    there.
-    """
-    middle = balls.middle(h)
-    return shifted(c, middle), h - middle
+def _about(c: Sequence[Any], piece: Ball) -> tuple[list[Any], Ball]:
+    """The polynomial expanded about the midpoint of a piece, and the piece relative to that."""
+    middle = balls.middle(piece)
+    return shifted(c, middle), piece - middle
 
 
 def _short(value: Fraction) -> Fraction:
-    """A rational of few digits, much nearer than what is asked for here."""
+    """A fraction rounded to 100 binary digits after the point."""
     return Fraction(round(value * 2**100), 2**100)
 
 
 def _width(value: Ball | Fraction) -> Fraction:
+    """Width of a ball."""
     low, high = balls.ends(value)
     return high - low
 
 
 def _inside(one: Ball, other: Ball) -> bool:
+    """True if a ball is in the interior of another."""
     (low, high), (least, most) = balls.ends(one), balls.ends(other)
     return least < low and high < most
 
 
 def _largest_pivot(rows: list[list[Any]], k: int) -> None:
-    # By rationals, not floats: beside the end of a range a slope may be larger than any.
+    """Partial pivoting: swap the row with the largest midpoint in column k into row k;
+    UndecidedSign if it may be 0.
+    """
+    # Fractions, as next to the end of a range a slope may exceed all floats.
     pivot = max(range(k, len(rows)), key=lambda i: abs(sum(balls.ends(rows[i][k]), Fraction(0))))
     rows[k], rows[pivot] = rows[pivot], rows[k]
     if not balls.sign(rows[k][k]):

@@ -1,4 +1,6 @@
-"""What becomes of the boxes of a search: one holds no root, or exactly one, or is to be cut."""
+"""The decision about each box in branch and prune: it contains no root, or exactly one, or is
+divided. By interval Newton in NumPy; compiled code does the same in ``_newton.h``.
+"""
 
 from __future__ import annotations
 
@@ -19,32 +21,31 @@ from .interval_arrays import (
     width_of,
 )
 
-#: Margin, spread, small, narrow, shrunk and the finest width of boxes, and spans of all unknowns
-#: that compiled code has room for.
+#: Margin, spread, small, narrow, shrunk, the smallest width, and spans, padded to the most unknowns
+#: of compiled code.
 CompiledRules: TypeAlias = tuple[float, float, float, float, float, float, tuple[float, ...]]
-#: Relative width of boxes that are as narrow as rounding lets them be.
+#: Relative width of boxes below which rounding makes further bisection useless.
 NARROW = 2.0**-44
 
 
 class BoxVerdict(IntEnum):
-    """No root; exactly one; not known, and no use to cut it; its points are to be parted; it has
-    become narrower; it is to be halved.
-    """
+    """Decision about a box."""
 
-    DROPPED = 0
-    PROVED = 1
-    UNDECIDED = 2
-    PARTED = 3
-    AGAIN = 4
-    HALVED = 5
+    DROPPED = 0  #: no root
+    PROVED = 1  #: exactly one root
+    UNDECIDED = 2  #: not known, and bisection would not help
+    PARTED = 3  #: separate the points of its node
+    AGAIN = 4  #: it has become much narrower: examine it again
+    HALVED = 5  #: bisect it
 
 
 @dataclass(frozen=True)
 class Rules:
-    """Of :class:`spragsym.numerics.boxes.BoxOptions` those that are asked here, and ``sharp`` where
-    points are points. Over a box of them roots are as wide as it makes them, and what is cut
-    closely has no room for these. ``spans`` are how far the unknowns reach, where that is far from
-    1: what is cut where slopes tell nothing is widest in proportion to these.
+    """Options of :class:`spragsym.numerics.boxes.BoxOptions` used here, with two more.
+
+    ``sharp``: the parameters are points. Over a box of parameters a root is a set, and contraction
+    row by row could cut into it. ``spans``, (n,), are the scales of the unknowns: if the slopes do
+    not decide which unknown to bisect, the widest one in units of its scale is bisected.
     """
 
     margin: float
@@ -57,17 +58,18 @@ class Rules:
 
     @property
     def compiled(self) -> CompiledRules:
-        """The numbers as compiled code takes them, with room for its most unknowns."""
+        """The rules as compiled code takes them."""
         spans = (*self.spans.tolist(), *[1.0] * contractors.MOST)[: contractors.MOST]
         return self.margin, self.spread, self.small, self.narrow, self.shrunk, NARROW, spans
 
 
 @dataclass(frozen=True)
 class Looked:
-    """N boxes that are looked at, each −low and high, shape (2, n, N): as they were ``given``, as
-    they are contracted, and ``wide``, with room around; F at ``middle`` and slopes over ``wide``.
+    """N boxes to be decided, and F over them.
 
-    ``single`` and ``spent``, shape (N,): of one point, and looked at often enough.
+    Boxes are −low and high, (2, n, N): as ``given``, contracted (``ends``), and ``wide``, with a
+    margin. ``values`` are F at ``middle``, ``slopes`` the Jacobian over ``wide``. ``single``, (N,):
+    the node has one point. ``spent``, (N,): its budget is used up.
     """
 
     given: FloatArray
@@ -82,8 +84,11 @@ class Looked:
 
 @dataclass(frozen=True)
 class Judged:
-    """Ends of interval Newton's step, where the root of a proved box lies; of boxes that are to be
-    looked at again what is left; a :class:`BoxVerdict` each; and the unknown in which one is cut.
+    """Decisions about N boxes.
+
+    ``step``, (2, n, N), is interval Newton's result, which contains the root of a proved box.
+    ``left``, (2, n, N), are the contracted boxes. ``verdicts``, (N,), are :class:`BoxVerdict`;
+    ``along``, (N,), is the unknown in which a box would be bisected.
     """
 
     step: FloatArray
@@ -93,7 +98,7 @@ class Judged:
 
 
 def judged(boxes: Looked, rules: Rules) -> Judged:
-    """Verdicts by NumPy, where no plan has them by compiled code."""
+    """Decide boxes by NumPy, for systems without a compiled plan."""
     middle, before, wide = boxes.middle, boxes.ends, boxes.wide
     found = contractors.newton(
         boxes.values, boxes.slopes, middle, contractors.distance(wide, middle)
@@ -108,19 +113,21 @@ def judged(boxes: Looked, rules: Rules) -> Judged:
         dropped |= none | empty
     now = with_room(ends, before, found.noise, rules.margin)
     closed = np.logical_and.reduce(found.ends < wide)
-    verdicts = np.select(  # the first that holds
+    verdicts = np.select(  # the first condition that is true
         [np.logical_and.reduce(closed), dropped],
         [BoxVerdict.PROVED, BoxVerdict.DROPPED],
         _divided(boxes, now, found.noise, closed, rules),
     ).astype(np.int8)
-    return Judged(found.ends, now, verdicts, _most_told(now, boxes.slopes, closed, rules.spans))
+    return Judged(found.ends, now, verdicts, _to_bisect(now, boxes.slopes, closed, rules.spans))
 
 
 def with_room(
     ends: FloatArray, given: FloatArray, noise: FloatArray | float, margin: float
 ) -> FloatArray:
-    """A box narrowed, but not to the last digit: a component that converges before the others keeps
-    room until all are proved.
+    """Contracted boxes ``ends`` widened by a margin, within the ``given`` ones.
+
+    A component that converges before the others must not become too narrow for the existence proof,
+    which needs all of them.
     """
     return np.fmin(ends + (margin * Intervals(given).width + 4 * noise), given)
 
@@ -128,10 +135,13 @@ def with_room(
 def _divided(
     boxes: Looked, now: FloatArray, noise: FloatArray, closed: BoolArray, rules: Rules
 ) -> IntArray:
-    """Ways in which boxes that are neither dropped nor proved are divided."""
+    """Verdicts of boxes ``now`` that are neither dropped nor proved.
+
+    ``noise``, (n, N), is the width of the root that the parameters or rounding cause.
+    """
     widths, single, spent = width_of(now), boxes.single, boxes.spent
     scale = scale_of(now).max(axis=0)
-    # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
+    # A component that shrinks towards an exact 0 would do so down to the smallest float.
     ratio = np.where(widths <= NARROW * scale, 1.0, widths / width_of(boxes.given))
     moved = ~np.logical_and.reduce(noise < rules.spread * widths)
     stuck = np.logical_or.reduce(noise >= rules.spread * widths) & np.logical_and.reduce(
@@ -140,24 +150,25 @@ def _divided(
     narrow = np.logical_and.reduce(widths <= rules.narrow * scale)
     done = (single & (spent | stuck)) | (narrow & (single | ~moved))
     better = np.where(closed, 1.0, ratio).prod(axis=0) < rules.shrunk
-    return np.select(  # the first that holds
+    return np.select(  # the first condition that is true
         [done, ~single & (spent | moved), better],
         [BoxVerdict.UNDECIDED, BoxVerdict.PARTED, BoxVerdict.AGAIN],
         BoxVerdict.HALVED,
     )
 
 
-def _most_told(
+def _to_bisect(
     now: FloatArray, slopes: Intervals, closed: BoolArray, spans: FloatArray
 ) -> IntArray:
-    """The unknown in which the residuals change most in proportion to all that they change.
+    """The unknown to bisect, (N,): that with the largest share of the residuals' change over the
+    box (smear rule).
 
-    A component that interval Newton maps into the interior is not what keeps the box open.
+    Components that interval Newton maps into their interior (``closed``), and those as narrow as
+    rounding allows, are excluded.
     """
     widths = width_of(now)
     change = slopes.magnitude * widths[None]
     share = (change / change.sum(axis=1, keepdims=True)).sum(axis=0)
     finite = np.isfinite(share).all(axis=0)
-    # What is as narrow as rounding allows gets no narrower by halving.
     done = closed | (widths <= NARROW * scale_of(now).max(axis=0))
     return np.where(done, -1.0, np.where(finite, share, widths / spans[:, None])).argmax(axis=0)

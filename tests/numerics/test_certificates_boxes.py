@@ -286,8 +286,8 @@ def test_halves_make_up_the_box():
         np.zeros((2, 100), dtype=bool),
         np.stack([np.ones(100, dtype=bool), np.zeros(100, dtype=bool)]),
     ):
-        along = verdicts._most_told(pairs.ends, slopes, closed, np.ones(2))
-        halves = boxes._cut(pairs, along)
+        along = verdicts._to_bisect(pairs.ends, slopes, closed, np.ones(2))
+        halves = boxes._bisected(pairs, along)
         assert halves.nodes.tolist() == [*range(100), *range(100)]
         lower, upper = halves.ends[:, :, :100], halves.ends[:, :, 100:]
         cut = (lower != pairs.ends).any(axis=0)

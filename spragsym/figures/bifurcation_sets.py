@@ -167,10 +167,8 @@ def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, I
     found = ss.kang_nam.surface(p, _directions(p, theta0, n), theta0[:, None])
     friction, x, within = found.mu0, found.x, np.clip(found.mu0, *MU0_RANGE)
     kept = friction == within
-    for side in (
-        1,
-        -1,
-    ) * 4:  # vertices beyond an end of the range come back to it, on the line to a neighbour within
+    # A vertex outside the range is moved to its end, on the line to a neighbour inside.
+    for side in (1, -1) * 4:
         beside, there = np.roll(friction, side, axis=1), np.roll(x, side, axis=1)
         moves = (friction != within) & (beside == np.clip(beside, *MU0_RANGE))
         share = (within - friction) / np.where(moves, beside - friction, np.inf)

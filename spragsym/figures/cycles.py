@@ -209,12 +209,11 @@ def draw_branch(branch: CycleBranch, ax: Axes, quantity: str = "rms") -> None:
     one_of("quantity", quantity, ("rms", "period"))
     field, height_of = branch.cycles[0].field, attrgetter(quantity)
     varied, height = (field.column(name) for name in (branch.vary, field.coordinates[0]))
-    (along, unit), (first, size) = ((label(one), one.size) for one in (varied, height))
-    heights, up = branch.rms, f"RMS of {first}"
+    unit, heights, size, title = varied.size, branch.rms, height.size, f"RMS of {label(height)}"
     if quantity == "period":
-        heights, up, size = branch.periods, "period", 1.0
+        heights, size, title = branch.periods, 1.0, "period"
     draw_cycles(ax, branch, (unit, size), heights, height_of, BLUE)
-    ax.set(xlabel=along, ylabel=up)
+    ax.set(xlabel=label(varied), ylabel=title)
     for kind, marker in {**MARKERS, **dict.fromkeys(("grazing", *SLIDING), "|")}.items():
         for event in branch.of(kind):
             _mark(ax, (unit * event.value, size * height_of(event.cycle)), marker)

@@ -12,16 +12,16 @@ from ..report.over import OUTCOMES, Verdicts
 
 
 def verdict_figure(found: Verdicts) -> Figure:
-    """Jump and margin over one quantity; or the outcomes in the plane of two, hollow where sliding
-    is unstable.
+    """Jump and margin over one quantity, or the outcomes in the plane of two; markers are hollow if
+    sliding is unstable.
     """
     figure, columns = Figure(layout="constrained"), [*zip(*found.rows, strict=True)]
     several = len(found.titles) == 6
     verdicts = [*zip(*columns[-2:], strict=True)]
     first, jumps = (np.array(column, dtype=float) for column in columns[:2])
-    none = bool(np.isnan(jumps).all())  # it never jumps: there is nothing but the state to show
-    panels = figure.subplots(1 if several or none else 2, sharex=True, squeeze=False)[:, 0]
-    # Of each outcome, from the worst on.
+    never = np.isnan(jumps).all()  # without a jump only the state is shown
+    panels = figure.subplots(1 if several or never else 2, sharex=True, squeeze=False)[:, 0]
+    # A colour for each outcome, the worst first.
     scale = ("#D55E00", "#E69F00", "#CC79A7", "#0072B2", "#56B4E9", "#999999")
     colours = {
         outcome.format(verb_of(kind)): colour
@@ -29,21 +29,22 @@ def verdict_figure(found: Verdicts) -> Figure:
         for kind in ("fold", "border", "infinity")
     }
     for row, ax in enumerate(panels):
-        values = np.array(columns[1 + row], dtype=float)
-        if none:
+        values, title = np.array(columns[1 + row], dtype=float), found.titles[1 + row]
+        if never:
             ax.set_yticks([])
+            title += ": none"
         for word, state in dict.fromkeys(verdicts):
             here = np.array([each == (word, state) for each in verdicts])
             style = {"color": colours[word], "markersize": 4, "label": f"{word}, {state}"}
             if state == "unstable":
                 style["markerfacecolor"] = "white"
             ax.plot(first[here], values[here], "o", **style)
-            missing = first[here & np.isnan(values)]  # at the upper edge: it jumps at no value
-            kept = style | {"label": "", "transform": ax.get_xaxis_transform()}
-            ax.plot(missing, np.full_like(missing, 0.97), "o", **kept)
+            missing = first[here & np.isnan(values)]  # without a jump: at the upper edge
+            edge = style | {"label": "", "transform": ax.get_xaxis_transform()}
+            ax.plot(missing, np.full_like(missing, 0.97), "o", **edge)
         if not several:
             ax.plot(first, values, color="#777777", linewidth=0.8, zorder=0)
-        ax.set_ylabel(f"{found.titles[1 + row]}{': none' * none}")
+        ax.set_ylabel(title)
     if len(panels) == 2:
         panels[1].axhline(0.0, color="#777777", linewidth=0.8)
     if not several:

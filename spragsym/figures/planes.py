@@ -46,7 +46,7 @@ from .style import (
 
 
 def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
-    """Columns of curves, one after the other, and their numbers."""
+    """Concatenated columns of curves, with the number of the curve."""
     every = (*found.vary, *names)
     return stacked(
         [{name: curve[name] for name in every} for curve in found.curves], "curve", every
@@ -126,8 +126,8 @@ def draw_onset_curves(
 
 
 def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ranges) -> None:
-    """Shade where a state in contact oscillates with a growing amplitude, by its eigenvalues with
-    all damping, lightly where it hardly grows, and name the shaded part.
+    """Shade the region in which a state in contact has growing oscillations, by its eigenvalues
+    with all damping; lighter for very slow growth. The region is labelled "unstable".
 
     Parameters
     ----------
@@ -148,8 +148,7 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
     if not (growth > 0).any():
         return
     grid = places(p.model, vary, dict(zip(vary, grid, strict=True)))
-    # Colour of a part of a plane in which states are unstable.
-    # Colour of a part in which their oscillations hardly grow.
+    # The first colour is for very slow growth.
     ax.contourf(
         *grid,
         growth,
@@ -157,14 +156,14 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
         colors=["#fcf1ea", "#f7dfd0"],
         zorder=0,
     )
-    # The name stands where the shade reaches farthest around.
+    # The label is at the point farthest from the border of the region.
     depth = distance_transform_edt(np.pad(growth > 0, 1))[1:-1, 1:-1]
     row, column = np.unravel_index(np.argmax(depth), depth.shape)
     write_along(ax, "unstable", grid[0][column], grid[1][row], color=VERMILION, ha="center")
 
 
 def _reached(p: ParameterSet, vary: Sequence[str], shown: Ranges) -> list[Span]:
-    """Ends of two ranges, within those that are allowed."""
+    """Two ranges, restricted to allowed values."""
     ends = (map(p.ranges[name].reached, shown[name]) for name in vary)
     return [(low, high) for low, high in ends]
 
@@ -172,8 +171,8 @@ def _reached(p: ParameterSet, vary: Sequence[str], shown: Ranges) -> list[Span]:
 def sampled_by_sign(
     function: Callable[[FloatArray, FloatArray], FloatArray], across: Span, up: Span
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Values of a function over a rectangle, for a contour where it changes its sign: computed
-    between values of different signs, interpolated between those of one.
+    """A function on a grid over a rectangle, for the contour of its zeros: near sign changes it is
+    evaluated, elsewhere interpolated linearly from a coarser grid.
 
     Parameters
     ----------
@@ -185,29 +184,28 @@ def sampled_by_sign(
     Returns
     -------
     tuple of array
-        Values across, values up, and those of the function, of shape (up, across).
+        Values across, values up, and the function, (up, across).
     """
-    # Values of either parameter at which growth rates are computed.
-    count = 48
-    coarse = [np.linspace(*ends, count) for ends in (across, up)]
-    # Parts of a cell on whose corners they differ in sign.
-    parts = 6
-    fine = [np.linspace(*ends, (count - 1) * parts + 1) for ends in (across, up)]
+    # Values of each parameter, and parts into which a cell is divided if its signs differ.
+    count, parts = 48, 6
+    every = np.arange((count - 1) * parts + 1)
+    coarse, fine = (
+        [np.linspace(*ends, size) for ends in (across, up)] for size in (count, every.size)
+    )
     values = function(coarse[0], coarse[1][:, None])
     corners = sliding_window_view(values > 0, (2, 2))
     mixed = corners.any(axis=(2, 3)) & ~corners.all(axis=(2, 3))
-    near = binary_dilation(mixed, np.ones((3, 3)))  # the cells beside it may hold a tip
-    every = np.arange((count - 1) * parts + 1)
+    near = binary_dilation(mixed, np.ones((3, 3)))  # the contour may end in a cell beside these
     cell = np.minimum(every // parts, count - 2)
     rows, columns = np.nonzero(near[np.ix_(cell, cell)])
-    result = zoom(values, len(every) / count, order=1)
+    result = zoom(values, every.size / count, order=1)
     result[rows, columns] = function(fine[0][columns], fine[1][rows])
     return fine[0], fine[1], result
 
 
 def growth_of_oscillations(eq: Equilibria) -> FloatArray:
-    """The largest growth rate over the size of its eigenvalue, minus a damping ratio, of all states
-    in contact that do not diverge without damping, from −1 to 1; −1 where there is no such state.
+    """Largest ratio Re λ / |λ|, a negative damping ratio, over the eigenvalues of all states in
+    contact that do not diverge without damping; −1 if there is no such state.
     """
     roots = np.nan_to_num(eq.damped_eigenvalues)
     size = np.abs(roots)
@@ -217,19 +215,17 @@ def growth_of_oscillations(eq: Equilibria) -> FloatArray:
 
 
 def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[Any]:
-    """Names of the axes, and stretches of the lines that were searched of which it is not known
-    what they hold.
-    """
+    """Name the axes, and draw the undecided parts of the lines that were searched."""
     across, up = found.vary
     ax.set(xlabel=label(model.column(across)), ylabel=label(model.column(up)))
-    # Closed forms have none.
+    # Without a search, by closed forms, there are none.
     ends = zip(found.vary, found.undecided.swapaxes(0, 1)[-2:], strict=False)
     places = (model.column(name).size * of.T for name, of in ends)
     return ax.plot(*places, color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
 
 
 def _span(ax: Axes, model: Model, vary: Sequence[str], between: Ranges) -> None:
-    """Have the axes span what was asked, and not what was found; wide angles by 30 degrees."""
+    """Set the limits of the axes to the given ranges; ticks every 30 degrees for wide angles."""
     for direction, name in zip("xy", vary, strict=True):
         low, high = model.column(name).size * np.array(between[name])
         ax.set(**{f"{direction}lim": (low, high)})
@@ -263,12 +259,13 @@ def stability_figure(found: OnsetCurves) -> Sheet:
 
 
 def _open(found: BifurcationSet | OnsetCurves) -> str:
-    return (
-        f" {len(found.undecided)} boxes on its lines are undecided." if len(found.undecided) else ""
-    )
+    """A sentence on undecided boxes, if there are any."""
+    count = len(found.undecided)
+    return f" {count} boxes on its lines are undecided." if count else ""
 
 
 def _say_none(ax: Axes, what: str, complete: bool) -> None:
+    """Write that a figure is empty, and whether the search was complete."""
     say(ax, f"no {what} here" if complete else f"no {what} found here; not complete")
 
 

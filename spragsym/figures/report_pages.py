@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from urllib.parse import quote
 
 import numpy as np
@@ -50,9 +50,6 @@ from .style import (
     write_along,
 )
 from .style import picture as content
-
-if TYPE_CHECKING:
-    pass
 
 
 def report_page(report: Facts) -> str:
@@ -108,7 +105,7 @@ def _planes(report: Facts) -> Rows:
     the loading parameter.
     """
     study, jump = report.study, report.mu_jump
-    (low, _, high) = study.in_use
+    low, _, high = study.in_use
     p = study.operating_point
     first = study.kind.about["coordinates"][0]
     angle, friction = p.model.inclination, p.model.coefficient
@@ -235,7 +232,7 @@ def _kinds_of(onsets: OnsetCurves) -> str:
 
 
 def _of_motion(report: Facts, lives: Oscillation) -> Rows:
-    (unit, size) = unit_of(report.study)
+    unit, size = unit_of(report.study)
     time = report.study.scales.time
     name = report.study.kind.model.coordinates[0]
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion

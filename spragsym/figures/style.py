@@ -48,7 +48,7 @@ SKY = "#56B4E9"
 ORANGE = "#E69F00"
 GREY = "#6b6b6b"
 
-#: How a kind of equilibrium is drawn.
+#: Line style for each type of equilibrium.
 LINES: Mapping[EquilibriumType, Any] = {
     EquilibriumType.STABLE: "-",
     EquilibriumType.DIVERGENT: (0, (3.5, 1.6)),
@@ -56,7 +56,7 @@ LINES: Mapping[EquilibriumType, Any] = {
 }
 
 
-#: Columns of numbers or words by name: what one panel shows.
+#: Data of a panel: columns of numbers or words by name.
 Table: TypeAlias = Mapping[str, ArrayLike]
 
 
@@ -70,9 +70,7 @@ class Sheet(Figure):
         self.tables: dict[str, Table] = {}
 
     def describe(self, caption: str, **tables: Table) -> Sheet:
-        """Set the caption, and the data of panels ``a``, ``b``, …, as far as they are not there
-        yet.
-        """
+        """Set the caption, and add the data of panels ``a``, ``b``, …."""
         self.caption = " ".join(caption.split())
         self.tables |= tables
         return self
@@ -84,15 +82,15 @@ class Sheet(Figure):
 
 @contextmanager
 def house_style() -> Iterator[None]:
-    """The house style for as long as the context lasts."""
+    """Context in which the house style is used."""
     with context(Path(__file__).with_name("house.mplstyle")):
         yield
         interactive = matplotlib.is_interactive()
-    # A notebook turns it on when pyplot is first imported, perhaps in here.
+    # A notebook turns it on at the first import of pyplot, which may be in the context.
     matplotlib.interactive(interactive)
 
 
-#: Decorator: run a function with the house style, and leave the global one as it was.
+#: Decorator: run a function with the house style, without a change of the global one.
 styled = house_style()
 
 
@@ -115,10 +113,10 @@ def single(width: float, height: float) -> tuple[Sheet, Any]:
 
 
 def stacked(tables: Sequence[Table], number: str = "", names: Iterable[str] = ()) -> Table:
-    """Tables of equal columns, one below the other, and under ``number`` which is which; without
-    tables columns of ``names``.
+    """Concatenate tables with the same columns. The column ``number`` is the index of the table of
+    each row. If there are no tables, the columns are ``names``, empty.
 
-    What stands in place of a column is in every row.
+    A single value in place of a column is repeated in every row.
     """
     rows = [np.broadcast_arrays(*table.values()) for table in tables]
     columns = {
@@ -131,14 +129,14 @@ def stacked(tables: Sequence[Table], number: str = "", names: Iterable[str] = ()
 
 
 def runs(kinds: NDArray[Any]) -> list[slice]:
-    """Stretches of one kind, each with the first point of the next, so that no gap shows."""
+    """Slices of equal kind, each with the first point of the next, so that curves have no gaps."""
     cuts = [0, *(1 + np.flatnonzero(kinds[1:] != kinds[:-1])), len(kinds)]
     return [slice(begin, end + 1) for begin, end in itertools.pairwise(cuts)]
 
 
 def denser_at_ends(low: Any, high: Any, inset: float, n: int) -> FloatArray:
-    """Values between two ends, or a column of them between each two, a share of the range within;
-    denser there, where curves turn back like a square root.
+    """``n`` values between two ends (or a column of them for each pair of ends), denser at the
+    ends, where curves may turn back like a square root; ``inset`` is the distance from the ends.
     """
     share = 0.5 - 0.5 * np.cos(np.pi * np.linspace(inset, 1 - inset, n))
     return np.add(low, np.multiply.outer(share, np.subtract(high, low)))
@@ -147,12 +145,12 @@ def denser_at_ends(low: Any, high: Any, inset: float, n: int) -> FloatArray:
 def places(
     model: Model, names: Sequence[str], of: Result | Mapping[str, FloatArray]
 ) -> list[FloatArray]:
-    """Columns as axes show them: angles in degrees."""
+    """Columns in the units of axes: angles in degrees."""
     return [model.column(name).size * of[name] for name in names]
 
 
 def own_axes(ax: Axes | None) -> Axes:
-    """The axes to draw on: those given, or pyplot's current ones."""
+    """The given axes, or pyplot's current ones."""
     if ax is not None:
         return ax
     from matplotlib import pyplot
@@ -163,7 +161,7 @@ def own_axes(ax: Axes | None) -> Axes:
 def angle_axis(
     ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, **more: Any
 ) -> None:
-    """θ₀ in degrees along x, and more settings of the axes."""
+    """Set the x axis to θ₀ in degrees, and other properties of the axes."""
     ax.set(
         xlim=(low, high),
         xticks=np.arange(low, high + step / 2, step),
@@ -173,33 +171,33 @@ def angle_axis(
 
 
 def remark(ax: Axes, text: str) -> None:
-    """Remark on a panel, above its right end."""
+    """Write a remark above the right end of a panel."""
     ax.set_title(text, loc="right", color=GREY)
 
 
 def line_at(
     ax: Axes, x: float, color: str = GREY, width: float = 0.7, style: str = ":", **options: Any
 ) -> None:
-    """A thin line upwards, dotted unless told otherwise."""
+    """Draw a thin vertical line, by default dotted."""
     ax.axvline(x, color=color, linewidth=width, linestyle=style, **options)
 
 
 def write_along(
     ax: Axes, text: str, x: float, y: float, color: str = BLACK, **options: Any
 ) -> Text:
-    """A direct label in data coordinates."""
+    """Write a label at a point in data coordinates."""
     return ax.text(
         x, y, text, **{"color": color, "fontsize": 8, "ha": "left", "va": "center", **options}
     )
 
 
 def say(ax: Axes, text: str) -> None:
-    """Words in the middle of a picture that holds nothing else."""
+    """Write a text in the middle of an empty panel."""
     ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center", color=GREY)
 
 
 def plain_ticks(axis: Axis, values: tuple[float, ...]) -> None:
-    """Ticks of a logarithmic axis at the given values, written as plain numbers."""
+    """Set ticks of a logarithmic axis at the given values, as plain numbers."""
     axis.set_major_locator(FixedLocator(values))
     axis.set_major_formatter("{x:g}")
     axis.set_minor_formatter("")
@@ -208,7 +206,7 @@ def plain_ticks(axis: Axis, values: tuple[float, ...]) -> None:
 #: θ₀ of the paths a–a′ and b–b′.
 PATHS_DEG = {"a": 60.0, "b": 40.0}
 
-#: Parameters that the captions repeat, in the article's letters.
+#: Letters of parameters in captions.
 LETTERS = {"alpha": "α", "beta": "β", "kappa": "κ", "mu0": "μ₀", "sigma": "σ", "theta0": "θ₀"}
 
 BASE_TEXT = ", ".join(
@@ -222,23 +220,24 @@ RANGE_TEXT = "The ranges of the axes are our choice."
 
 
 def symbol(name: str) -> str:
-    """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``,
-    ``\\theta_0``.
-    """
+    """A name in LaTeX, without dollar signs: ``\\kappa``, ``k_{\\rm c}``, ``\\theta_0``."""
     base, _, index = name.partition("_")
     if numbered := re.fullmatch(r"([^\W\d]+)(\d)", base):
         if not index:
             return f"{symbol(numbered[1])}_{numbered[2]}"
         return f"{symbol(numbered[1])}_{{{numbered[2]}, {index}}}"
-    # Names that are letters, those of large ones that Latin has not.
-    small = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau"
-    large = "Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega"
-    greek = {*f"{small} upsilon phi chi psi omega {large}".split()}
-    return (rf"\{base}" if base in greek else base) + (rf"_{{\rm {index}}}" if index else "")
+    # Greek letters for which LaTeX has commands.
+    greek = (
+        "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau "
+        "upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega"
+    )
+    return (rf"\{base}" if base in greek.split() else base) + (
+        rf"_{{\rm {index}}}" if index else ""
+    )
 
 
 def in_letters(scale: str) -> str:
-    """The scale of a quantity, as ``L_0*sqrt(k_c)/sqrt(m)``, as mathematics writes it."""
+    """The scale of a quantity, as ``L_0*sqrt(k_c)/sqrt(m)``, in LaTeX."""
     merged = re.sub(r"sqrt\((\w+)\)/sqrt\((\w+)\)", r"\\sqrt{\1/\2}", scale)
     return (
         re.sub(r"(?<!\\)sqrt\((.+?)\)", r"\\sqrt{\1}", merged)
@@ -248,27 +247,30 @@ def in_letters(scale: str) -> str:
 
 
 def label(column: Column, unit: str = "") -> str:
-    """The symbol of a column and its unit, of an angle degrees unless told otherwise."""
-    written = rf"\dot{{{symbol(column.rate_of)}}}" if column.rate_of else symbol(column.name)
+    """Symbol of a column with its unit; the default for angles is degrees."""
+    letter = symbol(column.rate_of or column.name)
+    if column.rate_of:
+        letter = rf"\dot{{{letter}}}"
     unit = unit or ("deg" if column.is_angle else "")
-    return f"${written}$ ({unit})" if unit else f"${written}$"
+    return f"${letter}$ ({unit})" if unit else f"${letter}$"
 
 
 def own_unit(model: Model, column: Column) -> str:
-    """The unit of a column where it is shown as the model measures it."""
+    """Unit of a column in the model's units, as a label has it; empty for angles."""
     unit = "1" if column.name in model.parameters else model.unit(column.dimension)
     if column.is_angle or not unit:
         return ""
     return "dimensionless" if unit == "1" else f"units of ${in_letters(unit)}$"
 
 
-#: What an axis says, and what one of what is drawn is there.
+#: Title of an axis, and the factor from the unit of the drawn values to that of the axis.
 Shown = tuple[str, float]
 
 
 class _Round(AutoLocator):
-    """Ticks at round numbers in the unit of an axis."""
+    """Ticks at round numbers in the unit of an axis, for values in another unit."""
 
+    #: Factor from the unit of the values to that of the axis.
     one: float
 
     def tick_values(self, vmin: float, vmax: float) -> list[float]:
@@ -276,7 +278,7 @@ class _Round(AutoLocator):
 
 
 def in_units(axis: Axis, shown: Shown | None) -> None:
-    """Have an axis show other units than what is drawn is in; None leaves it as it is."""
+    """Show an axis in another unit than that of the drawn values; None changes nothing."""
     if shown is not None:
         title, one = shown
         axis.set_label_text(title)
@@ -293,8 +295,8 @@ def window(
     between: Ranges,
     cusps: Callable[[], Points] | None = None,
 ) -> Ranges:
-    """Ranges to show: those given, the parameter's own, or of one without end as far as its base
-    value, 1, all cusps and its value need.
+    """Ranges of parameters to show: those given, else the parameter's own. An unbounded one ends
+    where 1, twice the base value, all cusps, and the value in ``p`` are inside.
     """
     out = dict(between)
     for name in vary:
@@ -303,7 +305,6 @@ def window(
             low, high = own.low, own.high
             if np.isinf((low, high)).any():
                 farthest = float(np.abs(cusps()[name]).max(initial=0.0)) if cusps else 0.0
-                # What is shown beyond the farthest cusp.
                 far = max(1.0, 2.0 * abs(p.model.base.get(name, 0.0)), 1.25 * farthest)
                 if largest(p, name) >= far:
                     far = 2.0 * largest(p, name)
@@ -314,10 +315,10 @@ def window(
 
 @styled
 def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf",)) -> list[Path]:
-    """Write ``stem.pdf`` and the like, its caption to ``stem.txt``, its data to ``stem_a.csv`` …;
-    returns the paths.
+    """Write a figure to ``stem.pdf`` (and other formats), its caption to ``stem.txt``, and its data
+    to ``stem_a.csv``, …; the paths.
 
-    Parts that are not drawn as lines have 300 dots per inch.
+    Rasterized parts have 300 dots per inch.
     """
     files: dict[str, bytes | str] = {f"{stem}.{kind}": picture(figure, kind) for kind in formats}
     files[f"{stem}.txt"] = textwrap.fill(figure.caption, 100) + "\n"
@@ -328,7 +329,7 @@ def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf
 
 
 def picture(figure: Figure, kind: str, **options: Any) -> bytes:
-    """A figure in a format, without the date and the version of what drew it."""
+    """A figure as bytes in a format, without date and version."""
     left_out = {
         "pdf": ("CreationDate", "Producer", "Creator"),
         "png": ("Software",),
@@ -340,7 +341,7 @@ def picture(figure: Figure, kind: str, **options: Any) -> bytes:
 
 
 def _table(table: Table) -> str:
-    """One line per row; numbers with the twelve digits that the library promises."""
+    """A table as CSV text; numbers with twelve digits."""
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(table)

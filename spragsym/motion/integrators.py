@@ -62,15 +62,15 @@ def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
             f"backend = {backend!r} is not one of {', '.join(offered)}; leave it out for the "
             "fastest"
         )
-    if not is_there(backend) and backend == "heyoka":
+    if is_there(backend):
+        return backend
+    if backend == "heyoka":
         raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
-    if not is_there(backend):
-        raise BackendError(
-            "the backend 'compiled' was not built, for want of a C compiler or for a "
-            "derivation that has changed since; "
-            "install spragsym again, with a compiler, or install a wheel"
-        )
-    return backend
+    raise BackendError(
+        "the backend 'compiled' was not built, for want of a C compiler or for a "
+        "derivation that has changed since; "
+        "install spragsym again, with a compiler, or install a wheel"
+    )
 
 
 def is_there(backend: str) -> bool:

@@ -336,7 +336,6 @@ def cycle_branch(
         for orbit in map(natural, orbits)
     ]
     values, periods, rms, lowest, highest = np.array(columns).T.copy()
-    stable = np.array([is_stable(orbit) for orbit in orbits])
     return CycleBranch(
         vary,
         values,
@@ -344,7 +343,7 @@ def cycle_branch(
         rms,
         lowest,
         highest,
-        stable,
+        np.array([is_stable(orbit) for orbit in orbits]),
         Cycles(tuple(orbits)),
         tuple(events),
         (low, high),

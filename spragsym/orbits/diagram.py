@@ -264,22 +264,22 @@ def diagram(
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
     remarks += _not_followed(vary, labels, born_at, 1e-6 * (high - low))
     spans = [undecided_points(eq, vary, (low, high)) for _, eq in seeds]
-    undecided = joined(np.concatenate([undecided_parts(onsets, (low, high)), *spans]))
+    parts = joined(np.concatenate([undecided_parts(onsets, (low, high)), *spans]))
+    undecided = [(start, end) for start, end in parts.tolist()]
     remarks += [
-        Remark("equilibria or Hopf points may be missing for {}", At(vary, (start, end)))
-        for start, end in undecided.tolist()
+        Remark("equilibria or Hopf points may be missing for {}", At(vary, part))
+        for part in undecided
     ]
-    lines = tuple(branch for branch, _ in rests)
     return Diagram(
         vary,
         (low, high),
-        lines,
+        tuple(branch for branch, _ in rests),
         tuple(branches),
         tuple(labels),
         tuple(remarks),
         model.coordinates[0],
         model,
-        tuple((start, end) for start, end in undecided.tolist()),
+        tuple(undecided),
     )
 
 

@@ -40,7 +40,7 @@ def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
     if not {"L_0", "F_L", "k_c"} <= set(study.values):
         return
     length = 1e3 * study.values["L_0"]
-    # Penetration over the length of the spring beyond which a linear contact means nothing.
+    # The linear contact is valid up to this penetration, relative to the length of the spring.
     deep = 0.05
     for current, where in ((True, ""), (False, " in another state")):
         deepest = max(
@@ -57,8 +57,7 @@ def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
 def _far(report: Facts) -> Iterator[str]:
     length, here = 1e3 * report.study.values.get("L_0", math.inf), report.current
     x = here.places.get("x_mm", 0.0) if here and not report.jumped else 0.0
-    # Displacement over the length of the spring beyond which a state is none of small
-    # deformation.
+    # With a displacement above half the length of the spring the deformation is not small.
     if abs(x) > 0.5 * length:
         share = f"{abs(x) / length:.0%} of L_0"
         yield (
@@ -96,7 +95,7 @@ def _friction_caution(study: Study) -> Iterator[str]:
     name, own = study.kind.friction, study.kind.model.coefficient
     full = study.values.get(name, 0.0) if name else 0.0
     works = float(study.operating_point[own]) if full and own else 0.0
-    # Share of μ₀ below which the friction at the speed of the belt is worth a warning.
+    # A warning if the friction at the belt's speed is below this share of μ₀.
     if works < 0.95 * full:
         share = f"{works / full:.3g} of {name}, {study.friction[1]:.3g} in place of {full:.3g}"
         cause = "d and V" if {"d", "V"} <= set(study.values) else study.belt
@@ -107,12 +106,9 @@ def _fit(study: Study) -> Iterator[str]:
     fit = study.fit
     if fit is None:
         return
-    # Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
-    poor_fit = 0.1
-    # d times the slowest measured speed from which on no measurement is on the rising part
-    # of the friction law.
+    # Above this d times the slowest measured speed, all measurements are on the law's level part.
     steep = 8.0
-    if fit.rms > poor_fit * fit.mu0:
+    if fit.rms > 0.1 * fit.mu0:
         yield (
             f"the law mu0 (1 - exp(-d v)) is {fit.rms / fit.mu0:.0%} off the measured friction: "
             "choose a model with another law"
@@ -127,7 +123,7 @@ def _fit(study: Study) -> Iterator[str]:
             "two measurements are met exactly by mu0 and d, whose errors are not known: measure "
             "at more speeds"
         )
-    # d times the fastest measured speed up to which none is on its level part.
+    # Then no measurement is on the law's level part.
     if fit.d * fit.fastest < 0.1:
         product = f"only mu0 d = {fit.mu0 * fit.d:.3g} s/m is known"
         yield (
@@ -144,10 +140,10 @@ def of_data(study: Study) -> Iterator[str]:
     friction, angle = (study.quantities.get(str(one)) for one in (name, inclination))
     if friction is not None and friction.high > FRICTION:
         yield f"{name} = {friction.high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
-    # Speeds in m/s that no belt has: the number was probably meant in mm/s.
+    # No belt is as fast as this in m/s: the number was probably meant in mm/s.
     if belt in study.values and abs(speed := study.values[belt]) > 100.0:
         yield f"{study.shown_speed(speed)} looks like mm/s; write {speed:g} mm/s if that is meant"
-    # Degrees up to which an inclination looks like radians.
+    # A number of degrees up to π looks like radians.
     if (
         angle is not None
         and angle.unit in ("deg", "°", "degree", "degrees")
@@ -158,7 +154,7 @@ def of_data(study: Study) -> Iterator[str]:
             f"{inclination} = {study.shown(str(inclination))} looks like radians; write {number} "
             "rad if that is meant"
         )
-    # Damping ratios from which on they were probably meant in percent.
+    # Such a large damping ratio was probably meant in percent.
     if study.damping_ratio is not None and study.damping_ratio >= 0.2:
         ratio = study.damping_ratio
         yield (
@@ -192,7 +188,7 @@ def next_steps(report: Facts) -> Rows:
         "move"
     )
     run = [("run", command)] if study.source else []
-    # Steps, at most.
+    # At most five steps.
     yield from (*found[: 5 - len(run)], *run)
 
 
@@ -236,7 +232,7 @@ def _ranges(report: Facts) -> Rows:
             f"less than {study.load_text(jump)}",
         )
         return
-    # The largest total index stands first.
+    # The first one has the largest total index.
     for name, (_, total, _) in [*(odds.sobol if odds and odds.probability else {}).items()][:1]:
         if total > 0:
             share = f"{min(1.0, total):.0%} of the variance with interactions"
@@ -268,7 +264,7 @@ def _measurements(report: Facts) -> Rows:
         name for name in deciding(study) if not study.quantities[name].varies and study.values[name]
     ]
     if exact:
-        # Quantities that one of them names, at most.
+        # The others are only counted.
         named = 4
         more = f" and {len(exact) - named} more" if len(exact) > named else ""
         yield (

@@ -1,4 +1,6 @@
-"""Facts of a report: plain data about a brake, computed in a fixed order."""
+"""Facts of a report (:class:`Facts`): plain data about a brake, computed in a fixed order by
+:func:`facts`. Questions that the model does not answer leave None and a remark.
+"""
 
 from __future__ import annotations
 
@@ -36,7 +38,7 @@ from .study import Study
 from .tolerances import bracket, certificate, chance, sampling_budget, varied
 from .units import Numbers
 
-#: A friction coefficient that no brake has.
+#: A friction coefficient above that of any brake.
 FRICTION = 2.0
 
 
@@ -55,10 +57,10 @@ class ReportOptions:
 class FoldRow:
     """One fold, or another point at which states meet.
 
-    ``friction``, ``inclination_deg`` or ``value``, of the loading parameter in SI, is where, the
-    others None; ``ends`` and ``when`` are as of :class:`~spragsym.results.Points`. ``before`` and
-    ``after`` are coordinates in the units of the file, of which those after are NaN where nothing
-    is left.
+    Its location is ``friction``, ``inclination_deg``, or ``value`` of another loading parameter in
+    SI; the other two are None. ``ends`` and ``when`` are those of
+    :class:`~spragsym.results.Points`. ``before`` and ``after`` are coordinates in the units of the
+    file; ``after`` is NaN if no state remains.
     """
 
     kind: str
@@ -73,54 +75,57 @@ class FoldRow:
 
 @dataclass(frozen=True, repr=False)
 class Facts:
-    """Facts about a brake; what its model does not answer is None, the reason is in ``remarks``.
+    """Facts about a brake; those that its model does not answer are None, with reasons in
+    ``remarks``.
 
     Attributes
     ----------
     study : Study
         The brake.
     jump_parameter : float or None
-        Where the followed state jumps, as the loading parameter; NaN where it does not.
+        Value of the model's loading parameter at which the followed state jumps; NaN if it does
+        not.
     jump_at : float or None
-        The same as the friction of the law, or another quantity in SI.
+        The same value as reported: the friction of the law, or another quantity in SI.
     speed : float
-        The belt speed in m/s above which the largest friction within the tolerances reaches the
-        jump, else NaN.
+        Belt speed in m/s above which the largest friction within the tolerances reaches the jump,
+        else NaN.
     reach : str
-        The friction of the jump against that of the operating point, within the tolerances, and at
-        full slip: ``"jumped"``, ``"within"``, ``"faster"``, ``"beyond"``, ``"never"``, or empty
-        where it is not known.
+        How the friction of the jump compares with that in use: ``"jumped"``, below that as drawn;
+        ``"within"`` the tolerances; ``"faster"``, reached at a higher belt speed; ``"beyond"`` all;
+        ``"never"``, no jump; empty if not known.
     states, others
-        All states in contact; other stable states than the current one, by coordinate and unit, and
-        where each ends as the loading parameter goes on, NaN if nowhere.
+        All states in contact. Stable states other than the current one, by coordinate and unit,
+        with the value of the loading parameter at which each ends, NaN if it does not.
     states_complete : bool
-        No state is missing, by proof.
+        True if the states are proved to be all.
     oscillation, certificate, probability
         See :class:`~spragsym.report.states.Oscillation`, :func:`spragsym.certify` and
         :func:`spragsym.jump_probability`.
     folds, fold_rows
-        Folds along the loading parameter and along the inclination, and one by one.
+        Folds along the loading parameter and along the inclination; the same, one by one.
     theta0_jump_deg : float or None
-        Where the state jumps as the inclination rises, NaN where it never does.
+        Inclination at which the state jumps as it rises, NaN if it never does.
     mu_lowest, theta0_lowest_deg, kind_lowest
-        The friction below which it jumps at no angle, ``inf`` where it never does; its angle and
-        its kind, see :class:`spragsym.results.CriticalLoad`, empty where it is not known.
+        The friction below which it jumps at no angle, ``inf`` if it never does; its angle and its
+        kind, see :class:`spragsym.results.CriticalLoad`, empty if not known.
     mu_cusp : float or None
-        Friction of the lowest cusp, ``inf`` where there is none.
+        Friction of the lowest cusp, ``inf`` if there is none.
     distance : float
-        The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN without one.
+        Distance to the nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN without
+        tolerances or a jump.
     peak : JumpPeak or None
-        The jump as a motion; of friction, if there is one that the belt may reach.
+        The jump as a motion, if the belt can reach its friction.
     largest, target : float
-        The largest value of the loading parameter, of friction at full slip if it jumps only there,
-        and the value up to which changes keep it from jumping.
+        Largest value of the loading parameter (for friction at full slip, if it jumps only there);
+        and the value up to which changes must avoid the jump.
     searched, redesign
-        Changes were looked for, and those that were found, nearest first.
+        True if changes were searched for; those that were found, nearest first.
     remarks : tuple of str
-        Reasons of what is not known.
+        Reasons for which facts are not known.
     kind_jump, kind_theta0_jump
-        What the state ends at, as :attr:`spragsym.bifurcation.paths.ModelEnd.kind` has it, along
-        the loading parameter and along the inclination; ``"border"`` where it leaves the contact.
+        Kind of the end of the state, as :attr:`spragsym.bifurcation.paths.ModelEnd.kind`, along the
+        loading parameter and along the inclination; ``"border"`` if it leaves the contact.
     """
 
     study: Study
@@ -153,23 +158,23 @@ class Facts:
 
     @property
     def current(self) -> State | None:
-        """The state that the brake is in; None where that is not known."""
+        """The state of the brake; None if not known."""
         return next((state for state in self.states if state.current), None)
 
     @property
     def jumped(self) -> bool:
-        """Verdict that it has jumped as drawn, at the belt's speed."""
+        """True if it has jumped as drawn, at the belt's speed."""
         return self.reach == "jumped"
 
     @property
     def slow(self) -> bool:
-        """Friction at the belt's speed falls short of full slip by more than the printed digits."""
+        """True if the friction at the belt's speed is visibly below that at full slip."""
         full = self.study.full_slip[2]
         return self.study.in_use[2] < full - 0.005 * abs(full)
 
     @property
     def complete(self) -> bool:
-        """States and folds along the loading parameter are proved to be all there are."""
+        """True if states and folds along the loading parameter are proved to be all."""
         load = self.study.load
         return self.states_complete and (
             load is None or (load.name in self.folds and bool(self.folds[load.name].complete))
@@ -177,17 +182,17 @@ class Facts:
 
     @property
     def within(self) -> str:
-        """Outcome of the certificate, ``"proved"`` where none jumps; empty if there is none."""
+        """Outcome of the certificate that no brake jumps; empty without one."""
         return "" if self.certificate is None else self.certificate.outcome
 
     @property
     def unbounded(self) -> tuple[str, ...]:
-        """Quantities of whose distribution a part lies beyond the box of the certificate."""
+        """Quantities whose distribution extends beyond the box of the certificate."""
         return tuple(name for name in varied(self.study) if not self.study.quantities[name].cut)
 
     @property
     def hits(self) -> bool | None:
-        """Some of the sampled brakes jump; None without a sample."""
+        """True if some of the sampled brakes jump; None without samples."""
         return None if self.probability is None else self.probability.probability > 0
 
     @property
@@ -202,7 +207,7 @@ class Facts:
 
     @property
     def mu0_jump(self) -> float | None:
-        """The parameter mu0 there."""
+        """The parameter mu0 at which it jumps."""
         return self.jump_parameter if self.study.of_friction else None
 
     @property
@@ -212,27 +217,27 @@ class Facts:
 
     @property
     def margin_percent(self) -> float | None:
-        """The jump beyond the largest value within the tolerances, in percent of that."""
+        """Distance of the jump beyond the largest value in use, in percent of that."""
         return None if self.jump_at is None else percent_beyond(self.jump_at, self.study.in_use[2])
 
 
 def percent_beyond(value: float, other: float) -> float:
-    """A value less another, in percent of the size of that; infinite where that is 0."""
+    """The difference of two values in percent of the second one; infinite if that is 0."""
     gap = value - other
-    return (
-        100 * gap / abs(other) if other else math.copysign(math.inf, gap) if abs(gap) > 0 else gap
-    )
+    if other:
+        return 100 * gap / abs(other)
+    return math.copysign(math.inf, gap) if abs(gap) > 0 else gap
 
 
 class _Answers:
-    """Answers about one brake, and remarks about what can't be answered, in the order of asking."""
+    """Collects remarks about questions on a brake that cannot be answered."""
 
     def __init__(self, study: Study) -> None:
         self.study = study
         self.remarks: list[str] = []
 
     def known(self, what: str, question: Callable[[], T]) -> T | None:
-        """An answer; what can't be answered is remarked, and None."""
+        """The answer to a question; if it fails, None, with a remark about ``what``."""
         with doing(what.removesuffix(" is").removesuffix(" are")):
             try:
                 return question()
@@ -331,7 +336,7 @@ def facts(study: Study, options: ReportOptions) -> Facts:
 
 
 def _slides(study: Study) -> None:
-    """An error for a belt that stands still, against which nothing slides."""
+    """Raise ParameterError for a belt at rest, against which nothing slides."""
     kind = study.kind
     rubs = kind.has_friction and study.quantities[str(kind.friction)].high > 0
     if study.friction[2] == 0 and rubs:
@@ -344,6 +349,9 @@ def _slides(study: Study) -> None:
 
 
 def _jump(answers: _Answers) -> float | None:
+    """Value of the loading parameter at which the state jumps, NaN if it does not, None if
+    unknown.
+    """
     study = answers.study
     if study.load is None:
         name = study.kind.rises
@@ -363,13 +371,13 @@ def _jump(answers: _Answers) -> float | None:
 
 
 def speed_of_jump(study: Study, jump: float | None) -> float:
-    """The belt speed from which on the largest friction reaches the jump; NaN without one."""
+    """Smallest belt speed at which the largest friction reaches the jump; NaN without one."""
     jumps = jump is not None and not math.isnan(jump) and study.of_friction
     return speed_for(study, jump) if jump is not None and jumps else math.nan
 
 
 def reach_of(study: Study, jump: float | None, speed: float) -> str:
-    """Largest friction and its origin, as :attr:`Facts.reach` says it."""
+    """The value of :attr:`Facts.reach`."""
     _, here, most = study.in_use
     if jump is None:
         return ""
@@ -383,6 +391,7 @@ def reach_of(study: Study, jump: float | None, speed: float) -> str:
 def _oscillation(
     answers: _Answers, found: tuple[State, ...], here: Numbers | None
 ) -> Oscillation | None:
+    """The oscillation, for the states ``found``, of which the one ``here`` is current."""
     stability = next((state.stability for state in found if state.current), None)
     holds = any(state.stability != "unstable" for state in found if state.current or here is None)
     question = partial(oscillation_of, answers.study, stability, holds)
@@ -392,9 +401,8 @@ def _oscillation(
 def _probability(
     answers: _Answers, proof: Certificate | None, n: int | None
 ) -> JumpProbability | None:
-    """The probability, by samples and between its proved bounds.
-
-    Nothing is sampled where no brake jumps, by proof.
+    """The probability of a jump by sampling, with proved bounds; 0 without sampling if no brake
+    within the tolerances jumps, by the certificate.
     """
     study = answers.study
     if study.load is None or not varied(study):
@@ -408,6 +416,7 @@ def _probability(
 
 
 def _folds(answers: _Answers) -> dict[str, Points]:
+    """Folds along the loading parameter and the inclination, by the model's parameters."""
     study = answers.study
     load, p, found = study.loading, study.operating_point, dict[str, Points]()
     for vary in dict.fromkeys((load.name, p.model.inclination)):
@@ -427,6 +436,7 @@ def _folds(answers: _Answers) -> dict[str, Points]:
 
 
 def _rows(study: Study, found: dict[str, Points]) -> tuple[FoldRow, ...]:
+    """The folds one by one."""
     rows = []
     for vary, points in found.items():
         for i, value in enumerate(points[vary].tolist()):
@@ -442,7 +452,7 @@ def _rows(study: Study, found: dict[str, Points]) -> tuple[FoldRow, ...]:
 
 
 def _jump_along_the_inclination(answers: _Answers) -> tuple[float | None, str]:
-    """The inclination at which the state ends, in degrees, and at what."""
+    """The inclination in degrees at which the state ends, and the kind of end."""
     study, at = answers.study, answers.study.operating_point
     vary = at.model.inclination
     if vary is None or study.loading.name == vary:
@@ -453,7 +463,9 @@ def _jump_along_the_inclination(answers: _Answers) -> tuple[float | None, str]:
 
 
 def _lowest(answers: _Answers) -> tuple[CriticalLoad | None, float | None]:
-    """The lowest end at any angle, and the friction of the lowest cusp, where there is an angle."""
+    """The lowest friction of a jump at any angle, and that of the lowest cusp; None for models
+    without an inclination.
+    """
     study, p = answers.study, answers.study.dimensionless
     if not (study.of_friction and p.model.inclination):
         return None, None
@@ -475,6 +487,9 @@ def _lowest(answers: _Answers) -> tuple[CriticalLoad | None, float | None]:
 def _changes_are_searched(
     answers: _Answers, jump: float | None, target: float, safety: float, fails: bool
 ) -> bool:
+    """True if changes are to be searched: the jump is below the target, or a brake within the
+    tolerances jumps (``fails``). A remark explains why they cannot be.
+    """
     study = answers.study
     if jump is None or not (jump < target or fails):
         return False

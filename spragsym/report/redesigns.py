@@ -244,8 +244,9 @@ class _RedesignSearch:
             ],
             default=0.0,
         )
-        # Joint changes go no further than so many times the least one.
-        left = left if len(way) == 1 else min(left, 2.0)
+        # Joint changes are extended by twice the smallest one at most.
+        if len(way) > 1:
+            left = min(left, 2.0)
 
         def at(share: float) -> Numbers:
             return {name: before[name] + (1 + share * left) * step for name, step in way.items()}

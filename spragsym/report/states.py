@@ -1,5 +1,5 @@
-"""States and motions of a brake in newtons, millimetres and hertz: those of sliding, the jump, and
-the oscillation.
+"""States and motions of a brake in newtons, millimetres and hertz: states of steady sliding
+(:class:`State`), the jump as a motion (:class:`JumpPeak`), the oscillation (:class:`Oscillation`).
 """
 
 from __future__ import annotations
@@ -32,13 +32,12 @@ from ..statics.stability import linearization, roots, verdicts
 from .study import Study
 from .units import Numbers
 
-#: Share of the way from the fold to the state that is left, at which the motion is let go.
+#: The motion of a jump starts at this share of the distance from the fold to the remaining state.
 SHARE_BEYOND_FOLD = 1e-2
 #: Largest time over which a motion from rest is followed, in the motion's own unit.
 LONGEST_TIME = 3000.0
 
-#: Of the only inclined spring or contact a number, of several their numbers by name, and of none
-#: None.
+#: A number for the only inclined spring or contact, a mapping by name for several, None for none.
 OfSprings: TypeAlias = float | Numbers | None
 
 
@@ -46,16 +45,27 @@ OfSprings: TypeAlias = float | Numbers | None
 class State(Named):
     """A state of steady sliding in contact.
 
-    ``places`` are the coordinates by name and unit, ``x_mm`` or ``phi_deg``, and attributes too.
-    Direction, length and force of the inclined spring are numbers, mappings by name where there are
-    several, and None where there is none; the force of the contact likewise. ``touching`` says
-    which of several contacts touch.
-    ``frequencies_hz`` and ``damping_ratio`` belong to the roots of the motion linearized about it,
-    slowest first, the friction law's own damping included where the belt speed is known;
-    ``growth_per_s`` is their largest real part. ``stability`` says what small disturbances do:
-    ``"stable"``, they die out, ``"unstable"``, they grow, or ``"neutral"``, practically: so little
-    damps or drives them that what the model leaves out decides. ``undamped`` is the word of (27)
-    and (28), which leave the damping out.
+    Attributes
+    ----------
+    current : bool
+        True for the state of the brake.
+    stability : str
+        ``"stable"``: small disturbances decay. ``"unstable"``: they grow. ``"neutral"``: their
+        growth or decay is so slow that effects outside the model decide.
+    undamped : str
+        Stability by (27) and (28), without damping.
+    places : dict
+        Coordinates by name and unit, as ``x_mm`` or ``phi_deg``; each is an attribute, too.
+    direction_deg, spring_length_mm, spring_force_N, contact_force_N
+        A number for the only inclined spring or contact, a mapping by name for several, None for
+        none.
+    frequencies_hz, damping_ratio : tuple of float
+        Those of the eigenvalues of the linearized motion, slowest first. The slope of the friction
+        law is included if the belt speed is known.
+    growth_per_s : float
+        Largest real part of the eigenvalues.
+    touching : str
+        The contacts that touch, if there are several.
     """
 
     _held = "places"
@@ -76,15 +86,24 @@ class State(Named):
 
 @dataclass(frozen=True)
 class JumpPeak(Named):
-    """Least and largest values from the fold on: forces in newtons, coordinates in millimetres or
-    degrees.
+    """The motion of a jump, from the fold on: ranges of coordinates and forces, and its limit.
 
-    ``at`` is where it jumps, as the report tells it. ``before`` and ``after`` are the coordinates
-    on the fold and of the state that is left there, by name and unit, and ``ranges`` how far each
-    goes, attributes too. ``spring_force_N`` is that of the inclined spring, of several by their
-    names; ``contact_force_N`` that of the contact likewise. ``settles`` says what the motion comes
-    to: ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"`` in the ``followed_s`` seconds
-    over which it was looked at; ``lifts_off`` whether a contact opens.
+    Attributes
+    ----------
+    at : float
+        Value of the loading parameter at the jump, as reported.
+    before, after : dict
+        Coordinates at the fold, and of the state that remains, by name and unit.
+    ranges : dict
+        Smallest and largest value of each coordinate; each is an attribute, too.
+    spring_force_N, contact_force_N
+        Smallest and largest force of the only inclined spring or contact, or by name for several.
+    lifts_off : bool
+        True if a contact opens.
+    settles : str
+        Limit of the motion: ``"rest"``, ``"cycle"``, ``"lift-off"``, or ``"unsettled"``.
+    followed_s : float
+        Time over which the motion was followed.
     """
 
     _held = "ranges"
@@ -102,17 +121,28 @@ class JumpPeak(Named):
 
 @dataclass(frozen=True)
 class Oscillation(Result):
-    """The motion that begins at rest where all coordinates are 0, or far out, and what it comes to.
+    """The limit of a motion that starts at rest with all coordinates 0, or far out.
 
-    ``kind`` is ``"cycle"``, one that attracts it; ``"motion"``, if it goes on and has not repeated
-    itself in the time it was followed; ``"rest"``, if it decays to rest; ``"falls"`` or
-    ``"grows"``, if it was not followed to its end, and became smaller and smaller, so that steady
-    sliding may hold it, or larger and larger; or ``"lift-off"``, for good. Only the first two have
-    an amplitude of the first coordinate, which is half of its range, in millimetres or degrees by
-    ``unit``, and forces, least and largest, of several springs by their names; only a cycle has a
-    frequency. ``start`` is ``"rest"`` or ``"far out"``; ``coexists`` says whether it lives although
-    a small disturbance of steady sliding dies out, None where that is up to what the model leaves
-    out, or the state of the brake is not known.
+    Attributes
+    ----------
+    kind : str
+        ``"cycle"``: an attracting cycle. ``"motion"``: it continues, without repeating itself in
+        the time it was followed. ``"rest"``: it decays to rest. ``"lift-off"``: it lifts off for
+        good. ``"falls"`` and ``"grows"``: it became smaller and smaller, or larger and larger, and
+        was not followed to its end.
+    frequency_hz : float
+        Frequency of the cycle, else NaN.
+    amplitude, unit
+        Half the range of the first coordinate, in "mm" or "deg", for "cycle" and "motion".
+    spring_force_N, contact_force_N
+        Smallest and largest force for these, by name for several springs or contacts.
+    coexists : bool or None
+        True if it continues although steady sliding is stable; None if that is neutral, or the
+        state of the brake is not known.
+    start : str
+        ``"rest"`` or ``"far out"``.
+    motion
+        The cycle or trajectory.
     """
 
     kind: str
@@ -132,43 +162,44 @@ class Oscillation(Result):
 
     @property
     def alive(self) -> bool:
-        """Whether it goes on."""
+        """True if the motion continues."""
         return self.kind in ("cycle", "motion")
 
     @property
     def lifts_off(self) -> bool:
-        """Whether the contact opens."""
+        """True if a contact opens."""
         return self.kind == "lift-off" or _opens(self.contact_force_N)
 
 
 def _opens(forces: Any) -> bool:
-    """Whether a contact opens, by the least and the largest force of the only one, or of each."""
+    """True if a contact opens: the smallest force of the only contact, or of one by name, is 0."""
     each = forces.values() if isinstance(forces, Mapping) else [forces]
     return any(ends is not None and ends[0] == 0 for ends in each)
 
 
 def unit_of(study: Study, name: str = "") -> tuple[str, float]:
-    """The unit of a coordinate, by default of the first, and its size: lengths in millimetres,
-    angles in degrees.
+    """Unit of a coordinate, by default of the first, and the factor to it from the model's unit:
+    millimetres for lengths, degrees for angles.
     """
     si = study.kind.coordinates[name or study.kind.model.coordinates[0]]
     return ("mm", 1e3 * study.scales.length) if si == "m" else ("deg", math.degrees(1.0))
 
 
 def in_units(study: Study, position: Numbers) -> Numbers:
-    """The coordinates of a place by name and unit."""
+    """Coordinates in the model's units as numbers by name and unit."""
     shown = ((name, *unit_of(study, name)) for name in study.kind.coordinates if name in position)
     return {f"{name}_{unit}": size * float(position[name]) for name, unit, size in shown}
 
 
 def _of_springs(study: Study, values: Sequence[Any]) -> OfSprings:
+    """The values of all springs in order, as :data:`OfSprings`."""
     if len(values) < 2:
         return next(iter(values), None)
     return dict(zip((entry["name"] for entry in study.kind.about["springs"]), values, strict=True))
 
 
 def _of_contacts(study: Study, in_newtons: Mapping[str, T]) -> T | dict[str, T] | None:
-    """The force of the only contact, or those of several by their names; None without any."""
+    """The force of the only contact, or the forces of several by name; None without contacts."""
     names = [one["name"] for one in study.kind.about["contacts"]]
     codes = {name: forces.named("contact_force", name) for name in names}
     found = {name: in_newtons[code] for name, code in codes.items() if code in in_newtons}
@@ -176,6 +207,9 @@ def _of_contacts(study: Study, in_newtons: Mapping[str, T]) -> T | dict[str, T] 
 
 
 def _forces(study: Study, ends: Ranges, share: float = 1.0) -> tuple[Any, Any]:
+    """Ranges of spring and of contact forces in newtons, from those in ``share`` of the model's
+    unit.
+    """
     size = share * study.scales.force
     in_newtons = {name: (low * size, high * size) for name, (low, high) in ends.items()}
     contacts = _of_contacts(study, in_newtons)
@@ -184,6 +218,7 @@ def _forces(study: Study, ends: Ranges, share: float = 1.0) -> tuple[Any, Any]:
 
 
 def _extremes(p: ParameterSet, states: FloatArray) -> Ranges:
+    """Smallest and largest value of each force over states (2 n, k)."""
     constants = [float(value) for value in p.model.arguments(p, "motion")]
     forces_over_time = (
         (name, force(states, constants)) for name, force in forces.forces_of(p.model).items()
@@ -192,26 +227,27 @@ def _extremes(p: ParameterSet, states: FloatArray) -> Ranges:
 
 
 def states(study: Study, eq: Equilibria, here: Numbers | None) -> tuple[State, ...]:
-    """Every state of ``eq``, in contact at the friction that works, in its order; the one that is
-    ``here`` is ``current``.
+    """All states of ``eq``, which are in contact at the friction in use, in order; the one with the
+    coordinates ``here`` is current.
     """
-    places = _places(eq)
-    off = [
+    positions = _places(eq)
+    distances = [
         max(abs(value - here[name]) for name, value in position.items()) if here else math.inf
-        for position in places
+        for position in positions
     ]
-    # Coordinates that differ by less are of one state.
-    return tuple(
-        _state(study, eq, slot, position, slot == off.index(min(off)) and off[slot] < 1e-6)
-        for slot, position in enumerate(places)
-    )
+    found = []
+    for slot, position in enumerate(positions):
+        nearest = slot == distances.index(min(distances))
+        is_here = nearest and distances[slot] < 1e-6
+        found.append(_state(study, eq, slot, position, is_here))
+    return tuple(found)
 
 
 def others(
     study: Study, eq: Equilibria, states: Sequence[State]
 ) -> tuple[tuple[Numbers, float | None], ...]:
-    """Other stable states of ``eq``, as they are known, than the current one: each place in units,
-    and the loading parameter where it ends, NaN where it does not, None where that is not known.
+    """Stable states of ``eq`` other than the current one: coordinates by name and unit, and the
+    value of the loading parameter at which each ends; NaN if it does not, None if unknown.
     """
     at, load, found = study.operating_point, study.load, []
     for state, position in zip(states, _places(eq), strict=True):
@@ -220,20 +256,17 @@ def others(
         end = None
         if load is not None:
             with suppress(SpragsymError):
-                end = study.displayed(
-                    float(
-                        jump_value(
-                            at.following(**position), load.name, begin=at.scalars(load.name)[0]
-                        )
-                    )
+                jump = jump_value(
+                    at.following(**position), load.name, begin=at.scalars(load.name)[0]
                 )
+                end = study.displayed(float(jump))
         found.append((state.places, end))
     return tuple(found)
 
 
 def current(study: Study, eq: Equilibria) -> Numbers | None:
-    """The coordinates of the state that is reached as the loading parameter rises; where nothing
-    does, of the only one.
+    """Coordinates of the state that is reached as the loading parameter rises; without a loading
+    parameter those of the only state. None if there is none.
     """
     if study.load is None:
         return _places(eq)[0] if int(eq.count) == 1 else None
@@ -247,8 +280,8 @@ def current(study: Study, eq: Equilibria) -> Numbers | None:
 
 
 def comes_from_near(study: Study, position: Numbers) -> bool:
-    """Whether the state in a place, of coordinates and units, is the one that is reached from near
-    it, where the loading parameter begins; else a jump leads there, or a push.
+    """True if the state at a position (by name and unit) is reached from a state near it, where the
+    loading parameter begins; otherwise only a jump or a push leads there.
     """
     if study.load is None:
         return True
@@ -269,6 +302,7 @@ def comes_from_near(study: Study, position: Numbers) -> bool:
 
 
 def _places(eq: Equilibria) -> list[Numbers]:
+    """Coordinates of each state by name."""
     return [
         {name: float(column[slot]) for name, column in eq.coordinates.items()}
         for slot in range(int(eq.count))
@@ -276,12 +310,13 @@ def _places(eq: Equilibria) -> list[Numbers]:
 
 
 def _state(study: Study, eq: Equilibria, slot: int, position: Numbers, is_here: bool) -> State:
+    """The state in a slot of ``eq``, with these coordinates."""
     scales, model = study.scales, study.kind.model
 
     def of(names: Iterable[str], scale: float) -> OfSprings:
         return _of_springs(study, [scale * float(eq[name][slot]) for name in names])
 
-    # Direction and length of each spring in turn.
+    # Direction and length of each spring, alternating.
     where = [name for name in forces.columns_of(model) if name not in position]
     names = forces.forces_of(model)
     springs = [name for name in names if not name.startswith("contact_force")]
@@ -289,9 +324,7 @@ def _state(study: Study, eq: Equilibria, slot: int, position: Numbers, is_here: 
     touching = str(eq.touching[slot]) if model.has_regimes else ""
     rate = _roots(study, list(position.values()), touching) / scales.time
     size = np.abs(rate).max()
-    # Where nothing damps, as without friction, the sign of the real part is the rounding's.
-    # What the eigenvalues of a matrix of some rows are off by, relative to the largest,
-    # generously.
+    # Without damping the real parts are rounding errors, relative to the largest eigenvalue.
     rate = np.where(np.abs(rate.real) <= 1e-14 * size, 1j * rate.imag, rate)
     upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: root.imag)
     ratios = tuple(float(-root.real / abs(root)) + 0.0 for root in upper)
@@ -317,14 +350,12 @@ def _state(study: Study, eq: Equilibria, slot: int, position: Numbers, is_here: 
 
 
 def _roots(study: Study, q: list[float], touching: str) -> ComplexArray:
-    """λ over the unit of time, of the motion at the belt's speed; the friction law has no slope
-    where that is not known.
+    """Eigenvalues of the linearized motion at the belt's speed, in the model's unit; without the
+    slope of the friction law if the speed is not known.
     """
     p, belt = study.dimensionless, study.kind.law["belt"]
-    if (
-        not study.moves and belt in p.model.parameters
-    ):  # friction is that at rest then, whatever the speed
-        # A speed of the belt at which no friction law has a slope.
+    if not study.moves and belt in p.model.parameters:
+        # The friction in use is that at rest; at this speed no law has a slope.
         p = p.replace(**{belt: 1e9})
     given = np.array(p.scalars(*p.model.parameters))
     balances = balances_of(p.model, law=study.law)
@@ -333,17 +364,17 @@ def _roots(study: Study, q: list[float], touching: str) -> ComplexArray:
 
 
 def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
-    """The jump as a motion; None where the belt's friction reaches none, the law is not known, or
-    the motion creeps.
+    """The jump as a motion; None if the friction of the belt does not reach the jump, the law is
+    not known, or the motion creeps.
 
-    ``value`` is that of the parameter that rises, and ``speed`` the least one of the belt in m/s
-    that brings a friction.
+    ``value`` is that of the model's loading parameter at the jump, ``speed`` the smallest belt
+    speed in m/s with this friction.
 
     Notes
     -----
-    Source: (8)–(11), where the loading parameter is at the jump, of friction by a larger μ₀, or at
-    a higher speed of the belt. The motion begins at rest, where the coordinate that moves most is a
-    hundredth of the way from the fold to the state that is left, and the others are balanced.
+    Source: (8)–(11), with the loading parameter at the jump; for friction by a larger μ₀, or a
+    higher speed of the belt. The motion starts at rest. The coordinate that moves most is at a
+    hundredth of the distance from the fold to the remaining state, and the others are in balance.
     """
     load, at = study.loading, _moving(study, value, speed)
     if at is None:
@@ -363,7 +394,7 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
     on_fold = p.replace(**{load.name: value})
     start = _balanced(balance, on_fold, begin + SHARE_BEYOND_FOLD * (end - begin), held)
     at_rest = np.concatenate([start, np.zeros(start.size)])
-    # Times, in the motion's own unit, over which it is followed until it is half way.
+    # A longer motion is needed if the mass has not yet covered half the distance.
     for times in (1500.0, 24_000.0):
         t_end = times * System.of(at, None).scales(at_rest).time
         try:
@@ -375,7 +406,6 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
             break
     else:
         return None
-    # Instants at which forces are looked at.
     course = motion(np.union1d(motion.t, np.linspace(0.0, motion.t[-1], 60_000)))
     springs, contact = _forces(study, _extremes(at, course))
     ranges = {}
@@ -396,8 +426,8 @@ def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:
 
 
 def _moving(study: Study, value: float, speed: float) -> ParameterSet | None:
-    """The parameters of the motion where it jumps; None where the law is not known or brings no
-    such friction.
+    """Parameters of the motion at the jump; None if the friction law is not known or does not reach
+    the friction of the jump.
     """
     p, law = study.dimensionless, study.kind.law
     if not study.moves or (study.slides and study.law != "friction_at_speed"):
@@ -410,17 +440,16 @@ def _moving(study: Study, value: float, speed: float) -> ParameterSet | None:
         if math.isnan(speed):
             return None
         at = at.replace(**{law["belt"]: speed * study.scales.time / study.scales.length})
-    # The law is proportional to it.
+    # The friction is proportional to this parameter.
     return at.replace(**{name: jump / float(p.model.friction(at, contact=law["name"]))})
 
 
 def _balanced(balance: Balance, p: ParameterSet, position: FloatArray, held: int) -> FloatArray:
-    """A place with one coordinate as it is, and the forces on all others balanced: by Newton's
-    method.
+    """A position (n,) at which the forces on all coordinates except ``held`` are balanced, by
+    Newton's method from ``position``.
     """
     values = balance.floats(np.array(p.scalars(*balance.parameters)))
     free, q = np.delete(np.arange(position.size), held), position.copy()
-    # Steps of Newton's method to balance the other coordinates.
     for _ in range(20):
         at = balance.at(list(q), values, xp=np)
         stiffness = np.array(at.stiffness(), dtype=float)[np.ix_(free, free)]
@@ -429,15 +458,16 @@ def _balanced(balance: Balance, p: ParameterSet, position: FloatArray, held: int
 
 
 def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillation:
-    """The cycle that the motion comes to, from rest or from far out; or what it does instead.
+    """The stable cycle that the motion reaches from rest or from far out; else the other kind of
+    motion from rest.
 
-    ``stability`` is of the state that the brake is in, and ``holds`` whether that is not unstable.
+    ``stability`` is that of the brake's state, None if unknown; ``holds``: it is not unstable.
     """
     p, (unit, size) = study.dimensionless, unit_of(study)
     n = len(p.model.coordinates)
     beside = {"stable": True, "unstable": False}.get(stability or "")
     rest, far = np.zeros((2, 2 * n))
-    # Where a motion that is far out begins, in its own units: its first two coordinates.
+    # First two coordinates of a start far out, in units of the motion.
     far_out = (1.5, 0.5)[:n]
     far[: len(far_out)] = far_out * System.of(p, None).scales(rest).states[: len(far_out)]
     followed = {}
@@ -445,7 +475,7 @@ def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillat
         with suppress(ConvergenceError):
             followed[word] = motion, outcome = _followed(p, start)
             found = _cycle_of(p, start, outcome)
-            if found is not None and found.stable:  # no motion comes to one that is not
+            if found is not None and found.stable:
                 frequency = 1 / (found.period * study.scales.time)
                 force_ranges = _forces(study, found.forces)
                 return Oscillation(
@@ -460,7 +490,7 @@ def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillat
                 )
     word = "rest"
     motion, outcome = followed.get(word) or _followed(p, rest)
-    if stability == "unstable" and not motion.state.any():  # where it rests it is unstable
+    if stability == "unstable" and not motion.state.any():  # it started at an unstable state
         word = "far out"
         motion, outcome = followed.get(word) or _followed(p, far)
     t_end = float(motion.t[-1])
@@ -469,20 +499,12 @@ def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillat
         (motion.t >= share * t_end) & (motion.t <= (share + 0.25) * t_end) for share in (0.5, 0.75)
     )
     before, now = (float(np.ptp(motion.state[0, quarter])) for quarter in quarters)
-    # A motion whose swings are less than this share of those a quarter of the time before is on its
-    # way to rest.
-    falling_share = 0.99
-    # A motion whose swings are more than this many times as large runs away.
-    goes = (
-        "falls"
-        if holds and now < falling_share * before
-        else "grows"
-        if now > 2.0 * before
-        else "motion"
-        if now
-        else "rest"
-    )
-    kind = (regime.attractor or goes).replace("cycle", "motion")
+    trend = "motion" if now else "rest"
+    if holds and now < 0.99 * before:
+        trend = "falls"
+    elif now > 2.0 * before:
+        trend = "grows"
+    kind = (regime.attractor or trend).replace("cycle", "motion")
     goes_on = 1.0 if kind == "motion" else math.nan
     force_ranges = _forces(study, _extremes(p, late.state), goes_on)
     lives = beside if kind == "motion" else None
@@ -492,7 +514,7 @@ def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillat
 
 
 def _followed(p: ParameterSet, start: FloatArray) -> tuple[Trajectory, Outcome]:
-    """The motion from a state, and what it comes to."""
+    """The motion from a state, and its limit."""
     t_end = LONGEST_TIME * System.of(p, None).scales(start).time
     motion, outcome = simulate(p, start=start, t_end=t_end), Outcome()
     with suppress(ConvergenceError):
@@ -501,7 +523,7 @@ def _followed(p: ParameterSet, start: FloatArray) -> tuple[Trajectory, Outcome]:
 
 
 def _cycle_of(p: ParameterSet, start: FloatArray, outcome: Outcome) -> Cycle | None:
-    """The cycle that a motion comes to, or is near to; None of one that comes to something else."""
+    """The cycle that a motion approaches, or near which it is; None if its limit is no cycle."""
     if outcome.limit == Regime.LIMIT_CYCLE:
         return cycle_at(System.of(p, None), np.array(outcome.cycle), outcome.period)
     return cycle(p, near=start, patient=False) if outcome.limit == Regime.UNSETTLED else None

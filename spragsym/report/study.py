@@ -1,5 +1,5 @@
-"""A brake: its data with units and tolerances, the loading parameter, and the effective
-friction.
+"""A brake as a report sees it (:class:`Study`): its quantities with units and tolerances, the
+loading parameter, and the friction in use.
 """
 
 from __future__ import annotations
@@ -33,20 +33,20 @@ if TYPE_CHECKING:
     from ..design.jumps import Ends
     from .reports import Report
 
-#: Least, as drawn, and largest within the tolerances.
+#: Smallest value within the tolerances, value as drawn, largest value within the tolerances.
 Spread: TypeAlias = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
 class LoadParameter:
-    """The loading parameter: its quantity in the file, the parameter that it is in the model, and
-    from where it rises, in SI.
+    """The loading parameter: name of the quantity in the file, name of the parameter in the model,
+    and the value, in SI, from which it rises.
     """
 
     quantity: str
     name: str
     begin: float
-    #: Whether it is the friction at full slip.
+    #: True if it is the friction at full slip.
     is_friction: bool
 
     @property
@@ -55,7 +55,7 @@ class LoadParameter:
         return "friction" if self.is_friction else self.quantity
 
     def check(self, values: Numbers, si: str) -> LoadParameter:
-        """Itself; an error for a brake in which it is below where it begins."""
+        """Return itself; ParameterError if its value in ``values`` is below ``begin``."""
         if self.begin > values[self.quantity]:
             begin, value = (
                 shown_in(one, plain_unit(si), si) for one in (self.begin, values[self.quantity])
@@ -66,7 +66,7 @@ class LoadParameter:
 
 
 def check_load(kind: Quantities, vary: object) -> None:
-    """Refuse a loading parameter, if one is named, on which no state depends."""
+    """Raise ParameterError for a loading parameter ``vary`` on which no state depends."""
     if not isinstance(vary, str | None):
         raise ParameterError(f'vary = {vary!r} is no name of a quantity; write vary = "F_L"')
     if vary is not None and vary not in kind.may_rise:
@@ -79,10 +79,10 @@ def check_load(kind: Quantities, vary: object) -> None:
 def load_parameter_of(
     kind: Quantities, vary: str | None, begin: float | None, values: Numbers
 ) -> LoadParameter | None:
-    """The loading parameter: the quantity that is named, else the friction at full slip; None for a
-    model without it.
+    """The loading parameter: the quantity ``vary``, by default the friction at full slip; None if
+    the model has no such friction.
 
-    ``begin`` and the quantities are in SI; without it the quantity rises from its least value.
+    ``begin`` and ``values`` are in SI; the default of ``begin`` is the smallest allowed value.
     """
     if vary is None:
         if begin is not None:
@@ -108,7 +108,7 @@ def load_parameter_of(
 
 
 def spanned(kind: Quantities, name: str, ends: Span) -> Span:
-    """The range in which a quantity may change, in SI; refused if it is none, or empty."""
+    """The range in which a quantity may change, in SI; ParameterError if it is invalid."""
     if name not in kind.balanced:
         cure = hint(name, kind.balanced) or f"; give some of {', '.join(kind.balanced)}"
         raise ParameterError(f"may_change: no state depends on {name}{cure}")
@@ -116,49 +116,48 @@ def spanned(kind: Quantities, name: str, ends: Span) -> Span:
 
 
 class Study:
-    """The data of one brake with tolerances: ask for a report.
+    """The data of one brake with tolerances, of which :meth:`report` computes a report.
 
     Parameters
     ----------
     parameters : PhysicalParameters or mapping of str to float
-        Single numbers in SI: of the article's model, or the quantities of ``model`` by name; V and
-        d may be left out.
+        Single numbers in SI: those of the article's model, or the quantities of ``model`` by name.
+        V and d may be missing.
     tolerance : mapping, optional
-        For each quantity that is known within limits only: how far it may be off, as a number in
-        SI; its two ends, as a tuple; or text such as ``"15 %"``, ``"1 deg"``, ``"[150, 210] N/mm"``
-        or, for a standard deviation, ``"sd 5 %"``. Where two ends do not hold the value their
-        middle takes its place.
+        Tolerances of quantities by name: the largest deviation, as a number in SI; the two ends, as
+        a tuple; or text such as ``"15 %"``, ``"1 deg"``, ``"[150, 210] N/mm"`` or, for a standard
+        deviation, ``"sd 5 %"``. If the value is not between two given ends, their midpoint replaces
+        it.
     correlation : mapping of pairs of names to float, optional
-        Quantities that vary together, see :func:`spragsym.jump_probability`.
+        Correlated quantities, see :func:`spragsym.jump_probability`.
     model : str, optional
         Name or folder of the model.
     vary : str, optional
-        The quantity that rises until the state jumps, where that is not the friction: a load, a
-        stiffness, an angle.
+        The quantity that rises until the state jumps, by default the friction: a load, a stiffness,
+        an angle.
     begin : float, optional
-        From where it rises, in SI, instead of its least value.
+        Value in SI from which it rises, by default its smallest allowed value.
     may_change : mapping of str to (float, float), optional
-        Quantities that a proposal may change, each with the two ends of its range in SI; without it
-        all, by up to a factor of 3.
+        Quantities that a redesign may change, with their ranges in SI; by default all, by up to a
+        factor of 3.
     state : mapping of str to float, optional
-        Coordinates in SI near which the state begins that is followed, in place of the reference
-        state, as ``{"phi": -0.5}``.
+        Coordinates in SI near those of the state that is followed, as ``{"phi": -0.5}``; by default
+        the reference state.
     damping_ratio : float, optional
-        That of every mode of the unloaded mechanism, in place of the dampers, which follow from it;
-        of the article's model by that with dampers, ``damped``. See
-        :func:`spragsym.report.damping.modal_dampers`.
+        Damping ratio of every mode of the unloaded mechanism, from which the dampers are computed:
+        see :func:`spragsym.report.damping.modal_dampers`. For the article's model, the model with
+        dampers, ``damped``, is used.
 
     Attributes
     ----------
     quantities : dict of str to Measured
-        Every quantity with its ends in SI, and the unit in which it came.
+        Every quantity with its ends in SI, and the unit in which it was given.
     model : str
         Name of the model.
     fit : FrictionFit or None
-        The fit of the friction law, if it was measured.
+        The fit of the friction law, if measurements were given.
     load : LoadParameter or None
-        The loading parameter until the state jumps; None for a model without mu0 of which that is
-        not said.
+        The loading parameter; None for a model without mu0, if ``vary`` is not given.
 
     Examples
     --------
@@ -228,7 +227,7 @@ class Study:
     def from_file(path: str | os.PathLike[str], *, trust: bool | str = False) -> Study:
         """The study of a file such as ``brake.toml``; see :func:`spragsym.report.data.read_brake`.
 
-        A number whose unit was probably meant otherwise is a UserWarning.
+        Warns (UserWarning) about numbers that probably have the wrong unit.
         """
         from .data import read_brake  # it makes studies
 
@@ -236,13 +235,13 @@ class Study:
 
     @classmethod
     def of(cls, **data: Any) -> Self:
-        """The study of attributes that are known to fit together."""
+        """The study with given attributes, which are not checked."""
         study = cls.__new__(cls)
         study.__dict__.update(data)
         return study
 
     def with_data(self, **changed: Any) -> Self:
-        """The study with some of its attributes replaced, which are known to fit."""
+        """The study with some of its attributes replaced; they are not checked."""
         held = {name: value for name, value in vars(self).items() if name in Study.__annotations__}
         return type(self).of(**held | changed)
 
@@ -254,8 +253,8 @@ class Study:
         return study
 
     def changed(self, after: Numbers) -> Self:
-        """The study of another design: a quantity that changes keeps its tolerance as a share of
-        its value, an angle as it is.
+        """The study of another design, with new values in SI. A changed quantity keeps its relative
+        tolerance, an angle its absolute one.
         """
         new = {
             name: self.quantities[name].scaled(value, self.kind.units[name] != "rad")
@@ -264,15 +263,17 @@ class Study:
         return self.with_quantities({**self.quantities, **new})
 
     def undamped(self) -> Self:
-        """The study by the model without dampers, if it has the same states, else itself."""
+        """The study with the model without dampers, which has the same states; itself if there is
+        no such model.
+        """
         without = {damped: plain for plain, damped in WITH_DAMPERS.items()}.get(self.model)
         if without is None:
             return self
-        kept = {k: v for k, v in self.quantities.items() if k not in self.kind.dampers}
-        return self.with_data(model=without, quantities=kept)
+        others = {k: v for k, v in self.quantities.items() if k not in self.kind.dampers}
+        return self.with_data(model=without, quantities=others)
 
     def at_full_slip(self) -> Self:
-        """The study without the belt's speed: friction is μ₀."""
+        """The study without the belt's speed, so that the friction is μ₀."""
         return self.with_quantities(
             {name: one for name, one in self.quantities.items() if name not in self.kind.of_the_law}
         )
@@ -289,7 +290,7 @@ class Study:
 
     @property
     def tolerances(self) -> Numbers:
-        """Half of the width of every quantity that has one, in SI."""
+        """Half-width of every quantity with a tolerance, in SI."""
         return {
             name: 0.5 * (one.high - one.low) for name, one in self.quantities.items() if one.varies
         }
@@ -300,7 +301,7 @@ class Study:
         return self.kind.scales(self.values)
 
     def scale(self, si: str) -> float:
-        """Size of the model's own unit in an SI unit."""
+        """The model's unit of a quantity with the SI unit ``si``, in that unit."""
         return float(self.kind.scale(si, self.values))
 
     @cached_property
@@ -309,12 +310,12 @@ class Study:
         return self.placed(self.kind.parameter_set(self.values))
 
     def placed(self, p: ParameterSet) -> ParameterSet:
-        """A set of parameters that follows the state that was chosen, if one was."""
+        """The parameters, set to follow the chosen state, if there is one."""
         return p.following(**self.near) if self.near else p
 
     @property
     def near(self) -> Numbers:
-        """Coordinates near which that lies, as the model has them."""
+        """Coordinates near the chosen state, in the model's units."""
         return {
             name: value / self.scale(self.kind.coordinates.get(name, "1"))
             for name, value in self.state.items()
@@ -322,21 +323,19 @@ class Study:
 
     @cached_property
     def operating_point(self) -> ParameterSet:
-        """The brake with the μ₀ with which statics has the friction that works, where the model has
-        one.
+        """The parameters at the belt's speed: with the μ₀ for which statics has the friction in
+        use.
         """
         return self.loaded(self.values, None)
 
     @cached_property
     def moves(self) -> bool:
-        """Whether all that the motion in time depends on is known; a file may leave out V and d."""
+        """True if all quantities of the motion are known; a file may lack V and d."""
         return set(self.kind.parameters) <= set(self.quantities)
 
     @property
     def belt(self) -> str | None:
-        """The quantity that is the speed of the belt, whatever the page calls it; None where none
-        alone is that.
-        """
+        """The quantity that is the speed of the belt; None if no single quantity is."""
         belt = self.kind.law["belt"]
         return next(
             (quantity for quantity, name in self.kind.parameters.items() if name == belt), None
@@ -344,8 +343,8 @@ class Study:
 
     @cached_property
     def law(self) -> str:
-        """Friction law at work: that at the belt's speed where it is known and a value of μ₀ stands
-        for it, else that at rest.
+        """Name of the friction law in use: that at the belt's speed, if the speed is known and some
+        value of μ₀ gives the same friction; else that at rest.
         """
         law, laws = self.kind.law, self.kind.about["frictions"]
         asked = {name for one in laws for name in one["quantities"]}
@@ -354,15 +353,13 @@ class Study:
 
     @property
     def slides(self) -> bool:
-        """Whether there is friction."""
+        """True if the model has friction."""
         return bool(self.kind.about["frictions"])
 
     @cached_property
     def friction(self) -> Spread:
-        """The friction that works, by the law: least, as drawn, and largest within the tolerances;
-        0 without friction.
-        """
-        # The solvers are heavy, and a refusal does not need them.
+        """The friction in use by the law in use; 0 without friction."""
+        # Imported here, because the solvers are slow to import.
         from ..statics.balance import NEGLIGIBLE
         from .friction_law import friction_bounds, friction_depends_on
 
@@ -373,23 +370,19 @@ class Study:
         if not set(friction_depends_on(self)) & set(self.tolerances):
             return here, here, here
         low, high = friction_bounds(self)
-        # Bounds of a friction that is 0 are a little above it.
-        return (
-            low,
-            here,
-            high if high > here + NEGLIGIBLE else here,
-        )
+        # The upper bound of a friction of 0 is slightly above it.
+        return low, here, high if high > here + NEGLIGIBLE else here
 
     @property
     def other_frictions(self) -> Numbers:
-        """Those of other contacts by their names, as drawn, where they are not the same."""
+        """Frictions of other contacts by name, as drawn, that differ from the main one."""
         p = self.dimensionless
         names = p.model.rubbing if self.slides else ()
         every = {name: float(p.model.friction(p, self.law, name)) for name in names}
         return {name: one for name, one in every.items() if one != self.friction[1]}
 
     def of_statics(self, mu0: float) -> float:
-        """The friction that statics takes with a value of μ₀."""
+        """The friction in statics for a value of μ₀."""
         if not mu0 < math.inf:
             return mu0
         p, contact = self.dimensionless.replace(**{self.loading.name: mu0}), self.kind.law["name"]
@@ -397,21 +390,17 @@ class Study:
 
     @property
     def loading(self) -> LoadParameter:
-        """The loading parameter; one without a name where nothing is said to rise."""
-        # The loading parameter where none is named.
-        nothing = LoadParameter("", "", math.nan, False)
-        return self.load or nothing
+        """The loading parameter; one with an empty name if there is none."""
+        return self.load or LoadParameter("", "", math.nan, False)
 
     @property
     def of_friction(self) -> bool:
-        """Whether it is the friction that rises."""
+        """True if the loading parameter is the friction."""
         return self.loading.is_friction
 
     @property
     def in_use(self) -> Spread:
-        """The loading parameter, where the brake works: least, as drawn, and largest within the
-        tolerances.
-        """
+        """The loading parameter in use: for friction that at the belt's speed."""
         if self.load is None or self.of_friction:
             return self.friction
         one = self.quantities[self.load.quantity]
@@ -419,7 +408,7 @@ class Study:
 
     @property
     def full_slip(self) -> Spread:
-        """The friction at full slip."""
+        """The loading parameter, for friction that at full slip."""
         if not self.of_friction:
             return self.in_use
         one = self.quantities[self.loading.quantity]
@@ -427,18 +416,16 @@ class Study:
 
     @property
     def load_scale(self) -> float:
-        """Size of the model's own unit of the load parameter: in SI, in the units of the brake as
-        drawn.
-        """
+        """The model's unit of the load parameter in SI, for the brake as drawn."""
         return self.scale(self.kind.units[self.loading.quantity])
 
     def displayed(self, value: float) -> float:
-        """A value of the parameter that rises as it is told: the friction of the law, or in SI."""
+        """A value of the model's load parameter as reported: a friction of the law, or in SI."""
         return self.of_statics(value) if self.of_friction else value * self.load_scale
 
     def start(self, values: Mapping[str, Any] | None = None) -> Any:
-        """From where it rises, as its parameter; of other brakes in their own units, each at the
-        same value in SI.
+        """First value of the model's load parameter; for other brakes with these ``values``, each
+        with the same first value in SI.
         """
         load = self.loading
         allowed = self.kind.model.Parameters.ranges[load.name]
@@ -446,25 +433,27 @@ class Study:
         return np.maximum(load.begin / scale, allowed.reached(allowed.low))
 
     def along(self, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """The loading parameter as arguments of the model's questions."""
+        """The loading parameter and its first value as keyword arguments of questions."""
         return {"vary": self.loading.name, "begin": self.start(values)}
 
     @cached_property
     def ends(self) -> Ends:
-        """End of the state as something rises, and how far that was looked for."""
-        from ..design.jumps import first_limit_points  # heavy, and a refusal does not need it
+        """Where the followed state ends as the load parameter rises, and how far that was
+        searched.
+        """
+        from ..design.jumps import first_limit_points  # slow to import
 
         return first_limit_points(self.operating_point, **self.along())
 
     def jump(self) -> float:
-        """Value of the load parameter at which the state jumps; NaN where it does not."""
-        from ..design.jumps import require_known  # as above
+        """Value of the model's load parameter at which the state jumps; NaN if it does not."""
+        from ..design.jumps import require_known  # slow to import
 
         return float(require_known(self.ends).value)
 
     def loaded(self, values: Mapping[str, Any], target: float | None) -> ParameterSet:
-        """Parameters of brakes, by their quantities in SI, with the loading parameter at a target,
-        or at its own value.
+        """Parameters of brakes with given quantities in SI, and the loading parameter at
+        ``target``, by default at its value in use.
         """
         if target is not None and not self.of_friction:
             values = {**values, self.loading.quantity: target}
@@ -477,53 +466,51 @@ class Study:
 
     @property
     def upper_limit(self) -> float:
-        """Up to which value a jump is looked for, as it is told: all, or the end of a search."""
+        """Largest value of the loading parameter up to which a jump is searched, as reported."""
         return self.displayed(float(self.ends.until))
 
     def shown(self, name: str, value: float | None = None, digits: int = 4) -> str:
-        """A value of a quantity, by default its own, as text in the unit in which it came."""
+        """A value of a quantity, by default its own, as text in the unit of the file."""
         one = self.quantities[name]
         return shown_in(
             one.value if value is None else value, one.unit, self.kind.units[name], digits
         )
 
     def unit_size(self, name: str) -> float:
-        """Size in SI of the unit in which a quantity came."""
+        """The unit of a quantity in the file, in SI."""
         return factor(self.quantities[name].unit, self.kind.units[name])
 
     def in_file(self, name: str, value: float) -> float:
-        """A value of a quantity in the unit in which it came."""
+        """A value of a quantity in the unit of the file."""
         return value / self.unit_size(name)
 
     def in_units(self) -> dict[str, tuple[float, str, float]]:
-        """Every quantity as it came: its value, its unit, and what one of that is in SI."""
+        """Every quantity as given: value, unit, and size of the unit in SI."""
         return {
             name: (self.in_file(name, one.value), one.unit, self.unit_size(name))
             for name, one in self.quantities.items()
         }
 
     def shown_speed(self, speed: float, digits: int = 4) -> str:
-        """A speed of the belt as text, by the name of the page: ``V = 1.2 m/s``."""
+        """A speed of the belt as text, with the page's name: ``V = 1.2 m/s``."""
         if self.belt is None:
             return f"a speed of {speed:.{digits}g} m/s"
         return f"{self.belt} = {self.shown(self.belt, speed, digits)}"
 
     def load_text(self, value: float, digits: int = 4) -> str:
-        """A value of the loading parameter: a friction as a number, a quantity with its unit."""
+        """A value of the loading parameter as text: a plain friction, or a number with unit."""
         if self.of_friction:
             return f"{value:.{digits}g}"
         return self.shown(self.loading.quantity, value, digits)
 
     def named(self, value: float, digits: int = 4) -> str:
-        """The value in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
-        return (
-            f"{'a friction of' if self.of_friction else f'{self.loading.quantity} ='} "
-            f"{self.load_text(value, digits)}"
-        )
+        """A value of the loading parameter in a sentence: ``a friction of 0.4`` or ``P = 20 N``."""
+        name = "a friction of" if self.of_friction else f"{self.loading.quantity} ="
+        return f"{name} {self.load_text(value, digits)}"
 
     @property
     def search_range(self) -> str:
-        """Range in which a jump is looked for, in a sentence: ``friction`` at all, or ``P up to 20
+        """The range in which a jump is searched, in a sentence: ``friction`` or ``P up to 20
         N``.
         """
         word = self.loading.word
@@ -532,16 +519,16 @@ class Study:
         return f"{word} up to {self.load_text(self.upper_limit)}"
 
     def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
-        """The unit of this file for an SI unit, that of a quantity if it is there, and what one of
-        the model's is in it.
+        """The file's unit for the SI unit ``si``, that of the quantity ``name`` if there is one;
+        and the model's unit expressed in it.
         """
-        alike = (other for other in self.quantities if self.kind.units[other] == si)
-        here = name if name in self.quantities else next(alike, "")
-        unit = self.quantities[here].unit if here else plain_unit(si)
+        same_kind = (other for other in self.quantities if self.kind.units[other] == si)
+        quantity = name if name in self.quantities else next(same_kind, "")
+        unit = self.quantities[quantity].unit if quantity else plain_unit(si)
         return unit, self.scale(si) / factor(unit, si)
 
     def said(self, remark: str) -> str:
-        """A remark with what it says of parameters, by their quantities, and of coordinates in the
+        """A remark as text, with quantities in place of the model's parameters, and numbers in the
         units of the file.
         """
 
@@ -553,19 +540,19 @@ class Study:
         return remark.in_units(units) if isinstance(remark, Remark) else str(remark)
 
     def pairs(self, names: Sequence[str]) -> dict[tuple[str, str], float]:
-        """Pairs that vary together, of some of the quantities."""
+        """Correlations between given quantities."""
         return {pair: value for pair, value in self.correlation.items() if set(pair) <= set(names)}
 
     def together(self, names: Sequence[str]) -> Dependence:
-        """Dependence of some of the quantities on each other."""
+        """Joint dependence of given quantities."""
         return dependence(names, self.pairs(names))
 
     def with_warnings(self) -> Self:
-        """Itself, and a UserWarning for each number whose unit was probably meant otherwise."""
-        from .advice import of_data  # heavy, and a refusal does not need it
+        """Return itself, after a UserWarning for each number that probably has the wrong unit."""
+        from .advice import of_data  # slow to import
 
-        for said in of_data(self):
-            warnings.warn(f"{self.source}: {said}", stacklevel=3)
+        for text in of_data(self):
+            warnings.warn(f"{self.source}: {text}", stacklevel=3)
         return self
 
     def report(
@@ -578,29 +565,29 @@ class Study:
         n: int | None = None,
         progress: bool = False,
     ) -> Report:
-        """Everything that can be said of this brake.
+        """Compute the report of this brake.
 
         Parameters
         ----------
         probability : bool
-            Also the certificate, the probability of a jump, and which tolerance matters.
+            Compute the certificate, the probability of a jump, and the effect of each tolerance.
         redesign : bool
-            Also what to change.
+            Search for changes that avoid the jump.
         oscillation : bool
-            Also follow the motion to its cycle, if V and d are known; that takes about a second.
+            Follow the motion to its cycle, if V and d are known, which takes about a second.
         safety : float
-            What is changed keeps the jump at this many times the largest friction.
+            Factor by which changes keep the jump above the largest friction.
         n : int, optional
-            Points for the probability: 4096 by closed forms, 2048 where each is followed.
+            Number of samples for the probability; by default 4096 with closed forms, else 2048.
         progress : bool
-            Say on stderr what is being computed.
+            Print on stderr what is being computed.
 
         Returns
         -------
         Report
-            What is not answered for the model is None there, with the reason among the warnings.
+            Facts that the model does not answer are None, with the reason among the warnings.
         """
-        from .facts import ReportOptions, facts  # heavy, and a refusal does not need it
+        from .facts import ReportOptions, facts  # slow to import
         from .reports import Report
 
         options = ReportOptions(
@@ -615,6 +602,7 @@ class Study:
 
 
 def _given(parameters: object, kind: Quantities, damping_ratio: float | None) -> Numbers:
+    """The given quantities in SI, checked; ParameterError for unknown or missing ones."""
     allowed, model = kind.ranges(), kind.model.where
     if isinstance(parameters, QuantityValues) and model in (USUAL, WITH_DAMPERS[USUAL]):
         parameters = parameters.known
@@ -637,7 +625,9 @@ def _given(parameters: object, kind: Quantities, damping_ratio: float | None) ->
 
 
 def _measured(name: str, value: float, off: ArrayLike | None, si: str, allowed: Range) -> Measured:
-    """A value with its tolerance as Python is told it: numbers become the text of a file."""
+    """A value with a tolerance as in :class:`Study`, which is converted to the text of a file and
+    read like that.
+    """
     title, unit, in_si = f"tolerance of {name}", plain_unit(si), "" if si == "1" else si
     if off is None:
         return Measured(value, value, value, unit)

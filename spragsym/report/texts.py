@@ -1,5 +1,6 @@
-"""What a report says: the verdict, rows of a name and a value under headings for text, page and
-notebook, and JSON.
+"""The texts of a report, from its facts: the verdict in sentences (:func:`verdict`), sections with
+rows of name and value (:func:`sections`), the whole as text (:func:`blocks`) and as JSON
+(:func:`as_json`).
 """
 
 from __future__ import annotations
@@ -26,8 +27,8 @@ Json: TypeAlias = dict[str, Any]
 
 
 def verdict(report: Facts) -> Iterator[str]:
-    """Whether it sprags, at what friction, and how far that is; then what other states, motion and
-    tolerances add: line by line, each as soon as it is known.
+    """The verdict, sentence by sentence: the jump and the margin to it, other stable states, the
+    motion, the tolerances.
     """
     for line in (_on_the_jump, _on_others, _on_the_motion, _on_the_tolerances):
         if text := line(report):
@@ -35,19 +36,16 @@ def verdict(report: Facts) -> Iterator[str]:
 
 
 def _on_others(report: Facts) -> str:
-    study, sentences = report.study, []
+    """Sentence about other stable states, and where each ends."""
+    study, states = report.study, []
     for state, end in report.others:
         until = ""
         if end is not None:
-            until = (
-                f", at any {study.search_range}"
-                if math.isnan(end)
-                else f", until {study.named(end)}"
-            )
-        sentences.append(_places(state) + until)
-    return (
-        f"At the design another state is stable: {'; and '.join(sentences)}." if sentences else ""
-    )
+            until = f", until {study.named(end)}"
+            if math.isnan(end):
+                until = f", at any {study.search_range}"
+        states.append(_places(state) + until)
+    return f"At the design another state is stable: {'; and '.join(states)}." if states else ""
 
 
 def followed_state(study: Study) -> str:
@@ -58,18 +56,16 @@ def followed_state(study: Study) -> str:
 
 
 def _on_the_motion(report: Facts) -> str:
-    """Limits of what steady sliding says of the brake as drawn; nothing, where it comes to rest or
-    is not known to move.
+    """Sentence about an oscillation, lift-off or instability; empty if the brake comes to rest or
+    its motion is not known.
     """
     found = report.oscillation
     here = [state for state in report.states if state.current] or report.states
     sliding = report.study.slides
     if found is None or not (found.alive or found.kind == "lift-off"):
-        unstable = bool(here) and all(state.stability == "unstable" for state in here)
-        if unstable:
-            return (
-                f"{'Steady sliding' if sliding else 'Rest'} is unstable: small disturbances grow."
-            )
+        if here and all(state.stability == "unstable" for state in here):
+            what = "Steady sliding" if sliding else "Rest"
+            return f"{what} is unstable: small disturbances grow."
         return ""
     if found.kind == "lift-off":
         return f"From {found.start} it lifts off the belt for good."
@@ -88,6 +84,7 @@ def _on_the_motion(report: Facts) -> str:
 
 
 def _on_the_jump(report: Facts) -> str:
+    """Sentence about the jump of the followed state, against the friction (or load) in use."""
     study, jump, load = report.study, report.jump_at, report.study.loading
     if jump is None:
         return _unknown(report)
@@ -98,10 +95,11 @@ def _on_the_jump(report: Facts) -> str:
     angle = study.kind.inclination
     if angle is not None and angle in study.quantities and load.quantity != angle:
         state = f"at {study.shown(angle)} {state}"
-    digits = _apart(study, jump, (low, high, full))
+    digits = _distinct_digits(study, jump, (low, high, full))
     jumps = f"{verb_of(report.kind_jump).does} at {study.named(jump, digits)}"
-    loses = report.kind_jump == "border"
-    sprags, does = ("loses its contact", "lose it") if loses else ("sprags", "jump")
+    sprags, does = "sprags", "jump"
+    if report.kind_jump == "border":
+        sprags, does = "loses its contact", "lose it"
     if report.reach in ("never", "beyond"):
         what = f"has no jump at any {study.search_range}" if report.reach == "never" else jumps
         if report.reach == "beyond" and full:
@@ -109,70 +107,59 @@ def _on_the_jump(report: Facts) -> str:
                 f", {percent_beyond(jump, full):.0f} % above the largest that you have, "
                 f"{study.load_text(full, digits)}"
             )
-        return (
-            f"{'As drawn it' if study.tolerances else 'It'} does not sprag{model}: {state} {what}."
-        )
+        it = "As drawn it" if study.tolerances else "It"
+        return f"{it} does not sprag{model}: {state} {what}."
     if report.reach == "faster":
         at = "the belt's speed" if study.belt is None else study.shown(study.belt, digits=3)
-        above = (
-            "at a higher speed"
-            if math.isnan(report.speed)
-            else f"above {study.shown_speed(report.speed, 3)}"
-        )
-        works = (
-            f"only {high:.{digits}g} of your {full:.{digits}g}"
-            if high < full
-            else f"{high:.{digits}g}"
-        )
+        above = "at a higher speed"
+        if not math.isnan(report.speed):
+            above = f"above {study.shown_speed(report.speed, 3)}"
         if study.belt is not None and report.speed < study.values[study.belt]:
             above = f"at lower speeds, from {study.shown_speed(report.speed, 3)} on"
+        works = f"{high:.{digits}g}"
+        if high < full:
+            works = f"only {works} of your {full:.{digits}g}"
         return (
             f"It {sprags}{model} {above}: {state} {jumps}; at {at} {works} works, and it does not "
             f"{does}."
         )
-    ends = " to ".join(
-        study.load_text(end, digits) for end in ((low, high) if high > low else (high,))
-    )
-    where = (
-        "below your"
-        if high == low
-        else "already below all of your range of"
-        if jump < low
-        else "within your range of"
-    )
+    where, ends = "below your", study.load_text(high, digits)
+    if high > low:
+        ends = f"{study.load_text(low, digits)} to {ends}"
+    if high != low:
+        where = "already below all of your range of" if jump < low else "within your range of"
     return f"It {sprags}{model}: {state} {jumps}, {where} {load.word} {ends}."
 
 
-def _apart(study: Study, jump: float, ends: Sequence[float]) -> int:
-    """The digits, from four on, in which the jump and what it is compared with are told apart."""
-    # Digits of a sentence at most.
-    most_digits = 8
-    for digits in range(4, most_digits):
-        if study.load_text(jump, digits) not in {
-            study.load_text(end, digits) for end in ends if end != jump
-        }:
+def _distinct_digits(study: Study, jump: float, ends: Sequence[float]) -> int:
+    """Number of digits, 4 to 8, with which the jump differs in print from the values in
+    ``ends``.
+    """
+    for digits in range(4, 8):
+        others = {study.load_text(end, digits) for end in ends if end != jump}
+        if study.load_text(jump, digits) not in others:
             return digits
-    return most_digits
+    return 8
 
 
 def _unknown(report: Facts) -> str:
-    states, contacts = report.states, report.study.kind.about["contacts"]
-    where = (" of sliding" if report.study.slides else "") + (
-        " in contact" if any(one["gap"] is not None for one in contacts) else ""
-    )
+    """Sentence about the states, if the jump is not known."""
+    study, states = report.study, report.states
+    where = " of sliding" if study.slides else ""
+    if any(contact["gap"] is not None for contact in study.kind.about["contacts"]):
+        where += " in contact"
     unstable = sum(state.stability == "unstable" for state in states)
-    there = f"are {len(states)} states{where}, {unstable} unstable"
+    found = f"are {len(states)} states{where}, {unstable} unstable"
     if len(states) == 1:
-        there = f"is one state{where}, {states[0].stability}"
-    why = (
-        "nothing is said to rise until it jumps"
-        if report.study.load is None
-        else "whether it sprags is not known"
-    )
-    return f"With the model {report.study.kind.about['name']} there {there}; {why}."
+        found = f"is one state{where}, {states[0].stability}"
+    why = "whether it sprags is not known"
+    if study.load is None:
+        why = "nothing is said to rise until it jumps"
+    return f"With the model {study.kind.about['name']} there {found}; {why}."
 
 
 def _on_the_tolerances(report: Facts) -> str:
+    """Sentence about all brakes within the tolerances."""
     odds, speed = report.probability, " at this speed" if report.reach == "faster" else ""
     if report.within == "proved":
         if report.study.tolerances:
@@ -190,34 +177,30 @@ def _on_the_tolerances(report: Facts) -> str:
 
 
 def box(unbounded: Sequence[str]) -> str:
-    """Box that a certificate is about, if a part of the distribution of some quantities lies beyond
-    it.
+    """Name of the box of a certificate; ``unbounded`` are quantities whose distribution extends
+    beyond it.
     """
-    beyond = (
-        f", and {SIGMAS_AT_ENDS:g} standard deviations of {' and '.join(unbounded)}"
-        if unbounded
-        else ""
-    )
-    return f"the tolerances{beyond}"
+    if not unbounded:
+        return "the tolerances"
+    names = " and ".join(unbounded)
+    return f"the tolerances, and {SIGMAS_AT_ENDS:g} standard deviations of {names}"
 
 
 def share(odds: JumpProbability) -> str:
-    """The share of all brakes that jump, which a sample without one, or with nothing else, only
-    bounds.
-    """
+    """The share of brakes that jump, in percent; only a bound if none or all of a sample do."""
     if odds.probability == 0:
         return f"fewer than {_percent(odds.high)}"
     return _percent(odds.probability) if odds.probability < 1 else f"more than {_percent(odds.low)}"
 
 
 def _percent(number: float) -> str:
-    """A share in percent with three digits, or as many as tell it from all or nothing."""
+    """A share in percent with three digits, or six if these would make it 100 %."""
     text = f"{100 * number:.3g}"
     return f"{100 * number:.6g} %" if text == "100" and number < 1 else f"{text} %"
 
 
 def about(report: Facts) -> dict[str, str]:
-    """Title and date, as the file gives them, the file, its model, and the version of spragsym."""
+    """Title, date, file, model and version of spragsym."""
     study = report.study
     return {
         "title": study.title,
@@ -229,9 +212,7 @@ def about(report: Facts) -> dict[str, str]:
 
 
 def blocks(report: Facts) -> Iterator[str]:
-    """The verdict line by line, what to do next, warnings, and the numbers under headings: each as
-    soon as it is known.
-    """
+    """The text of a report, block by block: verdict, sections, origin."""
     yield from verdict(report)
     for title, rows in sections(report):
         if rows:
@@ -240,12 +221,9 @@ def blocks(report: Facts) -> Iterator[str]:
 
 
 def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
-    """Rows of a name and a value, under each other where the name is long."""
-    # Width of the names of rows.
-    wide_names = 32
-    # Their width where all are short.
+    """Rows as lines with aligned values; a value follows below a name that is too long."""
     short = 8
-    wide = wide_names if any(len(name) >= short for name, _ in rows) else short
+    wide = 32 if any(len(name) >= short for name, _ in rows) else short
     return [
         f"  {name:<{wide}}{value}" if len(name) < wide else f"  {name}\n  {'':<{wide}}{value}"
         for name, value in rows
@@ -253,7 +231,7 @@ def lines(rows: Sequence[tuple[str, str]]) -> list[str]:
 
 
 def sections(report: Facts) -> Iterator[tuple[str, list[tuple[str, str]]]]:
-    """Headings, each with rows of a name and a value."""
+    """Each heading with its rows of name and value."""
     parts = {
         "What to do next": next_steps,
         "Warnings": _warnings,
@@ -349,23 +327,30 @@ def _jump(report: Facts) -> Rows:
 
 
 def _without_jump(kind: str) -> str:
-    """Words before the value at which a state ends without a jump."""
-    way = verb_of(kind).does
-    return "" if way == "jumps" else f"none: it {way} "
+    """Text before the value at which a state ends, if it does not jump there."""
+    does = verb_of(kind).does
+    return "" if does == "jumps" else f"none: it {does} "
 
 
 def _or_unknown(value: float | None, shown: Callable[[float], str], never: str) -> str:
-    return "unknown" if value is None else shown(value) if math.isfinite(value) else never
+    """Text of a value, which may be None for unknown, or not finite for ``never``."""
+    if value is None:
+        return "unknown"
+    return shown(value) if math.isfinite(value) else never
 
 
 def _of_each(numbers: object, shown: Callable[[Any], str], of: str, alone: str = "") -> Rows:
-    """A row of a number, or of several by their names; none of what there is not."""
+    """Rows of several numbers by name, or the row of one number, called ``alone``; none for
+    None.
+    """
     for name, value in (numbers if isinstance(numbers, Mapping) else {alone: numbers}).items():
         if value is not None:
             yield f"{of} {name}".strip(), shown(value)
 
 
 def _forces(found: JumpPeak | Oscillation) -> Rows:
+    """Rows of the ranges of spring and contact forces."""
+
     def ends(force: tuple[float, float]) -> str:
         return f"{force[0]:.5g} N to {force[1]:.5g} N"
 
@@ -374,10 +359,15 @@ def _forces(found: JumpPeak | Oscillation) -> Rows:
 
 
 def _pulling(force: float) -> str:
-    return f"{force:.5g} N" + (", it pushes" if force < 0 else ", it pulls" if force > 0 else "")
+    """Text of a spring force with its direction."""
+    direction = ""
+    if force:
+        direction = ", it pushes" if force < 0 else ", it pulls"
+    return f"{force:.5g} N{direction}"
 
 
 def _places(places: Numbers) -> str:
+    """Text of coordinates with units."""
     named = ((*key.rpartition("_"), value) for key, value in places.items())
     return ", ".join(f"{name} = {value:.4g} {unit}" for name, _, unit, value in named)
 
@@ -412,6 +402,7 @@ def _ratio(ratio: float) -> str:
 
 
 def _described(state: State) -> str:
+    """Text of a state: stability, directions of its springs, first coordinate."""
     word = state.stability
     if word == "neutral":
         word += ": the damping of the real brake decides whether it settles"
@@ -528,9 +519,7 @@ def _tolerances(report: Facts) -> Rows:
     known_indices = {
         name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])
     }
-    # Sobol' indices are told where the samples resolve all of them: next to a certainty too few
-    # differ.
-    # Sobol' indices whose 95 % interval is wider to either side are not told.
+    # If almost no brake jumps, or almost all do, samples do not resolve Sobol' indices.
     if any(not error <= 0.2 for *_, error in known_indices.values()):
         yield (
             "how much each of them decides",
@@ -538,7 +527,7 @@ def _tolerances(report: Facts) -> Rows:
         )
         return
     for name, indices in known_indices.items():
-        # A share is not negative; what is estimated from samples may be.
+        # Estimates may be negative, shares are not.
         alone, all_of_it = (max(0.0, 100 * part) for part in indices[:2])
         shares = (
             f"{alone:.0f} % of the variance alone, {all_of_it:.0f} % with interactions (Sobol')"
@@ -612,7 +601,7 @@ def _changes(report: Facts) -> Rows:
 
 
 def as_json(report: Facts) -> Json:
-    """The keys of the report; numbers that don't exist are NaN, which the command writes as
+    """The report as JSON data. Numbers that do not exist are NaN, which the command writes as
     null.
     """
     study = report.study
@@ -731,9 +720,11 @@ def as_json(report: Facts) -> Json:
 
 
 def _some(thing: object, names: Sequence[str]) -> Json:
-    """Some attributes by name; no word is None."""
-    found = {name: getattr(thing, name) for name in names}
-    return {
-        name: None if value == "" else list(value) if isinstance(value, tuple) else value
-        for name, value in found.items()
-    }
+    """Attributes by name as JSON data: empty texts are None, tuples lists."""
+    found = {}
+    for name in names:
+        value = getattr(thing, name)
+        if isinstance(value, tuple):
+            value = list(value)
+        found[name] = None if value == "" else value
+    return found

@@ -77,7 +77,7 @@ def test_what_a_taylor_polynomial_leaves_out_is_the_rest_of_a_geometric_series()
     """Over the bound on the field: ratio^(order + 1) + ratio^(order + 2) + …."""
     flint = pytest.importorskip("flint")
     ball_flow = importlib.import_module("spragsym.orbits.ball_flow")
-    left = ball_flow._left_out(flint.arb(0.25), SimpleNamespace(order=5))
+    left = ball_flow._remainder(flint.arb(0.25), SimpleNamespace(order=5))
     assert float(left) == pytest.approx(sum(0.25**k for k in range(6, 60)), rel=1e-14)
 
 

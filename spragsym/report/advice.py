@@ -59,10 +59,9 @@ def _far(report: Facts) -> Iterator[str]:
     x = here.places.get("x_mm", 0.0) if here and not report.jumped else 0.0
     # With a displacement above half the length of the spring the deformation is not small.
     if abs(x) > 0.5 * length:
-        share = f"{abs(x) / length:.0%} of L_0"
         yield (
-            f"the followed state lies at x = {x:.3g} mm without a jump, {share}: it is no small "
-            "deformation"
+            f"the followed state lies at x = {x:.3g} mm without a jump, {abs(x) / length:.0%} of "
+            "L_0: it is no small deformation"
         )
 
 
@@ -72,8 +71,10 @@ def _stiffness(study: Study) -> Iterator[str]:
     for name in ("k", "k_x", "k_y"):
         ratio = study.values.get(name, 0.0) / study.values["k_c"]
         if ratio > 0.5:
-            stiffest = "the contact should be the stiffest part: check both units"
-            yield f"{name} = {study.shown(name)} is {ratio:.3g} times k_c, and {stiffest}"
+            yield (
+                f"{name} = {study.shown(name)} is {ratio:.3g} times k_c, and the contact should be "
+                "the stiffest part: check both units"
+            )
     sigma = study.values.get("k", math.inf) / study.values["k_c"]
     if sigma < 1e-4:
         yield f"k = {study.shown('k')} is only {sigma:.1g} times k_c: check its unit"
@@ -114,9 +115,9 @@ def _fit(study: Study) -> Iterator[str]:
             "choose a model with another law"
         )
     elif fit.d * fit.slowest > steep:
-        level = f"friction is level from {fit.slowest:.3g} m/s on"
         yield (
-            f"{level}, so any d above {steep / fit.slowest:.3g} s/m fits: measure at slower sliding"
+            f"friction is level from {fit.slowest:.3g} m/s on, so any d above "
+            f"{steep / fit.slowest:.3g} s/m fits: measure at slower sliding"
         )
     if fit.points == 2:
         yield (
@@ -125,10 +126,9 @@ def _fit(study: Study) -> Iterator[str]:
         )
     # Then no measurement is on the law's level part.
     if fit.d * fit.fastest < 0.1:
-        product = f"only mu0 d = {fit.mu0 * fit.d:.3g} s/m is known"
         yield (
-            f"friction still rises at {fit.fastest:.3g} m/s, and {product}: measure at faster "
-            "sliding, and check the unit"
+            f"friction still rises at {fit.fastest:.3g} m/s, and only mu0 d = "
+            f"{fit.mu0 * fit.d:.3g} s/m is known: measure at faster sliding, and check the unit"
         )
 
 
@@ -155,8 +155,8 @@ def of_data(study: Study) -> Iterator[str]:
             "rad if that is meant"
         )
     # Such a large damping ratio was probably meant in percent.
-    if study.damping_ratio is not None and study.damping_ratio >= 0.2:
-        ratio = study.damping_ratio
+    ratio = study.damping_ratio
+    if ratio is not None and ratio >= 0.2:
         yield (
             f"damping_ratio = {ratio:g} is {100 * ratio:g} %, more than any brake has; write "
             f"{ratio:g} % if that is meant"

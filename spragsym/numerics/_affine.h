@@ -73,8 +73,8 @@ PART void rounded(const form *a, int sides, int n) {
 /* An interval's number, of which nothing is known but that. */
 PART void between(const slot *from, const form *to, int sides, int n) {
     for (int i = 0; i < n; i++) {
-        const double middle = middle_of(from->ends[0][i], from->ends[1][i]);
-        const double off = most(from->ends[1][i] - middle, middle + from->ends[0][i]);
+        const double middle = midpoint(from->ends[0][i], from->ends[1][i]);
+        const double off = maximum(from->ends[1][i] - middle, middle + from->ends[0][i]);
         const double error = off * SLACK + UNDERFLOW_ROOM;
         to->value[i] = middle;
         to->error[i] = isfinite(error) ? error : INFINITY;
@@ -90,8 +90,8 @@ PART void as_interval(const form *a, int sides, slot *to, int n) {
     spread(a, sides, size, n);
     for (int i = 0; i < n; i++) {
         const double radius = (size[i] + a->error[i]) * SLACK;
-        to->ends[0][i] = raised(radius - a->value[i], 1.0);
-        to->ends[1][i] = raised(radius + a->value[i], 1.0);
+        to->ends[0][i] = rounded_up(radius - a->value[i], 1.0);
+        to->ends[1][i] = rounded_up(radius + a->value[i], 1.0);
     }
 }
 
@@ -198,7 +198,7 @@ PART void linear(
     spread(x, sides, reach, n);
     for (int i = 0; i < n; i++) {
         reach[i] = (reach[i] + x->error[i]) * SLACK;
-        slope[i] = middle_of(slopes->ends[0][i], slopes->ends[1][i]);
+        slope[i] = midpoint(slopes->ends[0][i], slopes->ends[1][i]);
         size[i] = 0.0;
     }
     for (int t = 0; t < sides; t++) {
@@ -209,10 +209,10 @@ PART void linear(
         }
     }
     for (int i = 0; i < n; i++) {
-        const double value = middle_of(middle->ends[0][i], middle->ends[1][i]);
-        const double beside = most(middle->ends[1][i] - value, value + middle->ends[0][i]);
+        const double value = midpoint(middle->ends[0][i], middle->ends[1][i]);
+        const double beside = maximum(middle->ends[1][i] - value, value + middle->ends[0][i]);
         const double off =
-            most(slopes->ends[1][i] - slope[i], slope[i] + slopes->ends[0][i]) * reach[i];
+            maximum(slopes->ends[1][i] - slope[i], slope[i] + slopes->ends[0][i]) * reach[i];
         const double at_middle = beside * SLACK + UNDERFLOW_ROOM;
         const double error =
             (fabs(slope[i]) * x->error[i] + off + at_middle + UNIT * size[i]) * SLACK +

@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* A buffer of doubles of shape (2, rows, N). */
-static inline int taken(PyObject *from, Py_buffer *to, int flags) {
+static inline int interval_buffer(PyObject *from, Py_buffer *to, int flags) {
     if (PyObject_GetBuffer(from, to, flags | PyBUF_FORMAT) < 0) {
         return -1;
     }

@@ -15,7 +15,7 @@
 #include "_arrays.h"
 #include "_newton.h"
 
-static void take(const double *from, int n, Py_ssize_t N, Py_ssize_t i, box *to) {
+static void load_box(const double *from, int n, Py_ssize_t N, Py_ssize_t i, box *to) {
     for (int end = 0; end < 2; end++) {
         for (int k = 0; k < n; k++) {
             to->ends[end][k] = from[(end * n + k) * N + i];
@@ -23,7 +23,7 @@ static void take(const double *from, int n, Py_ssize_t N, Py_ssize_t i, box *to)
     }
 }
 
-static void take_matrix(const double *from, int n, Py_ssize_t N, Py_ssize_t i, matrix *to) {
+static void load_matrix(const double *from, int n, Py_ssize_t N, Py_ssize_t i, matrix *to) {
     for (int end = 0; end < 2; end++) {
         for (int k = 0; k < n; k++) {
             for (int j = 0; j < n; j++) {
@@ -33,13 +33,13 @@ static void take_matrix(const double *from, int n, Py_ssize_t N, Py_ssize_t i, m
     }
 }
 
-static void take_vector(const double *from, int n, Py_ssize_t N, Py_ssize_t i, double *to) {
+static void load_vector(const double *from, int n, Py_ssize_t N, Py_ssize_t i, double *to) {
     for (int k = 0; k < n; k++) {
         to[k] = from[k * N + i];
     }
 }
 
-static void put(const box *from, int n, Py_ssize_t N, Py_ssize_t i, double *to) {
+static void store_box(const box *from, int n, Py_ssize_t N, Py_ssize_t i, double *to) {
     for (int end = 0; end < 2; end++) {
         for (int k = 0; k < n; k++) {
             to[(end * n + k) * N + i] = from->ends[end][k];
@@ -48,8 +48,8 @@ static void put(const box *from, int n, Py_ssize_t N, Py_ssize_t i, double *to) 
 }
 
 /* Whether buffers are of as many bytes as they should be; releases them if not. */
-static int fit(Py_buffer *given, const Py_ssize_t *sizes, int count, int n) {
-    int good = n >= 1 && n <= MOST;
+static int sizes_fit(Py_buffer *given, const Py_ssize_t *sizes, int count, int n) {
+    int good = n >= 1 && n <= MAX_UNKNOWNS;
     for (int k = 0; k < count; k++) {
         good &= given[k].len == sizes[k];
     }
@@ -70,7 +70,7 @@ static PyObject *newton(PyObject *module, PyObject *arguments) {
     const Py_ssize_t N = of[6].len;
     const Py_ssize_t one = (Py_ssize_t)sizeof(double) * N * n;
     const Py_ssize_t sizes[] = {2 * one, 2 * one * n, one, one, 2 * one, one, N};
-    if (!fit(of, sizes, 7, n)) {
+    if (!sizes_fit(of, sizes, 7, n)) {
         release(of, 7);
         return NULL;
     }
@@ -81,12 +81,12 @@ static PyObject *newton(PyObject *module, PyObject *arguments) {
         vector middle;
         vector reach;
         vector noise;
-        take(of[0].buf, n, N, i, &values);
-        take_matrix(of[1].buf, n, N, i, &slopes);
-        take_vector(of[2].buf, n, N, i, middle);
-        take_vector(of[3].buf, n, N, i, reach);
-        const int none = rows ? solved(n, &slopes, &values, middle, reach, &step, noise) : newton_step(n, &values, &slopes, middle, reach, &step, noise);
-        put(&step, n, N, i, of[4].buf);
+        load_box(of[0].buf, n, N, i, &values);
+        load_matrix(of[1].buf, n, N, i, &slopes);
+        load_vector(of[2].buf, n, N, i, middle);
+        load_vector(of[3].buf, n, N, i, reach);
+        const int none = rows ? preconditioned_step(n, &slopes, &values, middle, reach, &step, noise) : newton_step(n, &values, &slopes, middle, reach, &step, noise);
+        store_box(&step, n, N, i, of[4].buf);
         for (int k = 0; k < n; k++) {
             ((double *)of[5].buf)[k * N + i] = noise[k];
         }
@@ -106,13 +106,13 @@ static PyObject *inverses(PyObject *module, PyObject *arguments) {
     const Py_ssize_t one = (Py_ssize_t)sizeof(double) * n * n;
     const Py_ssize_t N = one > 0 ? of[0].len / one : 0;
     const Py_ssize_t sizes[] = {N * one, N * one};
-    if (!fit(of, sizes, 2, n)) {
+    if (!sizes_fit(of, sizes, 2, n)) {
         release(of, 2);
         return NULL;
     }
     Py_BEGIN_ALLOW_THREADS for (Py_ssize_t i = 0; i < N; i++) {
-        vector m[MOST];
-        vector Y[MOST];
+        vector m[MAX_UNKNOWNS];
+        vector Y[MAX_UNKNOWNS];
         for (int k = 0; k < n; k++) {
             for (int j = 0; j < n; j++) {
                 m[k][j] = ((const double *)of[0].buf)[(k * n + j) * N + i];
@@ -137,5 +137,5 @@ static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_contractors", N
 
 PyMODINIT_FUNC PyInit__contractors(void) {
     PyObject *module = PyModule_Create(&definition);
-    return module != NULL && PyModule_AddIntConstant(module, "MOST", MOST) < 0 ? NULL : module;
+    return module != NULL && PyModule_AddIntConstant(module, "MOST", MAX_UNKNOWNS) < 0 ? NULL : module;
 }

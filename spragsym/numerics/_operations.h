@@ -82,7 +82,7 @@ typedef struct {
     const int32_t *of;
 } operand;
 
-PART double mignitude(double a, double b) { return most(-least(a, b), 0.0); }
+PART double mignitude(double a, double b) { return maximum(-minimum(a, b), 0.0); }
 
 PART void negative(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
@@ -94,14 +94,14 @@ PART void negative(const slot *restrict a, slot *restrict to, int n) {
 PART void absolute(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         to->ends[0][i] = -mignitude(a->ends[0][i], a->ends[1][i]);
-        to->ends[1][i] = most(a->ends[0][i], a->ends[1][i]);
+        to->ends[1][i] = maximum(a->ends[0][i], a->ends[1][i]);
     }
 }
 
 PART void sum(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
-        to->ends[0][i] = raised(a->ends[0][i] + b->ends[0][i], 1.0);
-        to->ends[1][i] = raised(a->ends[1][i] + b->ends[1][i], 1.0);
+        to->ends[0][i] = rounded_up(a->ends[0][i] + b->ends[0][i], 1.0);
+        to->ends[1][i] = rounded_up(a->ends[1][i] + b->ends[1][i], 1.0);
     }
 }
 
@@ -111,8 +111,8 @@ PART double larger(double a, double b) { return b > a ? b : a; }
 /* The hull of the four products or quotients of ends: unknown where one of them is. */
 PART void hull(double same_0, double same_1, double cross_0, double cross_1, slot *restrict to, int i) {
     const int unknown = isunordered(same_0, same_1) | isunordered(cross_0, cross_1);
-    const double low = raised(larger(larger(cross_0, cross_1), larger(-same_0, -same_1)), 1.0);
-    const double high = raised(larger(larger(same_0, same_1), larger(-cross_0, -cross_1)), 1.0);
+    const double low = rounded_up(larger(larger(cross_0, cross_1), larger(-same_0, -same_1)), 1.0);
+    const double high = rounded_up(larger(larger(same_0, same_1), larger(-cross_0, -cross_1)), 1.0);
     to->ends[0][i] = unknown ? NAN : low;
     to->ends[1][i] = unknown ? NAN : high;
 }
@@ -141,7 +141,7 @@ PART void scaled(const slot *restrict a, double factor, slot *restrict to, int n
             }
         } else {
             for (int i = 0; i < n; i++) {
-                into[i] = raised(from[i] * size, 1.0);
+                into[i] = rounded_up(from[i] * size, 1.0);
             }
         }
     }
@@ -173,8 +173,8 @@ PART void quotient(const slot *restrict a, const slot *restrict b, slot *restric
         if (!(b->ends[0][i] < 0.0 || b->ends[1][i] < 0.0)) {
             double ends[2];
             beside_zero(a->ends[0][i], a->ends[1][i], b->ends[0][i], b->ends[1][i], ends);
-            to->ends[0][i] = raised(ends[0], 1.0);
-            to->ends[1][i] = raised(ends[1], 1.0);
+            to->ends[0][i] = rounded_up(ends[0], 1.0);
+            to->ends[1][i] = rounded_up(ends[1], 1.0);
         }
     }
 }
@@ -182,9 +182,9 @@ PART void quotient(const slot *restrict a, const slot *restrict b, slot *restric
 PART void square(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = mignitude(a->ends[0][i], a->ends[1][i]);
-        const double high = most(a->ends[0][i], a->ends[1][i]);
-        to->ends[0][i] = least(raised(-(low * low), 1.0), 0.0);
-        to->ends[1][i] = raised(high * high, 1.0);
+        const double high = maximum(a->ends[0][i], a->ends[1][i]);
+        to->ends[0][i] = minimum(rounded_up(-(low * low), 1.0), 0.0);
+        to->ends[1][i] = rounded_up(high * high, 1.0);
     }
 }
 
@@ -196,7 +196,7 @@ PART void odd_power(const slot *restrict a, int power, slot *restrict to, int n)
             for (int k = 1; k < power; k++) {
                 value *= a->ends[end][i];
             }
-            to->ends[end][i] = raised(value, (double)power);
+            to->ends[end][i] = rounded_up(value, (double)power);
         }
     }
 }
@@ -205,18 +205,18 @@ PART void square_root(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = sqrt(-a->ends[0][i]);
         const double high = a->ends[0][i] > 0.0 ? NAN : sqrt(a->ends[1][i]);
-        to->ends[0][i] = least(raised(-low, 1.0), 0.0);
-        to->ends[1][i] = raised(high, 1.0);
+        to->ends[0][i] = minimum(rounded_up(-low, 1.0), 0.0);
+        to->ends[1][i] = rounded_up(high, 1.0);
     }
 }
 
 /* A lower end beyond the largest number is at least that; of 0 the value is 1, exactly. */
 PART void exponential(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
-        const double low = most(-exp(-a->ends[0][i]), -DBL_MAX);
+        const double low = maximum(-exp(-a->ends[0][i]), -DBL_MAX);
         const double high = exp(a->ends[1][i]);
-        to->ends[0][i] = a->ends[0][i] == 0.0 ? low : least(raised(low, FUNCTION_ULPS), 0.0);
-        to->ends[1][i] = a->ends[1][i] == 0.0 ? high : raised(high, FUNCTION_ULPS);
+        to->ends[0][i] = a->ends[0][i] == 0.0 ? low : minimum(rounded_up(low, FUNCTION_ULPS), 0.0);
+        to->ends[1][i] = a->ends[1][i] == 0.0 ? high : rounded_up(high, FUNCTION_ULPS);
     }
 }
 
@@ -224,8 +224,8 @@ PART void logarithm(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = -log(-a->ends[0][i]);
         const double high = log(a->ends[1][i]);
-        to->ends[0][i] = a->ends[0][i] == 0.0 ? most(low, LEAST) : raised(low, FUNCTION_ULPS);
-        to->ends[1][i] = a->ends[1][i] == 0.0 ? most(high, LEAST) : raised(high, FUNCTION_ULPS);
+        to->ends[0][i] = a->ends[0][i] == 0.0 ? maximum(low, LEAST) : rounded_up(low, FUNCTION_ULPS);
+        to->ends[1][i] = a->ends[1][i] == 0.0 ? maximum(high, LEAST) : rounded_up(high, FUNCTION_ULPS);
     }
 }
 
@@ -235,7 +235,7 @@ PART void growing(
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < n; i++) {
             const double at = a->ends[end][i];
-            to->ends[end][i] = at == 0.0 ? 0.0 : least(raised(function(at), FUNCTION_ULPS), bound);
+            to->ends[end][i] = at == 0.0 ? 0.0 : minimum(rounded_up(function(at), FUNCTION_ULPS), bound);
         }
     }
 }
@@ -261,18 +261,18 @@ PART void wave(
         const double from = low / TURN - peak;
         const double until = high / TURN - peak;
         const int known =
-            most(a->ends[0][i], high) <= LARGEST_ANGLE && isfinite(one) && isfinite(other);
+            maximum(a->ends[0][i], high) <= LARGEST_ANGLE && isfinite(one) && isfinite(other);
         const int top = floor(until + TURN_ERROR) >= ceil(from - TURN_ERROR);
         const int bottom = floor(until + (0.5 + TURN_ERROR)) >= ceil(from + (0.5 - TURN_ERROR));
         to->ends[0][i] =
-            (bottom || !known) ? 1.0 : least(-least(one, other) + TRIGONOMETRIC_ERROR, 1.0);
-        to->ends[1][i] = (top || !known) ? 1.0 : least(most(one, other) + TRIGONOMETRIC_ERROR, 1.0);
+            (bottom || !known) ? 1.0 : minimum(-minimum(one, other) + TRIGONOMETRIC_ERROR, 1.0);
+        to->ends[1][i] = (top || !known) ? 1.0 : minimum(maximum(one, other) + TRIGONOMETRIC_ERROR, 1.0);
     }
 }
 
 PART void not_negative(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
-        to->ends[0][i] = least(a->ends[0][i], 0.0);
+        to->ends[0][i] = minimum(a->ends[0][i], 0.0);
         to->ends[1][i] = a->ends[1][i];
     }
 }
@@ -282,19 +282,19 @@ PART void not_negative(const slot *restrict a, slot *restrict to, int n) {
 PART void component(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double near = mignitude(b->ends[0][i], b->ends[1][i]);
-        const double far = most(b->ends[0][i], b->ends[1][i]);
+        const double far = maximum(b->ends[0][i], b->ends[1][i]);
         for (int end = 0; end < 2; end++) {
             const double at = a->ends[end][i];
             const double other = at > 0.0 ? near : far;
-            const double value = raised(at / sqrt(at * at + other * other), 4.0);
-            const double size = most(fabs(at), other);
+            const double value = rounded_up(at / sqrt(at * at + other * other), 4.0);
+            const double size = maximum(fabs(at), other);
             to->ends[end][i] = (size > 1e-140 && size < 1e150 && value <= 1.0) ? value : 1.0;
         }
     }
 }
 
 /* No angle is larger than π. */
-PART double bounded_by_pi(double end) { return least(raised(end, FUNCTION_ULPS), raised(PI, 1.0)); }
+PART double bounded_by_pi(double end) { return minimum(rounded_up(end, FUNCTION_ULPS), rounded_up(PI, 1.0)); }
 
 /* Of vectors that meet the ray of negative cosines: all, or those with a sine of one sign, whose
  * angle is least in size at the greatest cosine. */
@@ -303,14 +303,14 @@ PART void across_the_ray(int which, double cosine, double low, double high, doub
         to[0] = NAN;
         to[1] = NAN;
     } else if (which == ANY_ANGLE) {
-        to[0] = raised(PI, 1.0);
-        to[1] = raised(PI, 1.0);
+        to[0] = rounded_up(PI, 1.0);
+        to[1] = rounded_up(PI, 1.0);
     } else {
         const double far =
-            most(which == ANGLE_ABOVE ? high : -low, 0.0) + 0.0; /* −0 is on the other side */
-        const double size = -bounded_by_pi(-least(atan2(far, cosine), atan2(0.0, cosine)));
-        to[0] = which == ANGLE_ABOVE ? -size : raised(PI, 1.0);
-        to[1] = which == ANGLE_ABOVE ? raised(PI, 1.0) : -size;
+            maximum(which == ANGLE_ABOVE ? high : -low, 0.0) + 0.0; /* −0 is on the other side */
+        const double size = -bounded_by_pi(-minimum(atan2(far, cosine), atan2(0.0, cosine)));
+        to[0] = which == ANGLE_ABOVE ? -size : rounded_up(PI, 1.0);
+        to[1] = which == ANGLE_ABOVE ? rounded_up(PI, 1.0) : -size;
     }
 }
 
@@ -321,10 +321,10 @@ PART void angle(
         const double x[2] = {-cosine->ends[0][i], cosine->ends[1][i]};
         const double y[2] = {-sine->ends[0][i], sine->ends[1][i]};
         if (x[0] > 0.0 || y[0] > 0.0 || y[1] < 0.0) {
-            const double low = least(least(atan2(y[0], x[0]), atan2(y[1], x[0])),
-                least(atan2(y[0], x[1]), atan2(y[1], x[1])));
-            const double high = most(most(atan2(y[0], x[0]), atan2(y[1], x[0])),
-                most(atan2(y[0], x[1]), atan2(y[1], x[1])));
+            const double low = minimum(minimum(atan2(y[0], x[0]), atan2(y[1], x[0])),
+                minimum(atan2(y[0], x[1]), atan2(y[1], x[1])));
+            const double high = maximum(maximum(atan2(y[0], x[0]), atan2(y[1], x[0])),
+                maximum(atan2(y[0], x[1]), atan2(y[1], x[1])));
             to->ends[0][i] = bounded_by_pi(-low);
             to->ends[1][i] = bounded_by_pi(high);
         } else {

@@ -3,7 +3,7 @@
  * Rounding. IEEE 754 doubles, rounded to nearest, + − × ÷ and √ without contraction: a build that promises less is refused here, and
  * NumPy serves. An end is −low or high, so that both are rounded upward: the exact value lies below the float after r, which is at
  * most r + 2⁻⁵² |r| for normal r, and TINY is added for others; the sum is rounded to nearest, and rounding keeps the order of
- * numbers. NaN bounds nothing: least and most give NaN where either number is NaN, as NumPy's minimum and maximum do. */
+ * numbers. NaN bounds nothing: minimum and maximum give NaN where either number is NaN, as NumPy's minimum and maximum do. */
 #ifndef SPRAGSYM_ROUNDING_H
 #define SPRAGSYM_ROUNDING_H
 
@@ -29,23 +29,23 @@
 #define EPS 0x1p-52
 #define TINY 0x1p-1000
 
-PART double least(double a, double b) {
+PART double minimum(double a, double b) {
     const double known = b < a ? b : a;
     return b != b ? b : known;
 }
 
-PART double most(double a, double b) {
+PART double maximum(double a, double b) {
     const double known = b > a ? b : a;
     return b != b ? b : known;
 }
 
-PART double raised(double end, double ulps) {
+PART double rounded_up(double end, double ulps) {
     return (fabs(end) * (ulps * EPS) + TINY) + end;
 }
 
 /* A float inside of an interval, the nearest to its middle or next to it. */
-PART double middle_of(double low, double high) {
-    return least(most(0.5 * high - 0.5 * low, -low), high);
+PART double midpoint(double low, double high) {
+    return minimum(maximum(0.5 * high - 0.5 * low, -low), high);
 }
 
 #endif

@@ -1,33 +1,36 @@
-/* A look at the boxes of a search by tapes: those that hold no root are dropped, the others judged.
+/* Branch and prune by recorded functions ("tapes"): boxes that hold no root are removed, the others
+ * are proved to hold exactly one, left undecided, contracted or halved.
  *
  * The same tests in the same order, and so the same bits, as boxes.py, systems.py and verdicts.py
- * have by NumPy; which boxes are looked at next is told there.
+ * have with NumPy, which decide what is searched next.
  *
- * plan(…): a capsule, see below.
+ * plan(...): a capsule with the tapes of a system, see `plan` below.
  *
- * kept(plan, given, parameters, margin, boxes, keep): what contraction leaves, and where a root may
- * be.
+ * kept(plan, given, parameters, margin, boxes, keep): writes the contracted boxes, and marks in
+ * `keep` those that may hold a root.
  *
  * decided(plan, given, boxes, parameters, limits, single, spent, sharp, rules, wide, step, left,
- * verdicts, along): what becomes of each box.
+ * verdicts, along): writes the verdict on each box, see BoxVerdict in verdicts.py.
  *
- * rounds(plan, given, parameters, limits, sharp, rules, budget, most): both for the boxes of one
- * point, and for what is left of these, until nothing is or more than so many: how many were looked
- * at, and the bytes of boxes with a root, of where it is, of undecided and of further ones, box by
- * box.
+ * rounds(plan, given, parameters, limits, sharp, rules, budget, most): `kept` and `decided` for the
+ * boxes of one point of the parameters, and again for what these leave, until nothing is left or
+ * more than `most` boxes are. Returns the number of boxes looked at, and as bytes, box by box: boxes
+ * with exactly one root, enclosures of these roots, undecided boxes, and boxes not looked at yet.
  *
  * tubes(tapes, borders, parameters, pivot, inflation, times, z, along, swing, moved, beside, least,
- * room, most, sure): boxes of one state for each value of a pivot, as tubes.py has them.
+ * room, most, sure): boxes that hold exactly one state for each value of a pivot, as tubes.py has
+ * them.
  *
- * corrected(tapes, parameters, pivot, steps, z): Newton's method for the others at a pivot, in place;
- * tangents(tapes, parameters, pivot, z, by_s, by_p): slopes of the others by it and by what else the
- * tape of slopes has columns of. Both by the middles of enclosures at points.
+ * corrected(tapes, parameters, pivot, steps, z): Newton's method for all unknowns but the pivot, in
+ * place. tangents(tapes, parameters, pivot, z, by_s, by_p): derivatives of these unknowns by the
+ * pivot, and by the parameters for which the tape of slopes has further columns. Both evaluate at
+ * points and take midpoints of the enclosures.
  *
  * Arrays of boxes are contiguous doubles of shape (2, n, N) with −low and high first, limits (2,
  * n); parameters of shape (2, P, N) with any strides; keep, single, spent and verdicts bytes, along
  * int64, of shape (N,).
  *
- * Rounding: see _rounding.h. NaN bounds nothing: every comparison by which a box is dropped is
+ * Rounding: see _rounding.h. NaN bounds nothing: every comparison by which a box is removed is
  * false with it. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -40,30 +43,30 @@
 #include "_newton.h"
 #include "_operations.h"
 
-#define MOST_LINES 8
-#define MOST_BORDERS 8
-#define MOST_SIDES 16
-#define MOST_ARCS 64
+#define MAX_LINES 8
+#define MAX_BORDERS 8
+#define MAX_SIDES 16
+#define MAX_ARCS 64
 #define CAPSULE "spragsym search"
 
-/* On which side of a border no state is: beyond it where the contact touches, before it where it is
- * open, or on it as well. */
+/* What a contact requires of its gap: not above 0 where it touches, not below 0 where it is open, and
+ * above 0 where it is open and the border itself belongs to the touching side. */
 enum { TOUCHING,
     OPEN,
     OPEN_AND_OFF,
     KINDS_OF_BORDERS };
 
-/* What a line, as that of a spring, is asked for at its anchor, where its direction is not known:
- * forces by the direction, the direction over the box, and the determinant of slopes times the
- * length for directions on an arc. */
+/* Tapes for boxes near the anchor of a spring, where the direction of its line is not known: the
+ * forces G + M u for a direction u, the direction over the box, and the determinant of the slopes
+ * times the length, for directions on an arc. */
 typedef struct {
     program forces;
     program direction;
     program determinant;
 } line;
 
-/* Tapes of a system of n equations. Those without results are not asked. Contraction is in the
- * first `coordinates` unknowns. */
+/* Tapes of a system of n equations in n unknowns. A tape without results is not evaluated. The
+ * contraction is in the first `coordinates` unknowns. */
 typedef struct {
     PyObject *kept_alive;
     int n;
@@ -76,77 +79,78 @@ typedef struct {
     program anchors;
     program turnings;
     int borders;
-    int kinds[MOST_BORDERS];
-    double rooms[MOST_BORDERS];
+    int kinds[MAX_BORDERS];
+    double rooms[MAX_BORDERS];
     int lines;
-    line at[MOST_LINES];
+    line at[MAX_LINES];
     int arcs;
-    double arc[2][2][MOST_ARCS];
+    double arc[2][2][MAX_ARCS];
     int sides;
-    program on_sides[MOST_SIDES];
+    program on_sides[MAX_SIDES];
     Py_ssize_t slots;
     Py_ssize_t results;
 } plan;
 
-/* Boxes of a block that are still asked about, and room for what tapes give of them. */
+/* The boxes of one block that are still open, and memory for the results of tapes. `of` is the number
+ * of each box in the arrays of the caller. */
 typedef struct {
     int count;
     int32_t of[BLOCK];
-    double ends[2][MOST][BLOCK];
-    double near[2][MOST][BLOCK];
-    double values[2][MOST][BLOCK];
-    vector inverse[BLOCK][MOST];
+    double ends[2][MAX_UNKNOWNS][BLOCK];
+    double near[2][MAX_UNKNOWNS][BLOCK];
+    double values[2][MAX_UNKNOWNS][BLOCK];
+    vector inverse[BLOCK][MAX_UNKNOWNS];
     operand parameters;
     slot *slots;
     double *out;
-} desk;
+} workspace;
 
-/* Boxes on the desk by their places; all of them without a list. */
+/* Some boxes of a workspace: their places there, and their numbers in the arrays of the caller. */
 typedef struct {
     int count;
     int32_t place[BLOCK];
     int32_t of[BLOCK];
-} some;
+} selection;
 
-static operand rows_of(double (*ends)[MOST][BLOCK], int rows, const int32_t *of) {
+static operand rows_of(double (*ends)[MAX_UNKNOWNS][BLOCK], int rows, const int32_t *of) {
     return (operand){(const char *)ends,
-        {sizeof(double) * MOST * BLOCK, sizeof(double) * BLOCK, sizeof(double)}, rows, of};
+        {sizeof(double) * MAX_UNKNOWNS * BLOCK, sizeof(double) * BLOCK, sizeof(double)}, rows, of};
 }
 
-static operand parameters_of(const desk *at, const int32_t *of) {
+static operand parameters_of(const workspace *at, const int32_t *of) {
     operand out = at->parameters;
     out.of = of;
     return out;
 }
 
-/* Row of results for −low or high. */
-static const double *result(const desk *at, const program *tape, int end, int row) {
+/* One row of results of a tape, −low for end 0 and high for end 1. */
+static const double *result(const workspace *at, const program *tape, int end, int row) {
     return at->out + (end * tape->outputs + row) * BLOCK;
 }
 
-static void add(some *to, const desk *at, int i) {
+static void select_box(selection *to, const workspace *at, int i) {
     to->place[to->count] = i;
     to->of[to->count++] = at->of[i];
 }
 
-static void evaluated_at(
-    const plan *by, const program *tape, desk *at, double (*ends)[MOST][BLOCK]) {
+static void evaluate_over(
+    const plan *by, const program *tape, workspace *at, double (*ends)[MAX_UNKNOWNS][BLOCK]) {
     const operand inputs[2] = {rows_of(ends, by->n, NULL), parameters_of(at, at->of)};
     block(tape, inputs, at->slots, at->out, BLOCK, 0, at->count);
 }
 
-static void evaluated(const plan *by, const program *tape, desk *at) {
-    evaluated_at(by, tape, at, at->ends);
+static void evaluate(const plan *by, const program *tape, workspace *at) {
+    evaluate_over(by, tape, at, at->ends);
 }
 
-static void evaluated_of(const plan *by, const program *tape, desk *at, const some *boxes) {
+static void evaluate_selection(const plan *by, const program *tape, workspace *at, const selection *boxes) {
     const operand inputs[2] = {
         rows_of(at->ends, by->n, boxes->place), parameters_of(at, boxes->of)};
     block(tape, inputs, at->slots, at->out, BLOCK, 0, boxes->count);
 }
 
-/* Whether some result is not 0. */
-static int not_zero(const desk *at, const program *tape, int i) {
+/* Whether some result of a tape is bounded away from 0, so that the box holds no root of it. */
+static int excludes_zero(const workspace *at, const program *tape, int i) {
     for (int row = 0; row < tape->outputs; row++) {
         if (result(at, tape, 0, row)[i] < 0.0 || result(at, tape, 1, row)[i] < 0.0) {
             return 1;
@@ -155,7 +159,8 @@ static int not_zero(const desk *at, const program *tape, int i) {
     return 0;
 }
 
-static void dropped(const plan *by, desk *at, const uint8_t *gone) {
+/* Remove marked boxes; the others keep their order. */
+static void remove_boxes(const plan *by, workspace *at, const uint8_t *gone) {
     int left = 0;
     for (int i = 0; i < at->count; i++) {
         if (gone[i]) {
@@ -175,16 +180,16 @@ static void dropped(const plan *by, desk *at, const uint8_t *gone) {
 /* -------------------------------------------------------------------------------------------------
  * contraction */
 
-/* A step of interval Newton with directions of lines that are those over the box: in place. Of some
- * boxes nothing is left. */
-static void contracted(const plan *by, desk *at, uint8_t *gone) {
+/* Contract boxes in place by one interval Newton step with the directions of springs frozen to those
+ * over the box. A box that becomes empty is marked. */
+static void contract(const plan *by, workspace *at, uint8_t *gone) {
     const int n = by->coordinates;
     if (n < 1) {
         return;
     }
     for (int k = 0; k < n; k++) {
         for (int i = 0; i < at->count; i++) {
-            const double middle = middle_of(at->ends[0][k][i], at->ends[1][k][i]);
+            const double middle = midpoint(at->ends[0][k][i], at->ends[1][k][i]);
             at->near[0][k][i] = -middle;
             at->near[1][k][i] = middle;
         }
@@ -214,21 +219,21 @@ static void contracted(const plan *by, desk *at, uint8_t *gone) {
         (void)newton_step(n, &values, &slopes, middle, reach, &step, noise);
         for (int k = 0; k < n; k++) {
             for (int end = 0; end < 2; end++) {
-                at->ends[end][k][i] = least_known(step.ends[end][k], given.ends[end][k]);
+                at->ends[end][k][i] = minimum_of_known(step.ends[end][k], given.ends[end][k]);
             }
             gone[i] |= at->ends[0][k][i] + at->ends[1][k][i] < 0.0;
         }
     }
 }
 
-/* Boxes as they were given where contraction has room left. */
-static void with_room(const plan *by, desk *at, const double *given, Py_ssize_t N, double margin) {
+/* Widen contracted boxes by a margin, but not beyond the boxes that were given. */
+static void add_margin(const plan *by, workspace *at, const double *given, Py_ssize_t N, double margin) {
     for (int k = 0; k < by->n; k++) {
         for (int i = 0; i < at->count; i++) {
             const double before[2] = {given[k * N + at->of[i]], given[(by->n + k) * N + at->of[i]]};
-            const double room = margin * raised(before[0] + before[1], 1.0);
+            const double room = margin * rounded_up(before[0] + before[1], 1.0);
             for (int end = 0; end < 2; end++) {
-                at->ends[end][k][i] = least_known(at->ends[end][k][i] + room, before[end]);
+                at->ends[end][k][i] = minimum_of_known(at->ends[end][k][i] + room, before[end]);
             }
         }
     }
@@ -237,35 +242,36 @@ static void with_room(const plan *by, desk *at, const double *given, Py_ssize_t 
 /* -------------------------------------------------------------------------------------------------
  * boxes without a root */
 
-static void without_zero(const plan *by, desk *at, uint8_t *gone) {
-    evaluated(by, &by->values, at);
+static void mark_without_zero(const plan *by, workspace *at, uint8_t *gone) {
+    evaluate(by, &by->values, at);
     for (int i = 0; i < at->count; i++) {
-        gone[i] |= (uint8_t)not_zero(at, &by->values, i);
+        gone[i] |= (uint8_t)excludes_zero(at, &by->values, i);
     }
 }
 
-static int beyond(int kind, double room, double low, double high) {
+/* Whether the whole gap violates what the contact requires. */
+static int is_beyond(int kind, double room, double low, double high) {
     return kind == TOUCHING ? -low > room : kind == OPEN ? high < -room :
                                                            high <= 0.0;
 }
 
-static void beyond_borders(const plan *by, desk *at, uint8_t *gone) {
+static void mark_beyond_borders(const plan *by, workspace *at, uint8_t *gone) {
     if (by->borders) {
-        evaluated(by, &by->gaps, at);
+        evaluate(by, &by->gaps, at);
     }
     for (int k = 0; k < by->borders; k++) {
         const double *low = result(at, &by->gaps, 0, k);
         const double *high = result(at, &by->gaps, 1, k);
         for (int i = 0; i < at->count; i++) {
-            gone[i] |= (uint8_t)beyond(by->kinds[k], by->rooms[k], low[i], high[i]);
+            gone[i] |= (uint8_t)is_beyond(by->kinds[k], by->rooms[k], low[i], high[i]);
         }
     }
 }
 
-/* Which boxes are no farther from the anchor of each line than their size: of others the direction
- * is known so well that the equations themselves tell. */
-static void near_anchors(const plan *by, desk *at, uint8_t (*near)[BLOCK]) {
-    evaluated(by, &by->anchors, at);
+/* Find the boxes that are no farther from the anchor of each line than their size. In other boxes the
+ * direction varies so little that the equations themselves decide. */
+static void find_near_anchors(const plan *by, workspace *at, uint8_t (*near)[BLOCK]) {
+    evaluate(by, &by->anchors, at);
     for (int k = 0; k < by->lines; k++) {
         for (int i = 0; i < at->count; i++) {
             double sizes[2];
@@ -274,23 +280,23 @@ static void near_anchors(const plan *by, desk *at, uint8_t (*near)[BLOCK]) {
                 const double low = result(at, &by->anchors, 0, 2 * k + j)[i];
                 const double high = result(at, &by->anchors, 1, 2 * k + j)[i];
                 sizes[j] = mignitude(low, high);
-                widths += raised(low + high, 1.0);
+                widths += rounded_up(low + high, 1.0);
             }
             near[k][i] = hypot(sizes[0], sizes[1]) <= widths;
         }
     }
 }
 
-/* Whether G + M u = 0 for no unit vector u of two components, see no_unit_vector in contractors.py:
- * results G and then M. */
-static int no_unit_vector(const desk *at, const program *tape, int n, int i) {
-    double m[MOST][2];
-    vector gram[MOST] = {{0.0}};
-    vector inverted[MOST];
+/* Whether G + M u = 0 holds for no unit vector u of two components, see no_unit_vector in
+ * contractors.py. Results of the tape are G and then M. */
+static int no_unit_vector(const workspace *at, const program *tape, int n, int i) {
+    double m[MAX_UNKNOWNS][2];
+    vector gram[MAX_UNKNOWNS] = {{0.0}};
+    vector inverted[MAX_UNKNOWNS];
     double length[2] = {0.0, 0.0};
     for (int k = 0; k < n; k++) {
         for (int j = 0; j < 2; j++) {
-            m[k][j] = middle_of(
+            m[k][j] = midpoint(
                 result(at, tape, 0, n + 2 * k + j)[i], result(at, tape, 1, n + 2 * k + j)[i]);
         }
         for (int j = 0; j < 2; j++) {
@@ -302,8 +308,8 @@ static int no_unit_vector(const desk *at, const program *tape, int n, int i) {
     inverse(2, gram, inverted);
     for (int j = 0; j < 2; j++) {
         vector P;
-        double low[3][MOST];
-        double high[3][MOST];
+        double low[3][MAX_UNKNOWNS];
+        double high[3][MAX_UNKNOWNS];
         double sizes[2];
         for (int k = 0; k < n; k++) {
             P[k] = inverted[j][0] * m[k][0] + inverted[j][1] * m[k][1];
@@ -317,37 +323,37 @@ static int no_unit_vector(const desk *at, const program *tape, int n, int i) {
             double off[2];
             dot(n, P, low[column], high[column], 1, off, off + 1);
             if (column == j) {
-                off[0] = raised(off[0] + 1.0, 1.0);
-                off[1] = raised(off[1] - 1.0, 1.0);
+                off[0] = rounded_up(off[0] + 1.0, 1.0);
+                off[1] = rounded_up(off[1] - 1.0, 1.0);
             }
-            sizes[column] = most(off[0], off[1]);
+            sizes[column] = maximum(off[0], off[1]);
         }
         const double slack = (sizes[0] + sizes[1]) * (1 + 4 * EPS);
         double u[2];
         dot(n, P, low[2], high[2], 1, u, u + 1);
-        u[0] = raised(u[0] + slack, 1.0);
-        u[1] = raised(u[1] + slack, 1.0);
+        u[0] = rounded_up(u[0] + slack, 1.0);
+        u[1] = rounded_up(u[1] + slack, 1.0);
         const double near = mignitude(u[0], u[1]);
-        const double far = most(u[0], u[1]);
-        length[0] += least(raised(-(near * near), 1.0), 0.0);
-        length[1] += raised(far * far, 1.0);
+        const double far = maximum(u[0], u[1]);
+        length[0] += minimum(rounded_up(-(near * near), 1.0), 0.0);
+        length[1] += rounded_up(far * far, 1.0);
     }
-    return -raised(length[0], 1.0) > 1.0 || raised(length[1], 1.0) < 1.0;
+    return -rounded_up(length[0], 1.0) > 1.0 || rounded_up(length[1], 1.0) < 1.0;
 }
 
-/* Boxes at an anchor where no direction of the line balances the forces. */
-static void without_direction(
-    const plan *by, desk *at, const uint8_t (*near)[BLOCK], uint8_t *gone) {
+/* Mark boxes at an anchor in which no direction of the line balances the forces. */
+static void mark_without_direction(
+    const plan *by, workspace *at, const uint8_t (*near)[BLOCK], uint8_t *gone) {
     for (int k = 0; k < by->lines; k++) {
         const program *tape = &by->at[k].forces;
-        some boxes = {.count = 0};
+        selection boxes = {.count = 0};
         for (int i = 0; tape->outputs && i < at->count; i++) {
             if (near[k][i] && !gone[i]) {
-                add(&boxes, at, i);
+                select_box(&boxes, at, i);
             }
         }
         if (boxes.count) {
-            evaluated_of(by, tape, at, &boxes);
+            evaluate_selection(by, tape, at, &boxes);
         }
         for (int i = 0; i < boxes.count; i++) {
             gone[boxes.place[i]] = (uint8_t)no_unit_vector(at, tape, (int)tape->outputs / 3, i);
@@ -355,25 +361,25 @@ static void without_direction(
     }
 }
 
-/* For pairs of boxes and arcs: a box in which the determinant may be 0 for a direction on the arc
- * is not regular. */
-static void asked_arcs(const plan *by, const program *tape, desk *at, some *pairs,
+/* Test pairs of boxes and arcs: a box whose determinant may be 0 for a direction on the arc is not
+ * regular. */
+static void test_arcs(const plan *by, const program *tape, workspace *at, selection *pairs,
     const int32_t *arcs, uint8_t *regular) {
     const operand inputs[3] = {rows_of(at->ends, by->n, pairs->place),
         {(const char *)by->arc, {sizeof by->arc[0], sizeof by->arc[0][0], sizeof(double)}, 2, arcs},
         parameters_of(at, pairs->of)};
     block(tape, inputs, at->slots, at->out, BLOCK, 0, pairs->count);
     for (int i = 0; i < pairs->count; i++) {
-        regular[pairs->place[i]] &= (uint8_t)not_zero(at, tape, i);
+        regular[pairs->place[i]] &= (uint8_t)excludes_zero(at, tape, i);
     }
     pairs->count = 0;
 }
 
-/* Boxes of which no direction of a line on some arcs, every eighth or the others, makes the
- * determinant 0. */
-static void regular_along(const plan *by, int number, desk *at, const some *boxes,
+/* Test each box with the arcs on which the direction of a line may lie, either every eighth arc or
+ * the other ones. Every eighth comes first: most boxes that are not regular fail there. */
+static void test_directions(const plan *by, int number, workspace *at, const selection *boxes,
     const double (*known)[2][BLOCK], int eighth, uint8_t *regular) {
-    some pairs = {.count = 0};
+    selection pairs = {.count = 0};
     int32_t arcs[BLOCK];
     for (int arc = 0; arc < by->arcs; arc++) {
         for (int i = 0; (arc % 8 == 0) == eighth && i < boxes->count; i++) {
@@ -385,74 +391,74 @@ static void regular_along(const plan *by, int number, desk *at, const some *boxe
             }
             if (possible) {
                 arcs[pairs.count] = arc;
-                add(&pairs, at, boxes->place[i]);
+                select_box(&pairs, at, boxes->place[i]);
             }
             if (pairs.count == BLOCK) {
-                asked_arcs(by, &by->at[number].determinant, at, &pairs, arcs, regular);
+                test_arcs(by, &by->at[number].determinant, at, &pairs, arcs, regular);
             }
         }
     }
     if (pairs.count) {
-        asked_arcs(by, &by->at[number].determinant, at, &pairs, arcs, regular);
+        test_arcs(by, &by->at[number].determinant, at, &pairs, arcs, regular);
     }
 }
 
-/* Boxes at an anchor where the determinant is not 0, whatever the direction of the line is. */
-static void regular_at_anchors(
-    const plan *by, desk *at, const uint8_t (*near)[BLOCK], uint8_t *gone) {
+/* Mark boxes at an anchor whose determinant is not 0 for any direction of the line. */
+static void mark_regular_at_anchors(
+    const plan *by, workspace *at, const uint8_t (*near)[BLOCK], uint8_t *gone) {
     for (int k = 0; k < by->lines; k++) {
         const program *tape = &by->at[k].direction;
         double known[2][2][BLOCK];
-        some boxes = {.count = 0};
+        selection boxes = {.count = 0};
         uint8_t regular[BLOCK];
         for (int i = 0; by->at[k].determinant.outputs && i < at->count; i++) {
             regular[i] = 1;
             if (near[k][i] && !gone[i]) {
-                add(&boxes, at, i);
+                select_box(&boxes, at, i);
             }
         }
         if (!boxes.count) {
             continue;
         }
-        evaluated_of(by, tape, at, &boxes);
+        evaluate_selection(by, tape, at, &boxes);
         for (int end = 0; end < 2; end++) {
             for (int j = 0; j < 2; j++) {
                 memcpy(known[end][j], result(at, tape, end, j), sizeof known[end][j]);
             }
         }
-        regular_along(by, k, at, &boxes, known, 1, regular);
-        regular_along(by, k, at, &boxes, known, 0, regular);
+        test_directions(by, k, at, &boxes, known, 1, regular);
+        test_directions(by, k, at, &boxes, known, 0, regular);
         for (int i = 0; i < boxes.count; i++) {
             gone[boxes.place[i]] = regular[boxes.place[i]];
         }
     }
 }
 
-/* Boxes that meet the ray on which the angle of a torsion spring jumps, and hold no root on any
- * side of it. */
-static void without_sides(const plan *by, desk *at, uint8_t *gone) {
+/* Mark boxes that meet the ray on which the angle of a torsion spring jumps, and hold no root with
+ * the angle of either side. */
+static void mark_without_sides(const plan *by, workspace *at, uint8_t *gone) {
     const program *tape = &by->turnings;
-    some boxes = {.count = 0};
+    selection boxes = {.count = 0};
     if (!tape->outputs) {
         return;
     }
-    evaluated(by, tape, at);
+    evaluate(by, tape, at);
     for (int i = 0; i < at->count; i++) {
         int jumps = 0;
         for (int row = 0; row < tape->outputs; row++) {
             jumps |= isnan(result(at, tape, 0, row)[i]) != 0;
         }
         if (jumps && !gone[i]) {
-            add(&boxes, at, i);
+            select_box(&boxes, at, i);
         }
     }
     for (int side = 0; side < by->sides && boxes.count; side++) {
-        evaluated_of(by, by->on_sides + side, at, &boxes);
+        evaluate_selection(by, by->on_sides + side, at, &boxes);
         const int asked = boxes.count;
         boxes.count = 0;
         for (int i = 0; i < asked; i++) {
-            if (not_zero(at, by->on_sides + side, i)) {
-                add(&boxes, at, boxes.place[i]);
+            if (excludes_zero(at, by->on_sides + side, i)) {
+                select_box(&boxes, at, boxes.place[i]);
             }
         }
     }
@@ -461,36 +467,38 @@ static void without_sides(const plan *by, desk *at, uint8_t *gone) {
     }
 }
 
-static void hopeless(const plan *by, desk *at, uint8_t *gone) {
-    beyond_borders(by, at, gone);
+/* Mark boxes without a state of the contact combination. */
+static void mark_without_state(const plan *by, workspace *at, uint8_t *gone) {
+    mark_beyond_borders(by, at, gone);
     if (by->lines) {
-        uint8_t near[MOST_LINES][BLOCK];
-        near_anchors(by, at, near);
-        without_direction(by, at, near, gone);
-        regular_at_anchors(by, at, near, gone);
+        uint8_t near[MAX_LINES][BLOCK];
+        find_near_anchors(by, at, near);
+        mark_without_direction(by, at, near, gone);
+        mark_regular_at_anchors(by, at, near, gone);
     }
-    without_sides(by, at, gone);
+    mark_without_sides(by, at, gone);
 }
 
-static void kept_block(const plan *by, desk *at, const double *given, Py_ssize_t N, double margin,
+/* `kept` for one block. */
+static void contract_block(const plan *by, workspace *at, const double *given, Py_ssize_t N, double margin,
     double *boxes, uint8_t *keep) {
     uint8_t gone[BLOCK] = {0};
     if (by->contraction.operations) {
-        contracted(by, at, gone);
+        contract(by, at, gone);
     }
-    with_room(by, at, given, N, margin);
+    add_margin(by, at, given, N, margin);
     for (int end = 0; end < 2; end++) {
         for (int k = 0; k < by->n; k++) {
             memcpy(boxes + (end * by->n + k) * N + at->of[0], at->ends[end][k],
                 (size_t)at->count * sizeof(double));
         }
     }
-    without_zero(by, at, gone);
-    dropped(by, at, gone);
+    mark_without_zero(by, at, gone);
+    remove_boxes(by, at, gone);
     if (at->count) {
         memset(gone, 0, sizeof gone);
-        hopeless(by, at, gone);
-        dropped(by, at, gone);
+        mark_without_state(by, at, gone);
+        remove_boxes(by, at, gone);
     }
     for (int i = 0; i < at->count; i++) {
         keep[at->of[i]] = 1;
@@ -500,6 +508,7 @@ static void kept_block(const plan *by, desk *at, const double *given, Py_ssize_t
 /* -------------------------------------------------------------------------------------------------
  * verdicts */
 
+/* Arguments and results of `decided`. */
 typedef struct {
     const double *given;
     const double *boxes;
@@ -515,36 +524,37 @@ typedef struct {
     int64_t *along;
 } judgement;
 
-/* Boxes with room around, so that a root on the border of a box lies well inside, or by rounding
- * beside it; and their middles. */
-static void widened(const plan *by, desk *at, const judgement *of, Py_ssize_t N) {
+/* Widen boxes, so that a root on the border of a box, or beside it by rounding, lies well inside;
+ * their midpoints go to `near`. */
+static void widen(const plan *by, workspace *at, const judgement *of, Py_ssize_t N) {
     const int n = by->n;
     for (int k = 0; k < n; k++) {
         for (int i = 0; i < at->count; i++) {
             const Py_ssize_t place = k * N + at->of[i];
             const double ends[2] = {of->boxes[place], of->boxes[n * N + place]};
-            const double room = of->by.margin * raised(ends[0] + ends[1], 1.0) +
+            const double room = of->by.margin * rounded_up(ends[0] + ends[1], 1.0) +
                 of->by.finest * scale_of(ends[0], ends[1]);
-            const double middle = middle_of(ends[0], ends[1]);
+            const double middle = midpoint(ends[0], ends[1]);
             at->near[0][k][i] = -middle;
             at->near[1][k][i] = middle;
             for (int end = 0; end < 2; end++) {
-                at->ends[end][k][i] = least(ends[end] + room, of->limits[end * n + k]);
+                at->ends[end][k][i] = minimum(ends[end] + room, of->limits[end * n + k]);
             }
         }
     }
 }
 
-static void decided_block(const plan *by, desk *at, const judgement *of, Py_ssize_t N) {
+/* `decided` for one block. */
+static void judge_block(const plan *by, workspace *at, const judgement *of, Py_ssize_t N) {
     const int n = by->n;
-    widened(by, at, of, N);
-    evaluated_at(by, &by->values, at, at->near);
+    widen(by, at, of, N);
+    evaluate_over(by, &by->values, at, at->near);
     for (int end = 0; end < 2; end++) {
         for (int k = 0; k < n; k++) {
             memcpy(at->values[end][k], result(at, &by->values, end, k), sizeof at->values[end][k]);
         }
     }
-    evaluated(by, &by->slopes, at);
+    evaluate(by, &by->slopes, at);
     for (int i = 0; i < at->count; i++) {
         const Py_ssize_t place = at->of[i];
         box values, given, boxes, wide, step;
@@ -566,7 +576,7 @@ static void decided_block(const plan *by, desk *at, const judgement *of, Py_ssiz
         }
         of->along[place] = 0;
         of->verdicts[place] =
-            (int8_t)judged_box(n, &of->by, of->sharp, of->single[place], of->spent[place], &values,
+            (int8_t)judge_box(n, &of->by, of->sharp, of->single[place], of->spent[place], &values,
                 &slopes, middle, &given, &boxes, &wide, &step, &now, of->along + place);
         for (int k = 0; k < n; k++) {
             for (int end = 0; end < 2; end++) {
@@ -582,9 +592,9 @@ static void decided_block(const plan *by, desk *at, const judgement *of, Py_ssiz
 /* -------------------------------------------------------------------------------------------------
  * rounds */
 
-/* The next boxes of N, from number `begin` on. */
-static void laid_out(
-    const plan *by, desk *at, const double *given, Py_ssize_t N, Py_ssize_t begin) {
+/* Load a block of boxes, from number `begin` of N on. */
+static void load_boxes(
+    const plan *by, workspace *at, const double *given, Py_ssize_t N, Py_ssize_t begin) {
     at->count = (int)(N - begin < BLOCK ? N - begin : BLOCK);
     for (int i = 0; i < at->count; i++) {
         at->of[i] = (int32_t)(begin + i);
@@ -597,23 +607,24 @@ static void laid_out(
     }
 }
 
-/* Boxes one after the other, of 2 n doubles each. */
+/* A list of boxes that grows, of 2 n doubles each. */
 typedef struct {
     double *boxes;
     Py_ssize_t count;
     Py_ssize_t room;
-} pile;
+} box_list;
 
-/* What is made of the boxes of a search. */
+/* Results of a search: boxes with one root, enclosures of these roots, undecided boxes, and boxes
+ * that are searched further. */
 typedef struct {
-    pile unique;
-    pile where;
-    pile undecided;
-    pile further;
+    box_list unique;
+    box_list where;
+    box_list undecided;
+    box_list further;
 } outcome;
 
-/* Room for one more box, NULL where there is no memory. */
-static double *one_more(pile *to, int n) {
+/* The place of one more box; NULL without memory. */
+static double *append_slot(box_list *to, int n) {
     if (to->count == to->room) {
         const Py_ssize_t room = to->room ? 2 * to->room : 64;
         double *boxes = PyMem_RawRealloc(to->boxes, (size_t)room * 2 * (size_t)n * sizeof(double));
@@ -626,53 +637,53 @@ static double *one_more(pile *to, int n) {
     return to->boxes + 2 * n * to->count++;
 }
 
-/* Box j of M in an array of boxes, put on a pile. */
-static double *piled(pile *to, int n, const double *from, Py_ssize_t M, Py_ssize_t j) {
-    double *box = one_more(to, n);
+/* Append box j of M in an array of boxes to a list; NULL without memory. */
+static double *append_box(box_list *to, int n, const double *from, Py_ssize_t M, Py_ssize_t j) {
+    double *box = append_slot(to, n);
     for (int k = 0; box != NULL && k < 2 * n; k++) {
         box[k] = from[k * M + j];
     }
     return box;
 }
 
-/* One half of a box, cut not in the middle, where symmetric systems have their roots. */
-static int half_piled(pile *to, const judgement *of, int n, Py_ssize_t M, Py_ssize_t j, int upper) {
-    double *box = piled(to, n, of->left, M, j);
+/* Append one half of a box. It is not cut in the middle, where symmetric systems have their roots. */
+static int append_half(box_list *to, const judgement *of, int n, Py_ssize_t M, Py_ssize_t j, int upper) {
+    double *box = append_box(to, n, of->left, M, j);
     if (box == NULL) {
         return 0;
     }
     const Py_ssize_t along = of->along[j];
     const double low = -box[along];
     const double high = box[n + along];
-    const double cut = least(most(low + 0.4921875 * (high - low), low), high);
+    const double cut = minimum(maximum(low + 0.4921875 * (high - low), low), high);
     box[upper ? along : n + along] = upper ? -cut : cut;
     return 1;
 }
 
-/* What becomes of M judged boxes: those that are much narrower as they are, then lower and then
- * upper halves. */
-static int sorted_out(const judgement *of, int n, Py_ssize_t M, outcome *to) {
+/* Distribute M judged boxes to the lists. Boxes to search further: those that became much narrower,
+ * then all lower halves, then all upper halves. 0 without memory. */
+static int distribute(const judgement *of, int n, Py_ssize_t M, outcome *to) {
     int whole = 1;
     for (Py_ssize_t j = 0; j < M && whole; j++) {
         if (of->verdicts[j] == PROVED) {
-            whole = piled(&to->unique, n, of->wide, M, j) != NULL &&
-                piled(&to->where, n, of->step, M, j) != NULL;
+            whole = append_box(&to->unique, n, of->wide, M, j) != NULL &&
+                append_box(&to->where, n, of->step, M, j) != NULL;
         } else if (of->verdicts[j] == UNDECIDED) {
-            whole = piled(&to->undecided, n, of->left, M, j) != NULL;
+            whole = append_box(&to->undecided, n, of->left, M, j) != NULL;
         } else if (of->verdicts[j] == AGAIN) {
-            whole = piled(&to->further, n, of->left, M, j) != NULL;
+            whole = append_box(&to->further, n, of->left, M, j) != NULL;
         }
     }
     for (int upper = 0; upper < 2; upper++) {
         for (Py_ssize_t j = 0; j < M && whole; j++) {
-            whole = of->verdicts[j] != HALVED || half_piled(&to->further, of, n, M, j, upper);
+            whole = of->verdicts[j] != HALVED || append_half(&to->further, of, n, M, j, upper);
         }
     }
     return whole;
 }
 
-/* A look at N boxes; 0 where there is no memory. */
-static int one_round(const plan *by, desk *at, judgement *of, int spent, const double *given,
+/* One round of the search: N boxes are contracted, judged and distributed; 0 without memory. */
+static int search_round(const plan *by, workspace *at, judgement *of, int spent, const double *given,
     Py_ssize_t N, outcome *to) {
     const int rows = 2 * by->n;
     const Py_ssize_t size = rows * N;
@@ -689,8 +700,8 @@ static int one_round(const plan *by, desk *at, judgement *of, int spent, const d
     uint8_t *const keep = (uint8_t *)(void *)(of->along + N);
     memset(keep, 0, (size_t)N);
     for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
-        laid_out(by, at, given, N, begin);
-        kept_block(by, at, given, N, of->by.margin, parts[0], keep);
+        load_boxes(by, at, given, N, begin);
+        contract_block(by, at, given, N, of->by.margin, parts[0], keep);
     }
     Py_ssize_t M = 0;
     for (Py_ssize_t i = 0; i < N; i++) {
@@ -716,17 +727,17 @@ static int one_round(const plan *by, desk *at, judgement *of, int spent, const d
     of->spent = keep + 2 * N;
     of->verdicts = (int8_t *)(keep + 3 * N);
     for (Py_ssize_t begin = 0; begin < M; begin += BLOCK) {
-        laid_out(by, at, of->boxes, M, begin);
-        decided_block(by, at, of, M);
+        load_boxes(by, at, of->boxes, M, begin);
+        judge_block(by, at, of, M);
     }
-    const int whole = sorted_out(of, by->n, M, to);
+    const int whole = distribute(of, by->n, M, to);
     PyMem_RawFree(room);
     return whole;
 }
 
-/* Rounds until no box is left or more than `limit`; how many boxes were looked at, −1 where there
- * is no memory. */
-static Py_ssize_t all_rounds(const plan *by, desk *at, judgement *of, Py_ssize_t budget,
+/* Rounds until no box is left or more than `limit` are; returns how many boxes were looked at, −1
+ * without memory. */
+static Py_ssize_t search_rounds(const plan *by, workspace *at, judgement *of, Py_ssize_t budget,
     Py_ssize_t limit, outcome *to) {
     const int rows = 2 * by->n;
     Py_ssize_t looks = 0;
@@ -743,7 +754,7 @@ static Py_ssize_t all_rounds(const plan *by, desk *at, judgement *of, Py_ssize_t
         }
         to->further.count = 0;
         looks += N;
-        const int whole = one_round(by, at, of, looks > budget, given, N, to);
+        const int whole = search_round(by, at, of, looks > budget, given, N, to);
         PyMem_RawFree(given);
         if (!whole) {
             return -1;
@@ -755,7 +766,8 @@ static Py_ssize_t all_rounds(const plan *by, desk *at, judgement *of, Py_ssize_t
 /* -------------------------------------------------------------------------------------------------
  * tubes */
 
-/* Tubes of N points: n equations in n + 1 unknowns, of which one is the pivot. */
+/* Arguments and results of `tubes` for N points: n equations in n + 1 unknowns, of which one is the
+ * pivot. */
 typedef struct {
     plan by;
     int pivot;
@@ -767,20 +779,21 @@ typedef struct {
     const double *swing;
     const double *moved;
     const double *beside;
-    const double *least;
+    const double *smallest_reach;
     double *room;
-    double *most;
+    double *reached;
     uint8_t *sure;
 } tube;
 
-/* Whether a gap is on the side asked for, or on the border. */
+/* Whether the whole gap satisfies what the contact requires. */
 static int on_side(int kind, double room, double low, double high) {
     return kind == TOUCHING ? high <= room : kind == OPEN ? low >= -room :
                                                             low > 0.0;
 }
 
-/* What is left of forces along a tube: row i of slopes times the way, and that as far as it goes. */
-static void left_along(const tube *of, const desk *at, int i, int a, Py_ssize_t c, const double (*forces)[MOST][BLOCK],
+/* Enclose residual i along a tube: the residual at its centre, and the slopes times the direction of
+ * the tube over the length that it has. */
+static void residual_along(const tube *of, const workspace *at, int i, int a, Py_ssize_t c, const double (*forces)[MAX_UNKNOWNS][BLOCK],
     double *to) {
     const int size = of->by.n;
     double total[2] = {0.0, 0.0};
@@ -791,25 +804,25 @@ static void left_along(const tube *of, const desk *at, int i, int a, Py_ssize_t 
         }
         const double low = result(at, &of->by.slopes, 0, i * size + j)[a];
         const double high = result(at, &of->by.slopes, 1, i * size + j)[a];
-        total[0] = raised(total[0] + raised(most(low * factor, -(high * factor)), 1.0), 1.0);
-        total[1] = raised(total[1] + raised(most(high * factor, -(low * factor)), 1.0), 1.0);
+        total[0] = rounded_up(total[0] + rounded_up(maximum(low * factor, -(high * factor)), 1.0), 1.0);
+        total[1] = rounded_up(total[1] + rounded_up(maximum(high * factor, -(low * factor)), 1.0), 1.0);
     }
     const double moved = of->moved[c];
-    const double size_of = raised(most(most(total[0] * moved, total[1] * moved), -least(total[0] * moved, total[1] * moved)), 1.0);
+    const double size_of = rounded_up(maximum(maximum(total[0] * moved, total[1] * moved), -minimum(total[0] * moved, total[1] * moved)), 1.0);
     for (int end = 0; end < 2; end++) {
-        to[end] = raised(forces[end][i][c % BLOCK] + size_of, 1.0);
+        to[end] = rounded_up(forces[end][i][c % BLOCK] + size_of, 1.0);
     }
 }
 
-/* Some widths of the boxes about the tubes of a block, each larger than the one before, until one
- * is proved. */
-static void tubes_of_block(const tube *of, desk *at, Py_ssize_t begin) {
+/* Try wider and wider boxes about the tubes of a block, until interval Newton proves each to hold one
+ * state. */
+static void enclose_block(const tube *of, workspace *at, Py_ssize_t begin) {
     const plan *by = &of->by;
     const int size = by->n;
     const int n = size - 1;
     const Py_ssize_t N = of->N;
-    double (*forces)[MOST][BLOCK] = at->values;
-    double reach[MOST][BLOCK];
+    double(*forces)[MAX_UNKNOWNS][BLOCK] = at->values;
+    double reach[MAX_UNKNOWNS][BLOCK];
     at->count = (int)(N - begin < BLOCK ? N - begin : BLOCK);
     for (int i = 0; i < at->count; i++) {
         at->of[i] = (int32_t)(begin + i);
@@ -818,17 +831,17 @@ static void tubes_of_block(const tube *of, desk *at, Py_ssize_t begin) {
             at->ends[1][k][i] = of->z[k * N + begin + i];
         }
         for (int k = 0; k < n; k++) {
-            reach[k][i] = of->least[k * N + begin + i];
+            reach[k][i] = of->smallest_reach[k * N + begin + i];
         }
     }
-    evaluated(by, &by->values, at);
+    evaluate(by, &by->values, at);
     for (int end = 0; end < 2; end++) {
         for (int k = 0; k < n; k++) {
             memcpy(forces[end][k], result(at, &by->values, end, k), (size_t)at->count * sizeof(double));
         }
     }
     for (int time = 0; time < of->times && at->count; time++) {
-        some proved = {0};
+        selection proved = {0};
         int left = 0;
         int32_t further[BLOCK];
         for (int a = 0; a < at->count; a++) {
@@ -836,7 +849,7 @@ static void tubes_of_block(const tube *of, desk *at, Py_ssize_t begin) {
             for (int k = 0; k < size; k++) {
                 const double own = of->beside[k * N + c];
                 const int row = k - (k > of->pivot);
-                const double alone = k == of->pivot ? own : most(reach[row][c - begin], own);
+                const double alone = k == of->pivot ? own : maximum(reach[row][c - begin], own);
                 const double middle = of->z[k * N + c];
                 const double held = of->swing[k * N + c] + alone;
                 const double size_here = fabs(middle) + held;
@@ -846,7 +859,7 @@ static void tubes_of_block(const tube *of, desk *at, Py_ssize_t begin) {
                 at->ends[1][k][a] = middle + wide;
             }
         }
-        evaluated(by, &by->slopes, at);
+        evaluate(by, &by->slopes, at);
         for (int a = 0; a < at->count; a++) {
             const Py_ssize_t c = at->of[a];
             matrix slopes;
@@ -859,7 +872,7 @@ static void tubes_of_block(const tube *of, desk *at, Py_ssize_t begin) {
             int inside = 1;
             for (int i = 0; i < n; i++) {
                 double ends[2];
-                left_along(of, at, i, a, c, (const double (*)[MOST][BLOCK])forces, ends);
+                residual_along(of, at, i, a, c, (const double(*)[MAX_UNKNOWNS][BLOCK])forces, ends);
                 room[i] = reach[i][c - begin];
                 for (int end = 0; end < 2; end++) {
                     values.ends[end][i] = ends[end];
@@ -879,19 +892,19 @@ static void tubes_of_block(const tube *of, desk *at, Py_ssize_t begin) {
                     of->room[k * N + c] = at->near[0][k][a];
                 }
                 for (int i = 0; i < n; i++) {
-                    of->most[i * N + c] = most(step.ends[0][i], step.ends[1][i]);
+                    of->reached[i * N + c] = maximum(step.ends[0][i], step.ends[1][i]);
                 }
-                add(&proved, at, a);
+                select_box(&proved, at, a);
             } else if (known) {
                 for (int i = 0; i < n; i++) {
                     reach[i][c - begin] =
-                        of->more * most(room[i], most(fabs(step.ends[0][i]), fabs(step.ends[1][i])));
+                        of->more * maximum(room[i], maximum(fabs(step.ends[0][i]), fabs(step.ends[1][i])));
                 }
                 further[left++] = at->of[a];
             }
         }
         if (by->borders && proved.count) {
-            evaluated_of(by, &by->gaps, at, &proved);
+            evaluate_selection(by, &by->gaps, at, &proved);
         }
         for (int i = 0; i < proved.count; i++) {
             int sure = 1;
@@ -906,46 +919,47 @@ static void tubes_of_block(const tube *of, desk *at, Py_ssize_t begin) {
     }
 }
 
-/* A point on the desk, in a block that begins with number `begin` of N. */
-static void at_point(const plan *by, desk *at, int i, const double *z, Py_ssize_t N) {
+/* Load a point as a box of width 0. */
+static void load_point(const plan *by, workspace *at, int i, const double *z, Py_ssize_t N) {
     for (int k = 0; k < by->n; k++) {
         at->ends[0][k][i] = -z[k * N + at->of[i]];
         at->ends[1][k][i] = z[k * N + at->of[i]];
     }
 }
 
-static double middle_result(const desk *at, const program *tape, int row, int i) {
-    return middle_of(result(at, tape, 0, row)[i], result(at, tape, 1, row)[i]);
+static double result_midpoint(const workspace *at, const program *tape, int row, int i) {
+    return midpoint(result(at, tape, 0, row)[i], result(at, tape, 1, row)[i]);
 }
 
-/* The inverse of slopes by all unknowns but the pivot, of which the tape has been evaluated. */
-static void inverse_of_slopes(const plan *by, int pivot, const desk *at, int i, vector *to) {
+/* The inverse of the slopes by all unknowns but the pivot; their tape has been evaluated. */
+static void invert_slopes(const plan *by, int pivot, const workspace *at, int i, vector *to) {
     const int n = by->n - 1;
     const int columns = (int)by->slopes.outputs / n;
-    vector slopes[MOST];
+    vector slopes[MAX_UNKNOWNS];
     for (int row = 0; row < n; row++) {
         for (int j = 0; j < n; j++) {
-            slopes[row][j] = middle_result(at, &by->slopes, row * columns + j + (j >= pivot), i);
+            slopes[row][j] = result_midpoint(at, &by->slopes, row * columns + j + (j >= pivot), i);
         }
     }
     inverse(n, slopes, to);
 }
 
-/* Steps of Newton's method, slopes renewed every other one, until each point stands still. */
-static void corrected_block(
-    const plan *by, int pivot, int steps, desk *at, double *z, Py_ssize_t N, Py_ssize_t begin) {
+/* Newton's method for a block of points, with new slopes at every second step, until steps are as
+ * small as rounding. */
+static void correct_block(
+    const plan *by, int pivot, int steps, workspace *at, double *z, Py_ssize_t N, Py_ssize_t begin) {
     const int n = by->n - 1;
     for (int step = 0; step < steps && at->count; step++) {
         for (int i = 0; i < at->count; i++) {
-            at_point(by, at, i, z, N);
+            load_point(by, at, i, z, N);
         }
         if (step % 2 == 0) {
-            evaluated(by, &by->slopes, at);
+            evaluate(by, &by->slopes, at);
             for (int i = 0; i < at->count; i++) {
-                inverse_of_slopes(by, pivot, at, i, at->inverse[at->of[i] - begin]);
+                invert_slopes(by, pivot, at, i, at->inverse[at->of[i] - begin]);
             }
         }
-        evaluated(by, &by->values, at);
+        evaluate(by, &by->values, at);
         int left = 0;
         for (int i = 0; i < at->count; i++) {
             vector *Y = at->inverse[at->of[i] - begin];
@@ -954,7 +968,7 @@ static void corrected_block(
                 double *to = z + (k + (k >= pivot)) * N + at->of[i];
                 double way = 0.0;
                 for (int j = 0; j < n; j++) {
-                    way += Y[k][j] * middle_result(at, &by->values, j, i);
+                    way += Y[k][j] * result_midpoint(at, &by->values, j, i);
                 }
                 *to -= isfinite(way) ? way : 0.0;
                 still &= !(fabs(way) >= 1e-13 * (1.0 + fabs(*to)));
@@ -967,26 +981,27 @@ static void corrected_block(
     }
 }
 
-static void tangents_block(const plan *by, int pivot, desk *at, const double *z, double *by_s,
+/* `tangents` for one block. */
+static void differentiate_block(const plan *by, int pivot, workspace *at, const double *z, double *by_s,
     double *by_p, Py_ssize_t N) {
     const int size = by->n;
     const int n = size - 1;
     const int columns = (int)by->slopes.outputs / n;
     const int more = columns - size;
     for (int i = 0; i < at->count; i++) {
-        at_point(by, at, i, z, N);
+        load_point(by, at, i, z, N);
     }
-    evaluated(by, &by->slopes, at);
+    evaluate(by, &by->slopes, at);
     for (int i = 0; i < at->count; i++) {
-        vector Y[MOST];
-        inverse_of_slopes(by, pivot, at, i, Y);
+        vector Y[MAX_UNKNOWNS];
+        invert_slopes(by, pivot, at, i, Y);
         for (int column = -1; column < more; column++) {
             const int moved = column < 0 ? pivot : size + column;
             for (int k = 0; k < size; k++) {
                 const int row = k - (k > pivot);
                 double total = 0.0;
                 for (int j = 0; k != pivot && j < n; j++) {
-                    total += Y[row][j] * middle_result(at, &by->slopes, j * columns + moved, i);
+                    total += Y[row][j] * result_midpoint(at, &by->slopes, j * columns + moved, i);
                 }
                 if (column >= 0) {
                     by_p[(k * more + column) * N + at->of[i]] = -total;
@@ -1001,8 +1016,8 @@ static void tangents_block(const plan *by, int pivot, desk *at, const double *z,
 /* -------------------------------------------------------------------------------------------------
  * Python */
 
-/* A tape, (code, numbers, outputs, slots); nothing of None. */
-static int as_program(PyObject *from, program *to) {
+/* Parse a tape (code, numbers, outputs, slots); None is a tape without results. */
+static int parse_tape(PyObject *from, program *to) {
     const char *code;
     const char *numbers;
     Py_ssize_t codes;
@@ -1023,8 +1038,9 @@ static int as_program(PyObject *from, program *to) {
     return 1;
 }
 
-/* Whether a tape has so many results of inputs with so many rows; if it is there at all. */
-static int good(plan *by, const program *tape, Py_ssize_t results, int inputs, Py_ssize_t between) {
+/* Whether a tape has the number of results that the system requires, and reads only rows that there
+ * are. A tape without operations fits. */
+static int tape_fits(plan *by, const program *tape, Py_ssize_t results, int inputs, Py_ssize_t between) {
     const operand two[2] = {{.rows = by->n}, {.rows = by->parameters}};
     const operand three[3] = {{.rows = by->n}, {.rows = between}, {.rows = by->parameters}};
     by->slots = tape->slots > by->slots ? tape->slots : by->slots;
@@ -1036,44 +1052,44 @@ static int good(plan *by, const program *tape, Py_ssize_t results, int inputs, P
         sound(tape, inputs == 2 ? two : three, inputs);
 }
 
-static int all_good(plan *by) {
+static int plan_fits(plan *by) {
     const int n = by->n;
     const int m = by->coordinates;
     int whole =
-        n >= 1 && n <= MOST && m >= 1 && m <= n && by->values.operations && by->slopes.operations;
-    whole = whole && good(by, &by->values, n, 2, 0) && good(by, &by->slopes, n * n, 2, 0);
-    whole = whole && good(by, &by->contraction, m + m * m, 3, m) &&
-        good(by, &by->gaps, by->borders, 2, 0);
-    whole = whole && good(by, &by->anchors, 2 * by->lines, 2, 0) &&
-        good(by, &by->turnings, by->turnings.outputs, 2, 0);
+        n >= 1 && n <= MAX_UNKNOWNS && m >= 1 && m <= n && by->values.operations && by->slopes.operations;
+    whole = whole && tape_fits(by, &by->values, n, 2, 0) && tape_fits(by, &by->slopes, n * n, 2, 0);
+    whole = whole && tape_fits(by, &by->contraction, m + m * m, 3, m) &&
+        tape_fits(by, &by->gaps, by->borders, 2, 0);
+    whole = whole && tape_fits(by, &by->anchors, 2 * by->lines, 2, 0) &&
+        tape_fits(by, &by->turnings, by->turnings.outputs, 2, 0);
     whole =
         whole && (!by->lines || by->anchors.operations) && (!by->borders || by->gaps.operations);
     for (int k = 0; whole && k < by->lines; k++) {
         const line *at = by->at + k;
-        whole = good(by, &at->forces, 3 * m, 2, 0) && good(by, &at->direction, 2, 2, 0) &&
-            good(by, &at->determinant, 1, 3, 2);
+        whole = tape_fits(by, &at->forces, 3 * m, 2, 0) && tape_fits(by, &at->direction, 2, 2, 0) &&
+            tape_fits(by, &at->determinant, 1, 3, 2);
         whole = whole && (!at->determinant.operations || at->direction.operations);
     }
     for (int k = 0; whole && k < by->sides; k++) {
-        whole = by->on_sides[k].operations && good(by, by->on_sides + k, n, 2, 0);
+        whole = by->on_sides[k].operations && tape_fits(by, by->on_sides + k, n, 2, 0);
     }
     return whole;
 }
 
-static int borders_of(PyObject *from, plan *to) {
+static int parse_borders(PyObject *from, plan *to) {
     to->borders = (int)PyTuple_GET_SIZE(from);
-    for (int k = 0; k < to->borders && k < MOST_BORDERS; k++) {
+    for (int k = 0; k < to->borders && k < MAX_BORDERS; k++) {
         PyObject *entry = PyTuple_GET_ITEM(from, k);
         if (!PyTuple_Check(entry) || !PyArg_ParseTuple(entry, "id", to->kinds + k, to->rooms + k)) {
             return 0;
         }
     }
-    return to->borders <= MOST_BORDERS;
+    return to->borders <= MAX_BORDERS;
 }
 
-static int lines_of(PyObject *from, plan *to) {
+static int parse_lines(PyObject *from, plan *to) {
     to->lines = (int)PyTuple_GET_SIZE(from);
-    for (int k = 0; k < to->lines && k < MOST_LINES; k++) {
+    for (int k = 0; k < to->lines && k < MAX_LINES; k++) {
         PyObject *forces;
         PyObject *direction;
         PyObject *determinant;
@@ -1083,20 +1099,20 @@ static int lines_of(PyObject *from, plan *to) {
             !PyArg_ParseTuple(entry, "OOO", &forces, &direction, &determinant)) {
             return 0;
         }
-        if (!as_program(forces, &at->forces) || !as_program(direction, &at->direction) ||
-            !as_program(determinant, &at->determinant)) {
+        if (!parse_tape(forces, &at->forces) || !parse_tape(direction, &at->direction) ||
+            !parse_tape(determinant, &at->determinant)) {
             return 0;
         }
     }
-    return to->lines <= MOST_LINES;
+    return to->lines <= MAX_LINES;
 }
 
-static int arcs_of(PyObject *from, plan *to) {
+static int parse_arcs(PyObject *from, plan *to) {
     Py_buffer arcs;
-    if (taken(from, &arcs, PyBUF_STRIDED_RO) < 0) {
+    if (interval_buffer(from, &arcs, PyBUF_STRIDED_RO) < 0) {
         return 0;
     }
-    to->arcs = arcs.shape[1] == 2 && arcs.shape[2] <= MOST_ARCS ? (int)arcs.shape[2] : -1;
+    to->arcs = arcs.shape[1] == 2 && arcs.shape[2] <= MAX_ARCS ? (int)arcs.shape[2] : -1;
     for (int end = 0; end < 2; end++) {
         for (int j = 0; j < 2; j++) {
             for (int i = 0; i < to->arcs; i++) {
@@ -1109,17 +1125,17 @@ static int arcs_of(PyObject *from, plan *to) {
     return to->arcs >= 0;
 }
 
-static int sides_of(PyObject *from, plan *to) {
+static int parse_sides(PyObject *from, plan *to) {
     to->sides = (int)PyTuple_GET_SIZE(from);
-    for (int k = 0; k < to->sides && k < MOST_SIDES; k++) {
-        if (!as_program(PyTuple_GET_ITEM(from, k), to->on_sides + k)) {
+    for (int k = 0; k < to->sides && k < MAX_SIDES; k++) {
+        if (!parse_tape(PyTuple_GET_ITEM(from, k), to->on_sides + k)) {
             return 0;
         }
     }
-    return to->sides <= MOST_SIDES;
+    return to->sides <= MAX_SIDES;
 }
 
-static void forgotten(PyObject *capsule) {
+static void free_plan(PyObject *capsule) {
     plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
     if (by != NULL) {
         Py_DECREF(by->kept_alive);
@@ -1129,7 +1145,7 @@ static void forgotten(PyObject *capsule) {
 
 /* plan(n, coordinates, parameters, values, slopes, contraction, gaps, anchors, turnings, borders,
  * lines, arcs, sides) */
-static PyObject *planned(PyObject *module, PyObject *arguments) {
+static PyObject *make_plan(PyObject *module, PyObject *arguments) {
     (void)module;
     PyObject *of[6];
     PyObject *borders;
@@ -1146,11 +1162,11 @@ static PyObject *planned(PyObject *module, PyObject *arguments) {
         &by->parameters, of, of + 1, of + 2, of + 3, of + 4, of + 5, &PyTuple_Type, &borders,
         &PyTuple_Type, &lines, &arcs, &PyTuple_Type, &sides);
     for (int k = 0; whole && k < 6; k++) {
-        whole = as_program(of[k], tapes[k]);
+        whole = parse_tape(of[k], tapes[k]);
     }
-    whole = whole && borders_of(borders, by) && lines_of(lines, by) && arcs_of(arcs, by) &&
-        sides_of(sides, by) && all_good(by);
-    PyObject *capsule = whole ? PyCapsule_New(by, CAPSULE, forgotten) : NULL;
+    whole = whole && parse_borders(borders, by) && parse_lines(lines, by) && parse_arcs(arcs, by) &&
+        parse_sides(sides, by) && plan_fits(by);
+    PyObject *capsule = whole ? PyCapsule_New(by, CAPSULE, free_plan) : NULL;
     if (capsule == NULL) {
         PyMem_Free(by);
         if (!PyErr_Occurred()) {
@@ -1162,12 +1178,13 @@ static PyObject *planned(PyObject *module, PyObject *arguments) {
     return capsule;
 }
 
-/* A desk for a plan and parameters of N boxes, shape (2, parameters, N). */
-static desk *opened(const plan *by, PyObject *from, Py_buffer *parameters, Py_ssize_t N) {
-    if (taken(from, parameters, PyBUF_STRIDED_RO) < 0) {
+/* A workspace for a plan and parameters of N boxes, shape (2, parameters, N); NULL with an error
+ * set. */
+static workspace *open_workspace(const plan *by, PyObject *from, Py_buffer *parameters, Py_ssize_t N) {
+    if (interval_buffer(from, parameters, PyBUF_STRIDED_RO) < 0) {
         return NULL;
     }
-    desk *at = NULL;
+    workspace *at = NULL;
     if (parameters->shape[1] != by->parameters || parameters->shape[2] != N || N > INT32_MAX) {
         PyErr_SetString(PyExc_ValueError, "parameters do not have the shape of the boxes");
     } else {
@@ -1194,15 +1211,15 @@ static desk *opened(const plan *by, PyObject *from, Py_buffer *parameters, Py_ss
     return at;
 }
 
-static void cleared(desk *at, Py_buffer *parameters) {
+static void close_workspace(workspace *at, Py_buffer *parameters) {
     PyMem_Free(at->slots);
     PyMem_Free(at->out);
     PyMem_Free(at);
     PyBuffer_Release(parameters);
 }
 
-/* Whether buffers are of as many bytes as they should be. */
-static int fit(const Py_buffer *given, const Py_ssize_t *sizes, int count) {
+/* Whether buffers have the sizes that they should have, in bytes; sets the error if not. */
+static int sizes_fit(const Py_buffer *given, const Py_ssize_t *sizes, int count) {
     for (int k = 0; k < count; k++) {
         if (given[k].len != sizes[k]) {
             PyErr_SetString(
@@ -1225,19 +1242,19 @@ static PyObject *kept(PyObject *module, PyObject *arguments) {
         return NULL;
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
-    desk *at = NULL;
+    workspace *at = NULL;
     if (by != NULL) {
         const Py_ssize_t N = of[2].len;
         const Py_ssize_t size = (Py_ssize_t)sizeof(double) * 2 * by->n * N;
         const Py_ssize_t sizes[] = {size, size, N};
-        at = fit(of, sizes, 3) ? opened(by, given_parameters, &parameters, N) : NULL;
+        at = sizes_fit(of, sizes, 3) ? open_workspace(by, given_parameters, &parameters, N) : NULL;
         if (at != NULL) {
             memset(of[2].buf, 0, (size_t)N);
             Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
-                laid_out(by, at, of[0].buf, N, begin);
-                kept_block(by, at, of[0].buf, N, margin, of[1].buf, of[2].buf);
+                load_boxes(by, at, of[0].buf, N, begin);
+                contract_block(by, at, of[0].buf, N, margin, of[1].buf, of[2].buf);
             }
-            Py_END_ALLOW_THREADS cleared(at, &parameters);
+            Py_END_ALLOW_THREADS close_workspace(at, &parameters);
         }
     }
     release(of, 3);
@@ -1260,13 +1277,13 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
         return NULL;
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
-    desk *at = NULL;
+    workspace *at = NULL;
     if (by != NULL) {
         const Py_ssize_t N = of[8].len;
         const Py_ssize_t one = (Py_ssize_t)sizeof(double) * 2 * by->n;
         const Py_ssize_t sizes[] = {one * N, one * N, one, N, N, one * N, one * N, one * N, N,
             N * (Py_ssize_t)sizeof(int64_t)};
-        at = fit(of, sizes, 10) ? opened(by, given_parameters, &parameters, N) : NULL;
+        at = sizes_fit(of, sizes, 10) ? open_workspace(by, given_parameters, &parameters, N) : NULL;
         if (at != NULL) {
             to.given = of[0].buf;
             to.boxes = of[1].buf;
@@ -1279,10 +1296,10 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
             to.verdicts = of[8].buf;
             to.along = of[9].buf;
             Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
-                laid_out(by, at, of[1].buf, N, begin);
-                decided_block(by, at, &to, N);
+                load_boxes(by, at, of[1].buf, N, begin);
+                judge_block(by, at, &to, N);
             }
-            Py_END_ALLOW_THREADS cleared(at, &parameters);
+            Py_END_ALLOW_THREADS close_workspace(at, &parameters);
         }
     }
     release(of, 10);
@@ -1300,7 +1317,7 @@ static PyObject *tubes(PyObject *module, PyObject *arguments) {
     Py_buffer of[9];
     Py_buffer parameters;
     tube to;
-    desk *at = NULL;
+    workspace *at = NULL;
     memset(&to, 0, sizeof to);
     plan *by = &to.by;
     if (!PyArg_ParseTuple(arguments, "(OOO)O!Oidiy*y*y*y*y*y*w*w*w*", tapes, tapes + 1, tapes + 2,
@@ -1318,16 +1335,16 @@ static PyObject *tubes(PyObject *module, PyObject *arguments) {
     const int n = by->n - 1;
     const Py_ssize_t every = row * by->n;
     const Py_ssize_t sizes[] = {every, every, every, row, every, row * n, every, row * n, N};
-    int whole = n >= 1 && by->n <= MOST && to.pivot >= 0 && to.pivot <= n;
-    whole = whole && as_program(tapes[0], &by->values) && as_program(tapes[1], &by->slopes) &&
-        as_program(tapes[2], &by->gaps) && borders_of(borders, by);
-    if (whole && taken(given_parameters, &parameters, PyBUF_STRIDED_RO) == 0) {
+    int whole = n >= 1 && by->n <= MAX_UNKNOWNS && to.pivot >= 0 && to.pivot <= n;
+    whole = whole && parse_tape(tapes[0], &by->values) && parse_tape(tapes[1], &by->slopes) &&
+        parse_tape(tapes[2], &by->gaps) && parse_borders(borders, by);
+    if (whole && interval_buffer(given_parameters, &parameters, PyBUF_STRIDED_RO) == 0) {
         by->parameters = parameters.shape[1];
         PyBuffer_Release(&parameters);
         whole = by->values.operations && by->slopes.operations &&
-            good(by, &by->values, n, 2, 0) && good(by, &by->slopes, n * (n + 1), 2, 0) &&
-            good(by, &by->gaps, by->borders, 2, 0) && (!by->borders || by->gaps.operations);
-        at = whole && fit(of, sizes, 9) ? opened(by, given_parameters, &parameters, N) : NULL;
+            tape_fits(by, &by->values, n, 2, 0) && tape_fits(by, &by->slopes, n * (n + 1), 2, 0) &&
+            tape_fits(by, &by->gaps, by->borders, 2, 0) && (!by->borders || by->gaps.operations);
+        at = whole && sizes_fit(of, sizes, 9) ? open_workspace(by, given_parameters, &parameters, N) : NULL;
     }
     if (at != NULL) {
         to.z = of[0].buf;
@@ -1335,14 +1352,14 @@ static PyObject *tubes(PyObject *module, PyObject *arguments) {
         to.swing = of[2].buf;
         to.moved = of[3].buf;
         to.beside = of[4].buf;
-        to.least = of[5].buf;
+        to.smallest_reach = of[5].buf;
         to.room = of[6].buf;
-        to.most = of[7].buf;
+        to.reached = of[7].buf;
         to.sure = of[8].buf;
         Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
-            tubes_of_block(&to, at, begin);
+            enclose_block(&to, at, begin);
         }
-        Py_END_ALLOW_THREADS cleared(at, &parameters);
+        Py_END_ALLOW_THREADS close_workspace(at, &parameters);
     } else if (!PyErr_Occurred()) {
         PyErr_SetString(PyExc_ValueError, "a tape of tubes is not as its system is");
     }
@@ -1353,7 +1370,7 @@ static PyObject *tubes(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
-static PyObject *bytes_of(const pile *from, int n) {
+static PyObject *list_bytes(const box_list *from, int n) {
     const Py_ssize_t size = from->count * 2 * n * (Py_ssize_t)sizeof(double);
     return PyBytes_FromStringAndSize((const char *)from->boxes, size);
 }
@@ -1375,31 +1392,31 @@ static PyObject *rounds(PyObject *module, PyObject *arguments) {
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
     PyObject *out = NULL;
-    desk *at = NULL;
+    workspace *at = NULL;
     Py_ssize_t looks = -1;
     if (by != NULL) {
         const Py_ssize_t one = 2 * by->n * (Py_ssize_t)sizeof(double);
         const Py_ssize_t N = of[0].len / one;
         const Py_ssize_t sizes[] = {N * one, one};
-        at = fit(of, sizes, 2) ? opened(by, given_parameters, &parameters, 1) : NULL;
+        at = sizes_fit(of, sizes, 2) ? open_workspace(by, given_parameters, &parameters, 1) : NULL;
         int whole = at != NULL;
         for (Py_ssize_t i = 0; i < N && whole; i++) {
-            whole = piled(&found.further, by->n, of[0].buf, N, i) != NULL;
+            whole = append_box(&found.further, by->n, of[0].buf, N, i) != NULL;
         }
         if (whole) {
             at->parameters.strides[2] = 0; /* those of the point, for every box */
             to.limits = of[1].buf;
-            Py_BEGIN_ALLOW_THREADS looks = all_rounds(by, at, &to, budget, limit, &found);
+            Py_BEGIN_ALLOW_THREADS looks = search_rounds(by, at, &to, budget, limit, &found);
             Py_END_ALLOW_THREADS
         }
         if (at != NULL) {
-            cleared(at, &parameters);
+            close_workspace(at, &parameters);
         }
     }
     if (looks >= 0) {
-        out = Py_BuildValue("nNNNN", looks, bytes_of(&found.unique, by->n),
-            bytes_of(&found.where, by->n), bytes_of(&found.undecided, by->n),
-            bytes_of(&found.further, by->n));
+        out = Py_BuildValue("nNNNN", looks, list_bytes(&found.unique, by->n),
+            list_bytes(&found.where, by->n), list_bytes(&found.undecided, by->n),
+            list_bytes(&found.further, by->n));
     } else if (!PyErr_Occurred()) {
         PyErr_NoMemory();
     }
@@ -1411,13 +1428,14 @@ static PyObject *rounds(PyObject *module, PyObject *arguments) {
     return out;
 }
 
-/* What `corrected` and `tangents` are given: tapes of values and slopes of a system with a pivot, z
- * of shape (n + 1, N), and a desk; NULL with an error where these do not fit. */
-static desk *opened_at_points(PyObject *const tapes[2], PyObject *given_parameters, int pivot,
+/* Parse what `corrected` and `tangents` have in common: tapes of values and slopes of a system with a
+ * pivot, and z of shape (n + 1, N). Returns a workspace, NULL with an error set where these do not
+ * fit. */
+static workspace *open_at_points(PyObject *const tapes[2], PyObject *given_parameters, int pivot,
     const Py_buffer *z, plan *by, Py_buffer *parameters, Py_ssize_t *N) {
     memset(by, 0, sizeof *by);
-    if (!as_program(tapes[0], &by->values) || !as_program(tapes[1], &by->slopes) ||
-        taken(given_parameters, parameters, PyBUF_STRIDED_RO) < 0) {
+    if (!parse_tape(tapes[0], &by->values) || !parse_tape(tapes[1], &by->slopes) ||
+        interval_buffer(given_parameters, parameters, PyBUF_STRIDED_RO) < 0) {
         return NULL;
     }
     by->parameters = parameters->shape[1];
@@ -1426,17 +1444,18 @@ static desk *opened_at_points(PyObject *const tapes[2], PyObject *given_paramete
     const Py_ssize_t n = by->values.outputs;
     by->n = (int)n + 1;
     const Py_ssize_t columns = n > 0 ? by->slopes.outputs / n : 0;
-    if (n < 1 || by->n > MOST || pivot < 0 || pivot > n || columns <= n ||
+    if (n < 1 || by->n > MAX_UNKNOWNS || pivot < 0 || pivot > n || columns <= n ||
         z->len != by->n * *N * (Py_ssize_t)sizeof(double) || !by->values.operations ||
-        !by->slopes.operations || !good(by, &by->values, n, 2, 0) ||
-        !good(by, &by->slopes, n * columns, 2, 0)) {
+        !by->slopes.operations || !tape_fits(by, &by->values, n, 2, 0) ||
+        !tape_fits(by, &by->slopes, n * columns, 2, 0)) {
         PyErr_SetString(PyExc_ValueError, "tapes of points are not as their system is");
         return NULL;
     }
-    return opened(by, given_parameters, parameters, *N);
+    return open_workspace(by, given_parameters, parameters, *N);
 }
 
-static void placed(desk *at, Py_ssize_t N, Py_ssize_t begin) {
+/* Begin a block: its boxes have the numbers from `begin` on. */
+static void number_boxes(workspace *at, Py_ssize_t N, Py_ssize_t begin) {
     at->count = (int)(N - begin < BLOCK ? N - begin : BLOCK);
     for (int i = 0; i < at->count; i++) {
         at->of[i] = (int32_t)(begin + i);
@@ -1457,13 +1476,13 @@ static PyObject *corrected(PyObject *module, PyObject *arguments) {
             arguments, "(OO)Oiiw*", tapes, tapes + 1, &given_parameters, &pivot, &steps, &z)) {
         return NULL;
     }
-    desk *at = opened_at_points(tapes, given_parameters, pivot, &z, &by, &parameters, &N);
+    workspace *at = open_at_points(tapes, given_parameters, pivot, &z, &by, &parameters, &N);
     if (at != NULL) {
         Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
-            placed(at, N, begin);
-            corrected_block(&by, pivot, steps, at, z.buf, N, begin);
+            number_boxes(at, N, begin);
+            correct_block(&by, pivot, steps, at, z.buf, N, begin);
         }
-        Py_END_ALLOW_THREADS cleared(at, &parameters);
+        Py_END_ALLOW_THREADS close_workspace(at, &parameters);
     }
     release(&z, 1);
     if (at == NULL) {
@@ -1485,21 +1504,21 @@ static PyObject *tangents(PyObject *module, PyObject *arguments) {
             &pivot, of, of + 1, of + 2)) {
         return NULL;
     }
-    desk *at = opened_at_points(tapes, given_parameters, pivot, of, &by, &parameters, &N);
+    workspace *at = open_at_points(tapes, given_parameters, pivot, of, &by, &parameters, &N);
     if (at != NULL) {
         const Py_ssize_t more = by.slopes.outputs / (by.n - 1) - by.n;
         const Py_ssize_t sizes[] = {of->len, of->len, of->len * more};
-        if (!fit(of, sizes, 3)) {
-            cleared(at, &parameters);
+        if (!sizes_fit(of, sizes, 3)) {
+            close_workspace(at, &parameters);
             at = NULL;
         }
     }
     if (at != NULL) {
         Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
-            placed(at, N, begin);
-            tangents_block(&by, pivot, at, of[0].buf, of[1].buf, of[2].buf, N);
+            number_boxes(at, N, begin);
+            differentiate_block(&by, pivot, at, of[0].buf, of[1].buf, of[2].buf, N);
         }
-        Py_END_ALLOW_THREADS cleared(at, &parameters);
+        Py_END_ALLOW_THREADS close_workspace(at, &parameters);
     }
     release(of, 3);
     if (at == NULL) {
@@ -1511,11 +1530,11 @@ static PyObject *tangents(PyObject *module, PyObject *arguments) {
 static PyMethodDef methods[] = {
     {"corrected", corrected, METH_VARARGS, "Newton's method at points with a pivot."},
     {"tangents", tangents, METH_VARARGS, "Slopes by a pivot and by free parameters at points."},
-    {"plan", planned, METH_VARARGS, "Tapes by which a search looks at boxes."},
-    {"kept", kept, METH_VARARGS, "What is left of boxes, and which may hold a root."},
-    {"tubes", tubes, METH_VARARGS, "Boxes that hold one state for each value of a pivot."},
-    {"rounds", rounds, METH_VARARGS, "A search at one point."},
-    {"decided", decided, METH_VARARGS, "What becomes of boxes that may hold a root."},
+    {"plan", make_plan, METH_VARARGS, "A capsule with the tapes of a system."},
+    {"kept", kept, METH_VARARGS, "Contract boxes, and mark those that may hold a root."},
+    {"tubes", tubes, METH_VARARGS, "Boxes that hold exactly one state for each value of a pivot."},
+    {"rounds", rounds, METH_VARARGS, "Branch and prune at one point of the parameters."},
+    {"decided", decided, METH_VARARGS, "Verdicts on boxes that may hold a root."},
     {NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {

@@ -34,11 +34,11 @@ static PyObject *run(PyObject *module, PyObject *arguments) {
     int whole = 0;
     slot *slots = NULL;
     const Py_ssize_t wanted = PyTuple_GET_SIZE(given);
-    if (taken(result, &out, PyBUF_C_CONTIGUOUS | PyBUF_WRITABLE) < 0) {
+    if (interval_buffer(result, &out, PyBUF_C_CONTIGUOUS | PyBUF_WRITABLE) < 0) {
         goto end;
     }
     int as_many = wanted <= MOST_INPUTS;
-    while (held < wanted && held < MOST_INPUTS && taken(PyTuple_GET_ITEM(given, held), of + held, PyBUF_STRIDED_RO) == 0) {
+    while (held < wanted && held < MOST_INPUTS && interval_buffer(PyTuple_GET_ITEM(given, held), of + held, PyBUF_STRIDED_RO) == 0) {
         const Py_buffer *each = of + held;
         as_many &= each->shape[2] == out.shape[2];
         inputs[held++] = (operand){each->buf, {each->strides[0], each->strides[1], each->strides[2]}, each->shape[1], NULL};
@@ -105,7 +105,7 @@ static PyObject *affine(PyObject *module, PyObject *arguments) {
     if (!PyArg_ParseTuple(arguments, "y*y*y*y*y*Ow*w*w*n", of, of + 1, of + 2, of + 3, of + 4, &given, of + 5, of + 6, of + 7, &slots)) {
         return NULL;
     }
-    if (taken(given, &intervals, PyBUF_STRIDED_RO) < 0) {
+    if (interval_buffer(given, &intervals, PyBUF_STRIDED_RO) < 0) {
         release(of, 8);
         return NULL;
     }

@@ -53,6 +53,17 @@ def test_a_motion_of_any_size_is_the_same_scaled(backend: str, size: float) -> N
     assert found.cycle_mean / size == pytest.approx(one.outcome(10.0).cycle_mean, rel=1e-9)
 
 
+def test_a_sweep_that_computes_in_units_of_its_own_measures_as_one_motion() -> None:
+    """From a start of 3e5, whose size is the unit of length of the motion."""
+    pytest.importorskip("heyoka")
+    p = ss.load("mode_coupling").Parameters()
+    found = ss.rms_sweep(p, x0=3e5, t_end=20.0, transient=10.0, backend="heyoka")
+    motion = ss.simulate(p, x0=3e5, t_end=20.0, backend="scipy", rtol=1e-12).after(10.0)
+    assert found.rms == pytest.approx(motion.rms(0.0), rel=1e-9)
+    assert found.mean == pytest.approx(motion.mean(0.0), rel=1e-9)
+    assert found.largest == pytest.approx(motion.largest(0.0), rel=1e-9)
+
+
 @pytest.mark.thorough
 @pytest.mark.parametrize("size", [pytest.param(1e-6, marks=pytest.mark.validate), 3e4])
 def test_a_cycle_its_branch_and_its_fate_are_the_same_scaled(size: float) -> None:

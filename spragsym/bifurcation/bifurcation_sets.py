@@ -1,14 +1,14 @@
-"""The bifurcation set of a model in the plane of two parameters: curves of folds, and the cusps on
-them.
+"""The bifurcation set of a model in the plane of two parameters: curves of folds, and their cusps.
 
-In coordinates and both parameters a curve of folds is smooth at its cusps, too: only its image in
-the plane of the two has a point there. So it is followed there: between two neighbours a cubic with
-their tangents says where another point is looked for, as often as makes the curve smooth, and
-behind its last point it is followed to where it leaves a parameter's range.
+In the space of coordinates and both parameters a curve of folds is smooth even at a cusp; only its
+image in the plane has a point there. So curves are computed in that space. All folds on a grid of
+lines in the plane are found and proved, and neighbours are joined to chains. A Hermite cubic
+between two neighbours, with their tangents, predicts further points until a chain is smooth.
+Pseudo-arclength continuation extends chains to the ends of the ranges.
 
-Points are proved. That neighbours lie on one curve is not: the middle between them has to be where
-a cubic with their tangents has it; what it is off by, over their distance, falls with the third
-power of that distance on one curve, and grows on two.
+Points are proved; that two neighbours lie on one curve is not. A test decides it: the distance of
+the curve's point half-way from the Hermite cubic, over the distance of the neighbours, falls with
+the third power of that distance on one curve, and grows otherwise.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ from .folds import cusps, folds
 from .options import ContinuationOptions
 from .points import Found, isolated, listed, search, which
 
-#: How near a line counts as on it, over the range of the parameter.
+#: A point is on a line if it is nearer than this, over the range of the parameter.
 ON_LINE = 1e-9
 
 
@@ -74,21 +74,23 @@ def bifurcation_set(
     options: ContinuationOptions | None = None,
     method: Method = "auto",
 ) -> BifurcationSet:
-    """Curves in the plane of two parameters on which the number of equilibria in contact changes:
-    every curve of folds, and the cusps; of several contacts curves of border folds, too.
+    """Curves in the plane of two parameters on which the number of equilibria in contact changes.
+
+    These are all curves of folds, with their cusps; with several contacts, also curves of border
+    folds.
 
     Parameters
     ----------
     p : Parameters
-        Of any model, scalars; those that vary are not used.
+        Of any model, scalars; the values of those that vary are not used.
     vary : pair of str, optional
-        Two parameters, θ₀ and μ₀ unless told otherwise.
+        Two parameters, by default θ₀ and μ₀.
     n : int, optional
-        Lines in each direction, 60 unless told otherwise, and one more wherever none of them passes
-        between two extrema of curves; on each all folds are found and proved. Of closed forms about
-        how many directions θ to solve at, 2000 at least.
+        Number of lines in each direction, by default 60, on which all folds are found and proved;
+        one more is added wherever none passes between two extrema of curves. With closed forms,
+        about the number of directions θ to solve at, at least 2000.
     between, within, method
-        As for :func:`spragsym.folds`, ranges of the two.
+        As for :func:`spragsym.folds`, with ranges of both parameters.
     options : ContinuationOptions, optional
         Tolerances and limits of the curves, and of the search below them.
 
@@ -99,18 +101,18 @@ def bifurcation_set(
     Raises
     ------
     ParameterError
-        For parameters that the model has not, or ranges that leave theirs.
+        For unknown parameters, or ranges that leave those allowed.
     ConvergenceError
-        Of the article's model with hardly any preload, κ some 10⁻⁷ of σ or of 1 + β, where float64
-        can't tell folds apart.
+        For the article's model with hardly any preload, κ about 10⁻⁷ of σ or of 1 + β, where
+        float64 can't separate folds.
 
     Notes
     -----
-    Source: F = 0 and det K = 0 along these lines, all searched at once; extrema of curves in the
-    second parameter, cusps among them, and ends of curves by
-    :func:`spragsym.bifurcation.bifurcation_sets.extrema`: where all of these are known, no curve is
-    missed, however small it is. Points between by :class:`FoldCurves`. Two points are neighbours
-    only if no line separates them on which all folds are known. Of the article's model:
+    Source: F = 0 and det K = 0 along the lines, all searched at once. Extrema of curves in the
+    second parameter, cusps among them, and ends of curves:
+    :func:`spragsym.bifurcation.bifurcation_sets.extrema`. If all of these are known, no curve is
+    missed, however small. Points in between: :class:`FoldCurves`. Two points can be neighbours only
+    if no line on which all folds are known separates them. The article's model:
     :mod:`spragsym.kang_nam.bifurcation_sets`.
 
     Examples
@@ -136,8 +138,7 @@ def bifurcation_set(
         for contact, other in passages(families, family):
             near, ends = family.beyond(contact), [*border_extrema(family, contact)]
             borders += [("border", points) for points in ends]
-            # None where the balance does not depend on the first parameter.
-            none = np.empty((balance.n + 2, 0))
+            none = np.empty((balance.n + 2, 0))  # ends may be empty
             more = np.concatenate([none, *(rows_of(near, points) for points in ends)], axis=1)
             parts.append(on_lines(near, touch(contact), n, more, more[-1], options))
             for chain in parts[-1].chains:
@@ -159,25 +160,25 @@ def bifurcation_set(
 
 
 def _of_folds(kind: str, points: Points, balance: Balance) -> BoolArray:
-    """Points on curves of folds of one combination of contacts that touch, from those of all."""
+    """Mask of the points on curves of folds of one combination of touching contacts."""
     if not balance.model.has_regimes:
         return np.ones(len(points), dtype=bool)
-    # At the ends of a range there are border points, too.
+    # Points at the ends of a range include border points.
     inside = (kind != "end") | (points.at_border == "")
     return (points.touching == balance.touching) & inside
 
 
 def _curve(family: Family, states: FloatArray) -> Curve:
+    """A chain of states as a curve with named columns."""
     return Curve(family.named(states) | which(family.balance, states.shape[1]))
 
 
 def _said(parts: Sequence[tuple[str, Points]], cut: tuple[str, ...]) -> Iterator[str]:
-    """Remarks: ranges that are ``cut``, and each other remark on extrema and ends of curves once,
-    with the points it concerns.
+    """Remarks on ranges that are ``cut``, then each other remark once, with the kinds of points
+    that it concerns.
     """
     yield from cut
     said: dict[str, dict[str, None]] = {}
-    # Extrema and ends of curves, as remarks call them.
     where = {
         "cusp": "of cusps",
         "turn": "where curves turn back",
@@ -199,13 +200,13 @@ def extrema(
     within: Ranges | None = None,
     options: SearchOptions | None = None,
 ) -> Iterator[tuple[str, Points]]:
-    """Extreme values and ends of curves of folds in the second parameter, by kind, each proved;
-    arguments as of ``folds``.
+    """Extreme values in the second parameter, and ends, of curves of folds, by kind, each proved.
 
-    Kinds are ``"cusp"``; ``"turn"``: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v,
-    with w K = 0; ``"end"``, at either end of the range of v; and ``"border"``, where folds leave a
-    contact that opens, or come to one that is open. Of several contacts they are those of every
-    combination of contacts that touch, and border points at the ends.
+    Arguments are those of :func:`spragsym.folds`. Kinds are ``"cusp"``; ``"turn"``, a limit point
+    of the curve: F = 0, det K = 0 and w · ∂F/∂v = 0 for the first parameter v, with w K = 0;
+    ``"end"``, at either end of the range of v; and ``"border"``, where folds reach the border of a
+    contact. With several contacts, points of all combinations of touching contacts are among them,
+    and border points at the ends.
     """
     over, along = vary
     families = Family.every(p, vary, between, within, options)
@@ -213,7 +214,7 @@ def extrema(
     with doing("cusps over {} and {}", *vary):
         found = cusps(p, vary, between=between, within=within, options=options)
     yield "cusp", found
-    # Where no state depends on one of the two, curves are straight along it.
+    # If no state depends on one of the parameters, curves are straight along it.
     bends = set(vary) <= set(p.model.balanced)
     for one in families if bends else ():
         for block in blocks_of(one):
@@ -229,8 +230,8 @@ def extrema(
 
 
 def border_extrema(family: Family, contact: int) -> Iterator[Points]:
-    """Extreme values in the second parameter and ends of curves on which the gap of a contact that
-    touches is 0.
+    """Extreme values in the second parameter, and ends, of curves on which the gap of a touching
+    contact is 0.
     """
     over, balance, near = family.vary[0], family.balance, family.beyond(contact)
     if over not in balance.balanced:
@@ -238,7 +239,7 @@ def border_extrema(family: Family, contact: int) -> Iterator[Points]:
     if _moves_border(near, contact):
         yield isolated(near, touch_turn(contact), "border")
     closed = [other for other in balance.opens if balance.pushing[other] and other > contact]
-    for other in closed:  # where a curve of one contact ends at that of another
+    for other in closed:  # the curve of one contact ends at that of another
         yield isolated(family.beyond(), both(touch(contact), touch(other)), "border")
     low, high = family.spans[0].tolist()
     for end in (low, high):
@@ -247,8 +248,10 @@ def border_extrema(family: Family, contact: int) -> Iterator[Points]:
 
 
 def _moves_border(near: Family, contact: int) -> bool:
-    """Whether states at the gap 0 of a contact may depend on the first parameter. Its force is 0
-    there, so that they are those of the open contact, on which its stiffness does not act.
+    """Whether states at the gap 0 of a contact may depend on the first parameter.
+
+    The contact's force is 0 there, so that the states are also those of the open contact, on which
+    the stiffness of the contact has no effect.
     """
     balance, over = near.balance.across(contact), near.vary[0]
     if over in balance.angles or balance.springs:
@@ -272,8 +275,10 @@ def rows_of(family: Family, found: Points) -> FloatArray:
 
 @dataclass(frozen=True)
 class OnLines:
-    """Points of a kind on lines, in order along curves, and the lines; boxes that are left, and
-    what is known of them.
+    """Points of a condition on lines, as ordered chains along curves.
+
+    ``lines`` are the values of each parameter, ``undecided`` the undecided boxes on the lines, and
+    ``whole`` whether the regions hold all equilibria.
     """
 
     curves: FoldCurves
@@ -292,17 +297,16 @@ def on_lines(
     apart: Iterable[float] = (),
     options: ContinuationOptions | None = None,
 ) -> OnLines:
-    """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points
-    belong to them as well.
+    """All points of a condition on ``n`` lines of either parameter, joined to curves.
 
-    Between any two of the values ``apart`` of the second parameter there is a line of the first
-    one.
+    ``more`` are further points of the curves. There will be a line of the first parameter between
+    any two values of the second in ``apart``.
     """
     rows, left, lines, decided, whole, error = [], [], {}, {}, True, 0.0
     balance, vary, spans = family.balance, family.vary, family.spans
     families = list[Family]()
     for across in (1, 0):
-        # Inside of the range: its ends are often degenerate.
+        # Not at the ends of the range, which are often degenerate.
         low, high = spans[across]
         values = low + (high - low) * (np.arange(n) + 0.5) / n
         if across == 1:
@@ -334,12 +338,12 @@ def on_lines(
     over_lines = [lines[name] for name in vary], [decided[k] for k in (0, 1)]
     with doing("curves through {} points", states.shape[1]):
         pairs = _pairs(states[balance.n :], *over_lines, spans)
-        # From line to line the parameters lead: of coordinates the largest change counts.
+        # From line to line distances in the parameters count most: coordinates get one scale, that
+        # of the largest change.
         largest = np.append(np.full(balance.n, curves.scale[: balance.n].max()), curves.scale[-2:])
-        far = replace(curves, scale=largest)
-        chains = [states[:, places] for places in _chains(far, states, pairs)]
-        # Neighbours in order may lie on different curves: they are parted before these are
-        # followed to their ends.
+        coarse = replace(curves, scale=largest)
+        chains = [states[:, places] for places in _chains(coarse, states, pairs)]
+        # Neighbours may lie on different curves: these are separated before they are extended.
         parts = [piece for chain in chains for piece in curves.smooth(chain)]
         chains = [piece for chain in curves.joined(parts) for piece in curves.smooth(chain)]
     return OnLines(
@@ -353,46 +357,51 @@ def on_lines(
 
 
 def _scales(states: FloatArray, spans: FloatArray, error: float) -> FloatArray:
-    """Of coordinates, how far apart they are in states, shape (n + 2, number), known but for an
-    ``error``, and of both parameters their ranges.
+    """Scales of the unknowns: of coordinates their range over the states, of both parameters their
+    ranges.
 
-    A coordinate that is small beside others of its unit counts as much as they do: branches that
-    differ in nothing else are told apart by it.
+    ``states`` has the shape (n + 2, number), and ``error`` bounds their errors. A coordinate that
+    hardly varies gets the scale of the others, so that branches which differ in it alone are still
+    separated.
     """
     rows = states[: len(states) - 2]
     reach = np.ptp(rows, axis=1) if states.size else np.ones(len(rows))
     size = np.abs(rows).max(axis=1, initial=0.0)
-    # Coordinates that do not change, but for rounding.
+    # These coordinates vary by rounding only.
     still = reach <= np.maximum(1e-9 * size, 1e3 * error * scale_of(size))
     usual = np.where(still, 0.0, reach).max(initial=0.0) or size.max(initial=1e-9)
     return np.append(np.where(still, usual, reach), np.ptp(spans, axis=1))
 
 
 def _effort(families: Sequence[Family], condition: Condition) -> tuple[int, int]:
-    """How many boxes of a line are looked at, and of how many lines left one after the other each
-    by itself: if nothing is asked, a tenth and none where of four lines in the midst of the plane
-    nothing is decided and nothing found.
+    """The budget of boxes for one line, and how many undecided lines are searched again one by one.
+
+    Unless the options give a budget, four lines in the midst of the plane are tried. If nothing is
+    found and nothing decided on any of them, the budget is a tenth and no line is searched again.
     """
     balance, usual = families[0].balance, 20_000
-    asked = balance.options.budget
-    if asked is None and balance.n <= 3:  # all lines take hardly longer than a few
+    budget = balance.options.budget
+    if budget is None and balance.n <= 3:  # all lines take hardly longer than a few
         return usual, 4
-    for part, lines in itertools.product((0.35, 0.65), families if asked is None else ()):
+    for part, lines in itertools.product((0.35, 0.65), families if budget is None else ()):
         line = [int(part * lines.given.shape[1])]
-        alone = search(replace(lines, given=lines.given[:, line]), condition, usual).roots
-        if alone.point.size or not alone.undecided_point.size:
+        roots = search(replace(lines, given=lines.given[:, line]), condition, usual).roots
+        if roots.point.size or not roots.undecided_point.size:
             return usual, 4
-    return (asked, 4) if asked else (usual // 10, 0)
+    return (budget, 4) if budget else (usual // 10, 0)
 
 
 def _on_each(lines: Family, condition: Condition, budget: int, tries: int) -> Found:
-    """All points on lines, searched at once; each line of which small boxes are left again alone,
-    with all that decides one line. Where wide ones are left its boxes were spent.
+    """All points on lines, searched at once; lines with small undecided boxes are searched again
+    one by one.
+
+    A line with wide undecided boxes has spent its budget, and is not searched again. After
+    ``tries`` failures in sequence the others are not either.
     """
     found = search(lines, condition, budget)
     roots, undecided = found.roots, 0
-    left = roots.undecided
-    wide = (width_of(left) > lines.balance.options.small * scale_of(left)).any(axis=(0, 1))
+    boxes = roots.undecided
+    wide = (width_of(boxes) > lines.balance.options.small * scale_of(boxes)).any(axis=(0, 1))
     spent = roots.undecided_point[wide]
     for line in np.setdiff1d(roots.undecided_point, spent)[:, None]:
         if undecided == tries:
@@ -404,26 +413,23 @@ def _on_each(lines: Family, condition: Condition, budget: int, tries: int) -> Fo
 
 
 def _between(values: Iterable[float], span: FloatArray, lines: FloatArray) -> FloatArray:
-    """Middles of the intervals between values next to each other, in a range, in which no line is;
-    none where two are alike.
-    """
+    """Middles of the intervals between successive values of a range in which no line lies."""
     ends = np.unique([*span, *values])
     empty = np.searchsorted(lines, ends[:-1], "right") == np.searchsorted(lines, ends[1:], "left")
     return 0.5 * (ends[:-1] + ends[1:])[empty & (np.diff(ends) > ON_LINE * np.ptp(span))]
 
 
 # ------------------------------------------------------------------------------------------------
-# order of points
+# chains of points
 
 
 def _pairs(
     places: FloatArray, lines: Sequence[FloatArray], decided: Sequence[BoolArray], spans: FloatArray
 ) -> IntArray:
-    """Points that may be neighbours on a curve, by their values of both parameters, in pairs, shape
-    (2, pairs), each once.
+    """Pairs of points that may be neighbours on a curve, shape (2, pairs), by their parameters.
 
-    No ``decided`` line of either separates them, as a curve has a point where it crosses one. Of
-    many points, hardly any line that is not does either: beyond, curves are followed.
+    A curve has a known point where it crosses a ``decided`` line, so that such a line separates no
+    neighbours. Among many points, only pairs at most two strips apart are taken.
     """
     bounds = [_strips(*each) for each in zip(places, lines, spans, strict=True)]
     one, other = _close(np.array([first for first, _ in bounds]))
@@ -437,32 +443,32 @@ def _pairs(
 
 
 def _strips(places: FloatArray, lines: FloatArray, span: FloatArray) -> tuple[IntArray, IntArray]:
-    """First and last strip between lines in which a point is: on both sides of a line if on it."""
-    room = ON_LINE * np.ptp(span)
-    first = np.searchsorted(lines, places - room, "left").astype(int)
-    return first, np.searchsorted(lines, places + room, "right").astype(int)
+    """First and last strip between lines that holds each point; they differ for a point on
+    a line.
+    """
+    tolerance = ON_LINE * np.ptp(span)
+    first = np.searchsorted(lines, places - tolerance, "left").astype(int)
+    return first, np.searchsorted(lines, places + tolerance, "right").astype(int)
 
 
 def _close(cells: IntArray) -> IntArray:
-    """Points in pairs, each once, shape (2, pairs): all of a few; of many, those of which neither
-    of two numbers, shape (2, points), differs by more than two.
+    """All pairs of points; of many points, pairs that differ by at most two in both numbers of
+    ``cells``, shape (2, points).
     """
-    # All pairs of so many points fit into memory.
-    few = 2000
+    few = 2000  # all pairs of these fit into memory
     if cells.shape[1] <= few:
         return np.array(np.triu_indices(cells.shape[1], 1))
     from scipy.spatial import KDTree  # heavy, and few points do not need it
 
-    # Neighbours on a curve are so few strips between lines apart.
     pairs: IntArray = KDTree(cells.T).query_pairs(2.5, p=np.inf, output_type="ndarray").T
     return pairs
 
 
 def _chains(folds: FoldCurves, states: FloatArray, pairs: IntArray) -> list[IntArray]:
-    """Points in order along curves: each is joined to the next ones ahead and behind along its
-    tangent, if they agree.
+    """Indices of points in order along curves.
 
-    ``pairs`` of points, shape (2, number), may be neighbours.
+    Each point is linked to at most one point ahead and one behind along its tangent. The best links
+    of ``pairs``, shape (2, number), come first: short ones along both tangents.
     """
     count = states.shape[1]
     scaled, tangent = states / folds.scale[:, None], folds.tangents(states)
@@ -490,9 +496,7 @@ def _chains(folds: FoldCurves, states: FloatArray, pairs: IntArray) -> list[IntA
 
 @dataclass(frozen=True)
 class FoldCurves:
-    """Folds along two parameters: the system in coordinates and both, and scales of the
-    unknowns.
-    """
+    """Curves of a defining system in the plane of two parameters, with scales of its unknowns."""
 
     system: Augmented
     scale: FloatArray
@@ -504,8 +508,9 @@ class FoldCurves:
         return self.system.family.spans
 
     def smooth(self, states: FloatArray) -> list[FloatArray]:
-        """A chain of folds, shape (n + 2, number), with further ones between neighbours, until it
-        is smooth; in pieces where neighbours are found to lie on different curves.
+        """A chain, shape (n + 2, number), refined by points between neighbours until it is smooth.
+
+        It is split where neighbours turn out to lie on different curves.
         """
         off = np.full(states.shape[1] - 1, np.nan)
         for left in range(self.options.refinements, -1, -1):
@@ -525,12 +530,11 @@ class FoldCurves:
     def _between(
         self, one: FloatArray, two: FloatArray
     ) -> tuple[FloatArray, FloatArray, BoolArray]:
-        """The middles between pairs of points, not proved; how far each is from that of the cubic
-        between them, over their distance, infinite where none is found; and whether the curve is
-        not straight in the plane of the parameters.
+        """Points half-way between pairs of points, by Newton's method from the Hermite cubic; not
+        proved.
 
-        Of two points on one curve that falls with the third power of their distance, of others it
-        grows.
+        Also returns their distances from the cubic, over those of the pairs, infinite where
+        Newton's method fails; and whether the curve is bent in the plane of the parameters.
         """
         middle, chord, length = self._cubic(one, two, 0.5)
         with quiet():
@@ -544,8 +548,8 @@ class FoldCurves:
     def _cubic(
         self, one: FloatArray, two: FloatArray, share: float | FloatArray
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Points at a share of the way of cubics between pairs of points with their tangents, the
-        chords and their lengths, all over the scales.
+        """Points on the Hermite cubics between pairs of points, at a share of the way, with the
+        chords and their lengths; all over the scales.
         """
         start, end = (states / self.scale[:, None] for states in (one, two))
         chord = end - start
@@ -559,8 +563,8 @@ class FoldCurves:
         return straight + share * rest * (rest * ahead - share * behind), chord, length
 
     def joined(self, chains: Sequence[FloatArray]) -> list[FloatArray]:
-        """Chains followed beyond both ends: to the end of a range, or to the end of another chain,
-        with which it then is one.
+        """Chains extended at both ends: to the end of a range, or to the end of another chain,
+        which is then part of it.
         """
         left, out = list(chains), list[FloatArray]()
         while left:
@@ -576,10 +580,10 @@ class FoldCurves:
     def _beyond(
         self, chain: FloatArray, groups: Sequence[list[FloatArray]], side: int
     ) -> tuple[FloatArray, bool]:
-        """A chain with the points behind its last by pseudo-arclength, and whether they lead to its
-        begin or another one.
+        """A chain extended at its last point by pseudo-arclength continuation, and whether it has
+        reached its own beginning or another chain.
 
-        The other one is then a part of it, and among the others no more.
+        The other chain is appended, and removed from its group.
         """
         ahead = [
             (others, k, other[:, ::way])
@@ -597,7 +601,7 @@ class FoldCurves:
                 side if before is None else np.sign(along @ ((end - before) / self.scale))
             )
             start, stop = self._within(end, end + pace * along * self.scale)
-            # Across the way, or where a parameter is as at the end of its range.
+            # Newton's method in the plane across the step or, at an end of a range, at that value.
             normal = along if stop is None else np.eye(len(end))[stop]
             found, good = self.on_curve(start[:, None], normal[:, None], np.array([pace]))
             if stop is not None:
@@ -623,8 +627,8 @@ class FoldCurves:
         return np.concatenate(path, axis=1), False
 
     def _within(self, end: FloatArray, to: FloatArray) -> tuple[FloatArray, int | None]:
-        """Part of the way from one point to another up to an end of a range, and the number of the
-        parameter there.
+        """The point ``to``, or that on the way to it at which a parameter reaches the end of its
+        range, and the index of this parameter.
         """
         way, (low, high) = to - end, self.spans.T
         last = np.where(way[-2:] > 0, high, low)
@@ -640,8 +644,8 @@ class FoldCurves:
         return start, slot
 
     def _lie_between(self, points: FloatArray, one: FloatArray, two: FloatArray) -> BoolArray:
-        """Which points of curves lie between two others of one, or are the second one, and go the
-        same way.
+        """Mask of the points that lie on the curve between two of its points, or at the second, and
+        have the same direction.
         """
         chord, away = (two - one) / self.scale[:, None], (points - one) / self.scale[:, None]
         length = norm(chord[:, 0])
@@ -657,21 +661,22 @@ class FoldCurves:
         return lie
 
     def tangents(self, states: FloatArray) -> FloatArray:
-        """Unit vectors along the curve, over the scales; 0 where there is none."""
+        """Unit tangents of the curve, over the scales; 0 where there is none."""
         slopes = np.moveaxis(
             self._slopes(Intervals.point(states)).middle * self.scale[None, :, None], -1, 0
         )
         finite: BoolArray = np.logical_and.reduce(np.isfinite(slopes), axis=(1, 2))
-        vectors: FloatArray = np.linalg.svd(np.where(finite[:, None, None], slopes, 0.0))[2][
-            :, -1, :
-        ].T
-        return vectors * finite
+        *_, rows = np.linalg.svd(np.where(finite[:, None, None], slopes, 0.0))
+        return rows[:, -1].T * finite
 
     def on_curve(
         self, start: FloatArray, normal: FloatArray, near: FloatArray
     ) -> tuple[FloatArray, BoolArray]:
-        """Points of the curve in the planes through points with these normals, over the scales, and
-        which are proved; they may lie beyond the ranges.
+        """Points of the curve in planes through ``start`` with the given normals, and which are
+        proved.
+
+        Normals are over the scales. A point farther than half of ``near`` from ``start`` is not
+        proved, and points may lie beyond the ranges.
         """
         states = self._projected(start, normal)
         with quiet():
@@ -679,15 +684,19 @@ class FoldCurves:
         return states, self._proved(states, normal, off)
 
     def _proved(self, states: FloatArray, normal: FloatArray, off: FloatArray) -> BoolArray:
-        """Which states are proved to be next to a fold in contact, with the same value of what the
-        normal points along most, of those that are not far ``off`` from where they were looked for.
+        """Mask of states that are proved to be next to a point of the curve in contact.
+
+        The unknown of the largest component of the normal keeps its value. States whose distance
+        ``off`` from the prediction exceeds one half are not proved.
         """
         good = off <= 0.5
         good[good] = self.enclosed(states[:, good], np.abs(normal[:, good]).argmax(axis=0))[1]
         return good
 
     def _projected(self, start: FloatArray, normal: FloatArray) -> FloatArray:
-        """Where Newton's method comes to in the planes through points with these normals."""
+        """Points of the curve in planes through ``start`` with the given normals, by Newton's
+        method.
+        """
         states, scale, given = start, self.scale[:, None], self.system.fixed(start.shape[1])
         rows, off = np.empty((len(scale), *start.shape)), np.empty(start.shape)
         rows[-1] = normal
@@ -704,14 +713,15 @@ class FoldCurves:
         return states
 
     def _in_range(self, states: FloatArray) -> BoolArray:
+        """Mask of the states with both parameters in their ranges."""
         low, high = self.spans[:, :1], self.spans[:, 1:]
         return np.logical_and.reduce((low <= states[-2:]) & (states[-2:] <= high), axis=0)
 
     def enclosed(self, states: FloatArray, fixed: IntArray) -> tuple[FloatArray, BoolArray]:
-        """Boxes, shape (2, n + 2, N), around points of the curve in contact, and which are proved
-        to hold one.
+        """Boxes around points of the curve, shape (2, n + 2, N), and which are proved to hold one
+        in contact.
 
-        ``fixed`` is the number of the unknown whose value is that of the state.
+        ``fixed`` is, for each point, the index of the unknown that keeps its value.
         """
         count, columns = len(self.scale), np.arange(states.shape[1])
         free = (
@@ -719,19 +729,20 @@ class FoldCurves:
             .reshape(-1, count - 1)
             .T
         )
-        room = self.options.half_width * scale_of(states)
-        room[fixed, columns] = 0.0
-        wide = ends_around(states, room)
+        radius = self.options.half_width * scale_of(states)
+        radius[fixed, columns] = 0.0
+        wide = ends_around(states, radius)
         slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]
         reach = contractors.distance(wide, states)[free, columns]
-        given = self.system.fixed(states.shape[1])
-        values = self.system.residuals(Intervals.point(states), given)
+        parameters = self.system.fixed(states.shape[1])
+        values = self.system.residuals(Intervals.point(states), parameters)
         step = contractors.newton(values, Intervals(slopes), states[free, columns], reach)
-        closed = on_side(self.system, given, wide)[0]
+        closed = on_side(self.system, parameters, wide)[0]
         good = closed & contractors.inside(step.ends, wide[:, free, columns])
         wide[:, free, columns] = np.fmin(step.ends, wide[:, free, columns])
         return wide, good
 
     def _slopes(self, states: Intervals) -> Intervals:
+        """The Jacobian of the system over boxes of states."""
         with quiet():
             return self.system.jacobian(states, self.system.fixed(states.shape[1]))

@@ -1,9 +1,13 @@
-"""The lowest end: the least value of a parameter at which, over a range of another one, a state
-that is followed ends.
+"""The critical load: the least value of one parameter at which the followed state ends, over a
+range of another.
+
+Candidates are isolated: cusps, limit points of curves of folds and of borders, and ends of the
+range. At each of them, in ascending order, the state is followed to decide whether it ends there.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -33,14 +37,15 @@ from .tubes import Tubes
 
 @dataclass(frozen=True)
 class _Candidate:
+    """A value of ``vary`` at which the state may end, with the value ``where`` of ``over``."""
+
     value: float
     where: float
     kind: str
     error: float
 
     def ties(self, other: _Candidate) -> bool:
-        # Of two values that differ by less than so many of their bounds none is the
-        # lower one.
+        """Whether the two values are equal to within four times their error bounds."""
         return abs(self.value - other.value) <= 4.0 * (self.error + other.error) * max(
             1.0, abs(self.value)
         )
@@ -55,47 +60,47 @@ def critical_friction(
     between: Ranges | None = None,
     method: Method = "auto",
 ) -> CriticalLoad:
-    """The least friction at which the followed state ends at any inclination, or the least ``vary``
-    for any value of ``over``.
+    """The least friction, over all inclinations, at which the followed state ends; or the least
+    ``vary`` over all values of ``over``.
 
-    Below it that state, followed from the lower end of ``vary`` at any ``over``, never ends. It may
-    be lower than every cusp, since a curve of folds that leaves its cusp upward may turn back below
-    it; see :func:`cusp_friction`.
+    Below it the state, followed from the lower end of ``vary`` at any ``over``, never ends. It may
+    be lower than every cusp, since a curve of folds that rises from its cusp may turn back and fall
+    below it; see :func:`cusp_friction`.
 
     Parameters
     ----------
     p : Parameters
-        Of any model; the two that vary are not used. Scalars; of closed forms arrays too.
+        Of any model, scalars; arrays too with closed forms. The values of the two that vary are not
+        used.
     vary, over : str, optional
-        Two parameters: the one along which the state is followed, mu0 unless told otherwise, and
-        the one over whose range that is done, theta0 unless told otherwise.
+        Two parameters: that along which the state is followed, by default mu0, and that over whose
+        range the least value is taken, by default theta0.
     between, method
-        Their ranges and the way to the answer, as for :func:`spragsym.folds`.
+        Their ranges, and the method, as for :func:`spragsym.folds`.
 
     Returns
     -------
     CriticalLoad
-        To be used as the number or array ``mu0``, with its angle, kind and error; infinite where no
-        fold ends that state.
+        Usable as the number or array ``mu0``, with its angle, kind and error; infinite if no fold
+        ends the state.
 
     Raises
     ------
     ParameterError
         For parameters that are missing.
     ConvergenceError
-        At parameters of the article's model so close to a coincidence that 6144 bits do not tell it
-        from one.
+        At parameters of the article's model so near to a coincidence that 6144 bits do not separate
+        them from it.
 
     Notes
     -----
-    The state followed is the stable one of smallest first coordinate at the lower end of both
-    ranges, and what it becomes along ``over`` there, by a chain of boxes. Where it ends is on
-    curves of folds, and on curves on which it leaves the contact, or on which one of several
-    contacts is lost or regained. The least value on a piece of
-    them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece
-    ends on the border, or at an end of ``over``: all of these are isolated. From the least on it is
-    asked, by following the state along ``vary`` there, whether it ends: below the first one at
-    which it does, no piece has begun on which it could. Of the article's model:
+    The followed state is the reference state at the lower ends of both ranges, and what it becomes
+    along ``over`` there, proved by tubes. It may end on curves of folds, and on curves on which a
+    contact is lost or regained. The least value on a piece of these curves is at a cusp; at a limit
+    point of the curve, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0; where the piece ends on a
+    border; or at an end of the range of ``over``. All of these are isolated. In ascending order,
+    the state is followed along ``vary`` at each of them, to decide whether it ends there. Below the
+    first one at which it ends, no piece begins on which it could end. The article's model:
     :mod:`spragsym.kang_nam.lowest_fold`.
 
     Examples
@@ -127,7 +132,7 @@ def critical_friction(
         )
         found = _Candidate(open_from, math.nan, "undecided", math.nan)
     cut = [name for name in search_of.endless if name == over or not math.isfinite(found.value)]
-    # Combinations of contacts may have remarks in common.
+    # Combinations of contacts may share remarks.
     remarks = list(dict.fromkeys([*remarks, *of_ranges(cut, (over, vary), search_of.spans)]))
     complete = not remarks and found.kind != "undecided"
     return CriticalLoad(
@@ -144,10 +149,10 @@ def cusp_friction(
     between: Ranges | None = None,
     method: Method = "auto",
 ) -> float | FloatArray:
-    """The least friction at a cusp over friction and inclination, or over ``vary`` and ``over``;
-    infinite without a cusp.
+    """The least friction at a cusp in the plane of friction and inclination, or of ``vary`` and
+    ``over``; infinite without a cusp.
 
-    What decides whether a state can end is :func:`critical_friction`: folds may lie below their
+    Whether a state can end is decided by :func:`critical_friction`, since folds may lie below their
     cusps.
 
     Parameters
@@ -167,12 +172,12 @@ def cusp_friction(
     ParameterError
         For parameters that are missing.
     ConvergenceError
-        Where a lower one is not ruled out, or there is none in a part of an endless range.
+        If a lower cusp is not excluded, or none is found in the searched part of an infinite range.
 
     Notes
     -----
-    Source: :func:`spragsym.cusps`; beyond the end of a range there may be others, but no lower
-    ones.
+    Source: :func:`spragsym.cusps`. Beyond the searched part of a range there may be other cusps,
+    but no lower ones.
 
     Examples
     --------
@@ -190,6 +195,9 @@ def cusp_friction(
 
 
 def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Ranges | None) -> float:
+    """The least value of ``vary`` at a cusp, at one point; ConvergenceError if a lower one is
+    possible.
+    """
     found = cusps(p, (over, vary), between=between)
     inside = np.logical_and(*(p.ranges[name].inside(found[name]) for name in (vary, over)))
     value = float(found[vary][inside].min(initial=math.inf))
@@ -207,9 +215,7 @@ def _lowest_cusp(p: ParameterSet, vary: str, over: str, between: Ranges | None) 
 
 
 def _least_left(found: Points, vary: str) -> float:
-    """The least value of one of the two parameters that vary in the boxes that are undecided;
-    infinite without any.
-    """
+    """The least value of a varying parameter in undecided boxes; infinite without any."""
     ends = found.undecided[:, found.vary.index(vary) - len(found.vary), 0]
     return float(ends.min(initial=math.inf))
 
@@ -224,19 +230,19 @@ def critical_value(
     over: str | None = None,
     method: Method = "auto",
 ) -> float:
-    """The value of a parameter at which :func:`critical_friction` equals the friction of p.
+    """The value of a parameter at which :func:`critical_friction` equals the friction of ``p``.
 
-    On one side of it the state jumps at no inclination.
+    On one side of this value the state jumps at no inclination.
 
     Parameters
     ----------
     p : Parameters
-        Of any model, scalars with ``mu0``; the parameter that varies is not used.
+        Of any model, scalars with ``mu0``; the value of the parameter that varies is not used.
     vary : str
-        The parameter that is changed.
+        The parameter to change.
     between : mapping
-        The range of it, at one end of which :func:`critical_friction` is above the friction of p,
-        at the other below; ranges of the other two as for :func:`critical_friction`.
+        Its range, with :func:`critical_friction` above the friction of ``p`` at one end and below
+        at the other; ranges of the other two parameters as for :func:`critical_friction`.
     along, over : str, optional
         As ``vary`` and ``over`` of :func:`critical_friction`.
     method : str, optional
@@ -245,19 +251,19 @@ def critical_value(
     Returns
     -------
     float
-        To 1e-13, relative.
+        With a relative error of 1e-13.
 
     Raises
     ------
     ParameterError, ParameterTypeError
-        For a parameter that can't change, a range with the lowest end on one side, and parameters
-        that are no scalars.
+        For a parameter that can't change, a range with the critical friction on one side of that of
+        ``p``, and parameters that are no scalars.
     ConvergenceError
-        Where the lowest end is undecided on the way.
+        If the critical friction is undecided at a value in between.
 
     Notes
     -----
-    Source: :func:`critical_friction`, less the value that p has.
+    Source: a root of :func:`critical_friction` minus the value of ``p``, by Brent's method.
 
     Examples
     --------
@@ -317,6 +323,7 @@ def critical_value(
 
 
 def _in_words(value: float) -> str:
+    """A critical value as text."""
     return "infinite (there is no fold)" if math.isinf(value) else f"{value:.6g}"
 
 
@@ -328,8 +335,10 @@ def carried(
     q: FloatArray,
     error: float,
 ) -> FloatArray:
-    """The state at values of a parameter that go one way, shape (n, values), of the one that is
-    ``q`` at the first, to within ``error`` over max(1, |coordinate|).
+    """The state at a monotonic sequence of values of a parameter, shape (n, values), proved by
+    tubes.
+
+    ``q`` is the state at the first value, with an ``error`` relative to max(1, |coordinate|).
     """
     tubes = Tubes.of_points(balance, name, given_column(p, balance.parameters, (name,)))
     here = tubes.place(np.append(q, values[0])[:, None], error=error)
@@ -345,7 +354,7 @@ def carried(
 
 
 class _CandidateSearch:
-    """Candidates, and what becomes of the state at each of them."""
+    """The search for the critical load: its candidates, and whether the state ends at each."""
 
     def __init__(self, p: ParameterSet, vary: str, over: str, between: Ranges | None) -> None:
         families = Family.every(p, (over, vary), between)
@@ -355,27 +364,20 @@ class _CandidateSearch:
         self.endless = families[0].endless
         self.families = [replace(one, spans=self.spans) for one in families]
         self.low, self.high = map(float, self.spans[1])
-        #: The value from which on candidates are not all known, and what is not proved.
+        #: From this value on candidates may be missing; and remarks on what is not proved.
         self.open_from, self.remarks = math.inf, list[str]()
 
     def lowest(self) -> _Candidate:
-        """The candidate of least value at which the followed state ends; an infinite value where it
-        ends at none.
+        """The lowest candidate at which the followed state ends; of infinite value if it ends at
+        none.
         """
         candidates = self.candidates()
         first, last = self.spans[0].tolist()
-        places = {
-            first,
-            last,
-            *(value for one in candidates for sides in self.beside(one) for value in sides),
-        }
+        sides = itertools.chain(*(self.beside(one) for one in candidates))
+        places = {first, last, *itertools.chain(*sides)}
         self.begin(sorted(value for value in places if first <= value <= last))
         for one in candidates:
-            above = [
-                other.value
-                for other in candidates
-                if other.value > one.value and not other.ties(one)
-            ]
+            above = (k.value for k in candidates if k.value > one.value and not k.ties(one))
             limit = min(above, default=self.high)
             if one.value >= self.high:
                 break
@@ -394,7 +396,7 @@ class _CandidateSearch:
         return _Candidate(math.inf, math.nan, "", 0.0)
 
     def candidates(self) -> list[_Candidate]:
-        """All places at which a piece can have its least value, ascending."""
+        """All candidates, ascending by value."""
         found: list[_Candidate] = []
         for kind, points in self.points():
             columns = (one.tolist() for one in (points[self.vary], points[self.over], points.error))
@@ -410,14 +412,14 @@ class _CandidateSearch:
         return sorted(found, key=lambda one: one.value)
 
     def points(self) -> Iterator[tuple[str, Points]]:
-        """Extrema and ends of curves of folds, and the same of the border, if the model has one."""
+        """Limit points and ends of curves of folds, and of the borders of contacts, by kind."""
         both, whole = (self.over, self.vary), True
         between = dict(zip(both, map(tuple, self.spans.tolist()), strict=True))
         for kind, points in extrema(self.p, both, between):
             whole &= points.whole and bool(np.isfinite(points.region).all())
             if kind == "cusp":  # the first kind
                 found = points
-            # Where a cusp points along ``over`` its curves turn back too, and no others begin.
+            # A cusp that points along ``over`` is a limit point too, and counts once.
             yield kind, self._elsewhere(points, found) if kind == "turn" else points
 
         for family in self.families:
@@ -431,7 +433,7 @@ class _CandidateSearch:
                         yield "border", points
 
     def _elsewhere(self, points: Points, others: Points) -> Points:
-        """Points that are none of the others, by their bounds."""
+        """The points that differ from all ``others`` by more than their error bounds."""
         names = (*self.p.model.coordinates, *points.vary)
         here, there = (np.array([each[name] for name in names]) for each in (points, others))
         off = np.abs(here[:, :, None] - there[:, None]) / scale_of(here[:, :, None])
@@ -439,19 +441,20 @@ class _CandidateSearch:
         return points.select(apart.all(axis=1))
 
     def beside(self, one: _Candidate) -> list[list[float]]:
-        """Places at which it is asked whether the state ends at a candidate: of a cusp two on its
-        sides, ever nearer to it.
+        """Values of ``over`` at which to decide whether the state ends at a candidate.
+
+        For a cusp these are pairs of values on either side, ever nearer to it.
         """
         length = float(np.ptp(self.spans[0]))
-        # How far beside a cusp its folds are looked for, over the range.
-        if one.kind == "cusp":
-            return [
-                [one.where - far * length, one.where + far * length] for far in (1e-3, 1e-4, 1e-5)
-            ]
-        return [[one.where]]
+        if one.kind != "cusp":
+            return [[one.where]]
+        distances = (share * length for share in (1e-3, 1e-4, 1e-5))
+        return [[one.where - distance, one.where + distance] for distance in distances]
 
     def begin(self, places: list[float]) -> None:
-        """The state at the lower end of ``vary``, wherever it is followed from there."""
+        """Compute the states at the lower end of ``vary``, at all values of ``over`` where they are
+        followed.
+        """
         here = self.p.replace(**{self.vary: self.low})
         where = (
             f"at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
@@ -461,25 +464,24 @@ class _CandidateSearch:
         )
         balances = balances_of(self.p.model)
         balance = balances[number_of(balances, touching)]
-        way = carried(balance, here, self.over, np.array(places), first, error)
-        self.beginning = dict(zip(places, way.T, strict=True))
+        states = carried(balance, here, self.over, np.array(places), first, error)
+        self.beginning = dict(zip(places, states.T, strict=True))
 
     def end_at(self, value: float, limit: float) -> ModelEnd | None:
-        """Value at which the state ends there below a limit; None if it does not."""
+        """The end of the state at one value of ``over``, below a limit; None if it does not end."""
         here = self.p.replace(**{self.over: value})
         near = dict(zip(self.p.model.coordinates, self.beginning[value], strict=True))
         slot = nearest_state(equilibria(here.replace(**{self.vary: self.low})), near)
         return first_end(here, self.vary, (self.low, limit), start=int(slot))
 
     def ends_at(self, one: _Candidate, above: float) -> bool | None:
-        """Whether the state ends at a candidate, below which it does nowhere; None where that is
-        not decided.
+        """Whether the state ends at a candidate; None if that is undecided. It ends at no lower
+        one.
 
-        Beside a cusp, where its two folds are: no other piece begins between it and the next
-        candidate.
+        At a cusp its two folds are sought beside it: up to the next candidate ``above`` no other
+        piece of a curve begins.
         """
-        # How far beyond the value of a candidate states are looked at, over it if it is
-        # above 1.
+        # States are followed a little beyond the candidate.
         limit = min(one.value + 0.05 * max(1.0, abs(one.value)), self.high)
         try:
             if one.kind != "cusp":
@@ -495,7 +497,7 @@ class _CandidateSearch:
         return None
 
     def folds_below(self, value: float, limit: float) -> int:
-        """Number of folds there below a limit."""
+        """The number of folds below a limit at one value of ``over``."""
         found = folds(
             self.p.replace(**{self.over: value}), self.vary, between={self.vary: (self.low, limit)}
         )

@@ -1,6 +1,4 @@
-"""Folds of a model along one parameter, and cusps in the plane of two, each proved, and whether
-these are all.
-"""
+"""Folds of a model along one parameter, and cusps in the plane of two: the public functions."""
 
 from __future__ import annotations
 
@@ -25,52 +23,51 @@ def folds(
     options: SearchOptions | None = None,
     method: Method = "auto",
 ) -> Points:
-    """Folds in contact along one parameter, the others fixed; ``complete`` of the result says
-    whether these are all.
+    """All folds in contact along one parameter, each proved.
 
     Parameters
     ----------
     p : Parameters
-        Of any model, scalars; the one that varies is not used.
+        Of any model, scalars; the value of the one that varies is not used.
     vary : str, optional
-        A parameter; without it ``theta0``, or the model's first one.
+        The parameter; by default ``theta0``, or the model's first one.
     between : mapping, optional
-        Its range, as ``{"mu0": (0.0, 2.0)}``. Without it the parameter's own range; one without an
-        end is searched to ten times the larger of its base value and its own, and to 10 at least,
-        which the result says.
+        Its range, as ``{"mu0": (0.0, 2.0)}``; by default the range that the page allows. An infinite
+        range is searched to ten times the larger of the base value and the own value, and at least
+        to 10; the result says so.
     within : mapping, optional
         Ranges of coordinates, as for :func:`spragsym.equilibria`.
     options : SearchOptions, optional
-        Tolerances and limits of the search, which asks for it where a closed form would answer.
+        Tolerances and limits of the search. If given, the search answers instead of a closed form.
     method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or the
-        search.
+        A closed form if the model has one for these arguments and else the search; only the closed
+        form; or only the search.
 
     Returns
     -------
     Points
-        Of the kind ``"fold"``: two equilibria meet and vanish there; or ``"pitchfork"``: three
-        become one, all of them in one point, in a model that is its own mirror image. Of several
-        contacts these of every combination of touches, and where one combination meets another:
-        ``"passes"`` or ``"border_fold"``, see :mod:`spragsym.bifurcation.borders`. Other
-        degenerate points are no regular roots and stay among the undecided boxes. Closed forms of
-        the article's model know all folds with L > 0, y < 0 and the parameter in its range, to
-        1e-12.
+        ``complete`` says whether these are all. The kind is ``"fold"`` where two equilibria meet
+        and vanish, and ``"pitchfork"`` where three become one, in a model that is its own mirror
+        image. With several contacts, these are points of all combinations of touching contacts, and
+        the kinds ``"passes"`` and ``"border_fold"`` are points where one combination meets another,
+        see :mod:`spragsym.bifurcation.borders`. Other degenerate points are no regular roots and
+        remain undecided boxes. Closed forms of the article's model give all folds with L > 0, y < 0
+        and the parameter in its range, to 1e-12.
 
     Raises
     ------
     ParameterError
         For a ``vary`` that is not a parameter, or a parameter that is missing or an array.
     ConvergenceError
-        At parameters of the article's model so close to a coincidence that 6144 bits do not tell it
-        from one.
+        At parameters of the article's model so near to a coincidence that 6144 bits do not separate
+        them from it.
 
     Notes
     -----
-    Source: F = 0 and det K = 0 in coordinates and parameter. At a regular root of them the
-    parameter moves the state across the fold and the fold is quadratic: otherwise their Jacobian
-    would be singular. Pitchforks: :mod:`spragsym.bifurcation.singularities`. Of the article's
-    model: f = f′ = 0, see :mod:`spragsym.kang_nam.folds`.
+    Source: F = 0 and det K = 0 in coordinates and parameter. At a regular root the fold is
+    quadratic, and the parameter unfolds it: otherwise the Jacobian would be singular. Pitchforks:
+    :mod:`spragsym.bifurcation.singularities`. The article's model: f = f′ = 0, see
+    :mod:`spragsym.kang_nam.folds`.
 
     Examples
     --------
@@ -85,7 +82,7 @@ def folds(
     >>> np.degrees(found.theta0).round(2).tolist(), found.complete
     ([44.59], True)
     """
-    from .singularities import folds_of  # where a closed form answers nothing of it is loaded
+    from .singularities import folds_of  # not loaded where a closed form answers
 
     return folds_of(p, p.model.one(vary), between, within, options)
 
@@ -100,23 +97,23 @@ def cusps(
     options: SearchOptions | None = None,
     method: Method = "auto",
 ) -> Points:
-    """Cusps in contact in the plane of two parameters, the others fixed; ``complete`` says whether
-    these are all.
+    """All cusps in contact in the plane of two parameters, each proved.
 
     Parameters
     ----------
     p : Parameters
-        Of any model, scalars; those that vary are not used.
+        Of any model, scalars; the values of those that vary are not used.
     vary : pair of str, optional
-        Two parameters; without it ``theta0`` and ``mu0``.
+        Two parameters, by default ``theta0`` and ``mu0``.
     between, within, options, method
         As for :func:`spragsym.folds`.
 
     Returns
     -------
     Points
-        Of the kind ``"cusp"``. Closed forms of the article's model, in the plane of θ₀ and μ₀, know
-        all cusps with L > 0, θ₀ in (−π, π] and μ₀ of either sign, sorted by ``mu0``.
+        ``complete`` says whether these are all. The kind is ``"cusp"``. Closed forms of the
+        article's model, in the plane of θ₀ and μ₀, give all cusps with L > 0, θ₀ in (−π, π] and μ₀
+        of either sign, sorted by ``mu0``.
 
     Raises
     ------
@@ -125,8 +122,8 @@ def cusps(
 
     Notes
     -----
-    Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K. Of
-    the article's model: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ, see
+    Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, where v is a column of the adjugate
+    of K. The article's model: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ, see
     :mod:`spragsym.kang_nam.cusps`.
 
     Examples

@@ -1,5 +1,7 @@
-"""Curves of onsets of flutter in the plane of two parameters: Hopf points and where their kind
-changes, or modes that meet.
+"""Curves of flutter onsets in the plane of two parameters.
+
+With damping they consist of Hopf points, each super- or subcritical, and end or change at points of
+codimension two. Without damping, two modes meet on them.
 """
 
 from __future__ import annotations
@@ -7,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,8 +51,12 @@ from .normal_forms import Coefficient, NormalForm, coefficients
 from .options import ContinuationOptions
 from .points import Found, all_of, arranged, matrices, nothing, search, which
 
-#: Why a point has no normal form that is not proved to be a generic Hopf point.
+#: Reason why a point has no normal form.
 UNPROVED = "no generic Hopf point is proved there"
+
+
+#: A normal form, or the reason why there is none, for each of some points.
+Forms: TypeAlias = list[NormalForm | Coefficient | str]
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,33 +68,32 @@ class OnsetCurves(Result):
     vary : tuple of str
         The two parameters.
     damping : bool
-        Whether with all damping, or by (27), without: then curves are where two modes meet, and
-        have no ``lyapunov``.
+        True for Hopf points with all damping. False for (27), without damping: two modes meet on
+        the curves, which have no ``lyapunov``.
     between : mapping
         Ranges of the two.
     curves : tuple of Curve
-        Hopf points in the order in which they follow each other. Each is proved; that they are
-        joined in the right order is not. Their columns: the parameters that vary, the coordinates,
-        ``omega``, ``lyapunov`` with its bound ``lyapunov_error``, NaN and inf where there is no
-        coefficient, and ``criticality``, as of :class:`spragsym.results.Onsets`; of several
-        contacts ``touching``.
+        Onsets in order along each curve. Each point is proved; that neighbours lie on one curve is
+        not. Columns: the two parameters, the coordinates, ``omega``, ``lyapunov`` with its bound
+        ``lyapunov_error``, NaN and inf where there is no coefficient, ``criticality`` as in
+        :class:`spragsym.results.Onsets`, and ``touching`` with several contacts.
     points : Points
         All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"``
-        (zero–Hopf: it meets a fold) and ``"HH"`` (double Hopf: two curves meet; sought with two
-        coordinates, and of parts of a model that do not act on each other), proved.
+        (zero–Hopf: it meets a fold) and ``"HH"`` (double Hopf: two curves meet; only for two
+        coordinates, and for parts of a model that do not act on each other), proved.
     changes : mapping
-        Generalized Hopf points (GH), where l₁ changes its sign along a curve: columns of the two
-        parameters, of the coordinates, and ``error``, the distance of the two proved points with
+        Generalized Hopf points (GH), where l₁ changes its sign along a curve. Columns: the two
+        parameters, the coordinates, and ``error``, the distance of the two proved points with
         opposite signs between which it lies.
     lines : mapping
-        For each parameter the values at which all Hopf points along the other one are known.
+        For each parameter, the values at which all onsets along the other parameter are searched.
     complete : bool
         Whether all onsets on all lines, and all points, are decided.
     undecided : ndarray
-        Lower and upper ends of the boxes on lines that are not, shape (boxes, unknowns, 2):
-        coordinates, then parameters.
+        Lower and upper ends of undecided boxes on lines, shape (boxes, unknowns, 2): coordinates,
+        then parameters.
     remarks : tuple of str
-        Why the result is not complete: what is known of these boxes, and what was not searched.
+        Why the result is not complete: what is known of undecided boxes, and what was not searched.
     """
 
     vary: tuple[str, ...]
@@ -119,21 +125,20 @@ def onset_curves(
     between: Ranges | None = None,
     options: ContinuationOptions | None = None,
 ) -> OnsetCurves:
-    """Curves of Hopf points in the plane of two parameters, each point supercritical or
-    subcritical.
+    """Curves of Hopf points in the plane of two parameters, each point super- or subcritical.
 
     Parameters
     ----------
     p : Parameters
-        Of any model, scalars; those that vary are not used.
+        Of any model, scalars; the values of those that vary are not used.
     vary : pair of str, optional
-        Two parameters; without it ``theta0`` and ``mu0``.
+        Two parameters, by default ``theta0`` and ``mu0``.
     n : int
-        Lines of either parameter on which all Hopf points are found and proved.
+        Number of lines of either parameter, on which all Hopf points are found and proved.
     damping : bool, optional
-        With all damping, that of the friction law included; or by (27), without: curves on which
-        two modes meet. Without it True, unless C is 0, of several contacts for each combination of
-        those that touch.
+        True for all damping, with that of the friction law; False for (27), without damping: curves
+        on which two modes meet. By default True unless C is 0, for each combination of touching
+        contacts.
     between : mapping, optional
         Ranges of the two, as ``{"mu0": (0, 1)}``.
     options : ContinuationOptions, optional
@@ -142,20 +147,20 @@ def onset_curves(
     Returns
     -------
     OnsetCurves
-        ``curves``, each point with ``criticality``; ``points``, all those of the kinds BT, ZH and
-        HH, proved; and ``changes``, where l₁ passes 0 along a curve (GH).
+        ``curves``, each point with its ``criticality``; ``points``, all of the kinds BT, ZH and HH,
+        proved; and ``changes``, where l₁ passes 0 along a curve (GH).
 
     Raises
     ------
     ParameterError
-        For parameters that the model has not, or ranges that leave theirs.
+        For unknown parameters, or ranges that leave those allowed.
 
     Notes
     -----
     Source: F = 0 and Hurwitz's determinant along 2 n lines, as for
-    :func:`spragsym.bifurcation.flutter.flutter_onsets`; two points are neighbours only if no line
-    separates them. A curve that closes between two lines is not seen. Where the only coordinate
-    that is damped has no damping, by a falling friction law against a damper, every pair crosses,
+    :func:`spragsym.bifurcation.flutter.flutter_onsets`. Two points can be neighbours only if no
+    line separates them. A closed curve between two lines is missed. If the damping of the only
+    damped coordinate vanishes, as by a falling friction law against a damper, every pair crosses,
     and each is a curve without l₁.
 
     Examples
@@ -179,7 +184,7 @@ def onset_curves(
 
 
 def _joined(first: OnsetCurves, others: Sequence[OnsetCurves]) -> OnsetCurves:
-    """Curves of all combinations of contacts that touch as one result."""
+    """The results of all combinations of touching contacts, as one."""
     parts = [first, *others]
     return replace(
         first,
@@ -198,12 +203,12 @@ def _joined(first: OnsetCurves, others: Sequence[OnsetCurves]) -> OnsetCurves:
 
 @dataclass(frozen=True)
 class _Plane(Family):
-    """The plane of two parameters, and what is asked of states there, shape (n + 2, N):
-    coordinates, then both parameters.
+    """The plane of two parameters; states there have the shape (n + 2, N): coordinates, then
+    parameters.
     """
 
     def curves(self, n: int, damping: bool | None, options: ContinuationOptions) -> OnsetCurves:
-        """Curves of Hopf points, or without damping those on which two modes meet."""
+        """Curves of Hopf points or, without damping, curves on which two modes meet."""
         systems = OnsetSystems.of(self, damping)
         damping, said = systems.damping, systems.said
         points, ends = self.points(systems)
@@ -215,20 +220,16 @@ class _Plane(Family):
                 said, whole = (*said, *self.of_slope()), False
                 continue
             found = on_lines(self, sought.condition, n, own_ends, options=options)
+            generic = sought.kind != "flutter" and sought.frequencies is not every
             for chain in found.chains:
-                linearizations = zip(
-                    _at_ends(found.curves, chain, own_ends).tolist(),
-                    *matrices(self, chain, damping=sought.kind == "hopf"),
-                    strict=True,
-                )
-                for states, omega in _pieces(
-                    chain, [_modes(sought, *each) for each in linearizations]
-                ):
-                    forms = (
-                        [UNPROVED] * len(omega)
-                        if sought.kind == "flutter" or sought.frequencies is every
-                        else self.forms(found.curves, states)
-                    )
+                at_end = _at_ends(found.curves, chain, own_ends).tolist()
+                linearizations = matrices(self, chain, damping=sought.kind == "hopf")
+                each = zip(at_end, *linearizations, strict=True)
+                modes = [_modes(sought, *state) for state in each]
+                for states, omega in _pieces(chain, modes):
+                    forms: Forms = [UNPROVED] * len(omega)
+                    if generic:
+                        forms = self.forms(found.curves, states)
                     curve = self.curve(states, omega, forms)
                     curves.append(curve)
                     changes += self.changes(found.curves, states, curve.criticality.tolist())
@@ -236,11 +237,9 @@ class _Plane(Family):
             whole = whole and found.whole
             said = said + found.remarks
             lines = found.lines
-        hardly = (
-            int(self.hardly_damped(undecided.mean(axis=2).T, options.undamped).sum())
-            if damping and len(undecided)
-            else 0
-        )
+        hardly = 0
+        if damping and len(undecided):
+            hardly = int(self.hardly_damped(undecided.mean(axis=2).T, options.undamped).sum())
         if hardly:
             said += (
                 f"on lines: in {hardly} of {len(undecided)} undecided boxes C is at most "
@@ -252,10 +251,7 @@ class _Plane(Family):
         own = own_name(self.balance.model, "error")
         names = (*self.vary, *self.balance.coordinates, own)
         rows = dict(zip(names, np.array(changes).reshape(-1, len(names)).T, strict=True))
-        between = {
-            name: (float(low), float(high))
-            for name, (low, high) in zip(self.vary, self.spans, strict=True)
-        }
+        between = dict(zip(self.vary, map(tuple, self.spans.tolist()), strict=True))
         complete = (points.complete or not damping) and whole and not len(undecided)
         return OnsetCurves(
             self.vary,
@@ -271,11 +267,12 @@ class _Plane(Family):
         )
 
     def of_slope(self) -> tuple[str, ...]:
-        """What is not searched where friction alone damps, unless its slope keeps a sign."""
+        """A remark if the slope of the friction law changes its sign, which is not searched
+        here.
+        """
         slope = slope_over(self.balance, self.over)
         low, high = float(slope.low[0]), float(slope.high[0])
-        # An end of the range at which friction vanishes is none.
-        if not low < 0 < high:
+        if not low < 0 < high:  # also where it is 0 at an end, as without friction
             return ()
         return (
             "where the slope of the friction law is 0 nothing damps and every pair crosses: "
@@ -284,15 +281,15 @@ class _Plane(Family):
         )
 
     def points(self, systems: OnsetSystems) -> tuple[Points, list[FloatArray]]:
-        """All points of all kinds at which curves end or change, and those at which the curves of
-        each of the systems end.
+        """All points at which curves end or change, and for each of the systems the points at which
+        its curves end.
         """
         kinds, parts = list[str](), list[Found]()
         ends = [np.empty((self.balance.n + 2, 0))] * len(systems.sought)
         for kind, condition, row in _of_points(systems):
             found = search(self, condition)
             roots = self.roots(found.roots.middle)
-            # The pair with the sum 0 is imaginary, both of them at a double Hopf point.
+            # A pair with the sum 0 may also be real. A double Hopf point needs two imaginary pairs.
             imaginary = (np.abs(roots.real) < 1e-5 * np.abs(roots.imag)).sum(axis=1)
             kept = (imaginary >= (4 if kind == "HH" else 2)) | (kind == "BT")
             parts.append(replace(found, roots=found.roots.select(kept)))
@@ -313,28 +310,26 @@ class _Plane(Family):
         C = C - G
         return np.abs(C).max(axis=(1, 2)) <= share * np.abs(K).max(axis=(1, 2))
 
-    def forms(self, curves: FoldCurves, states: FloatArray) -> list[NormalForm | Coefficient | str]:
-        """What is known of l₁ at each point, over a box that is proved to hold one, or why there is
-        none: by intervals of floats, and where these do not tell its sign by many digits.
+    def forms(self, curves: FoldCurves, states: FloatArray) -> Forms:
+        """For each point its normal form or coefficient, over a box that is proved to hold it, or
+        the reason why there is none.
+
+        Intervals are tried first, ball arithmetic where they do not decide.
         """
         ends, good = curves.enclosed(states, np.abs(curves.tangents(states)).argmax(axis=0))
         middle, n = Intervals(ends).middle, self.balance.n
         radii, given = contractors.distance(ends, middle), self.at(middle[n:])
-        out: list[NormalForm | Coefficient | str] = [UNPROVED] * good.size
+        out: Forms = [UNPROVED] * good.size
         rows = np.flatnonzero(good)
-        quick = coefficients(self.balance, given[:, rows], ends[:, :, rows], self.vary)
-        for k, form in zip(rows.tolist(), quick, strict=True):
-            out[k] = (
-                form_or_why(self.balance, given[:, k], middle[:n, k], self.vary, radii[:, k])
-                if form is None
-                else form
+        by_intervals = coefficients(self.balance, given[:, rows], ends[:, :, rows], self.vary)
+        for k, form in zip(rows.tolist(), by_intervals, strict=True):
+            out[k] = form or form_or_why(
+                self.balance, given[:, k], middle[:n, k], self.vary, radii[:, k]
             )
         return out
 
-    def curve(
-        self, states: FloatArray, omega: FloatArray, forms: Sequence[NormalForm | Coefficient | str]
-    ) -> Curve:
-        """The points with what is known of them."""
+    def curve(self, states: FloatArray, omega: FloatArray, forms: Forms) -> Curve:
+        """The states as a curve, with frequencies and criticality as columns."""
         ours = {
             "omega": omega,
             "lyapunov": of_forms(forms, "lyapunov", np.nan),
@@ -347,11 +342,11 @@ class _Plane(Family):
     def changes(
         self, curves: FoldCurves, states: FloatArray, kinds: Sequence[str]
     ) -> list[list[float]]:
-        """Points between neighbours whose coefficients have opposite signs, halved down; a row
+        """Points between neighbours with opposite signs of l₁, by bisection; a row of numbers for
         each.
         """
         decided = [k for k, kind in enumerate(kinds) if kind != "undecided"]
-        # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
+        # l₁ also changes its sign at a pole, a zero–Hopf point, where det K does too.
         side = np.prod(self.roots(states), axis=1).real > 0
         pairs = [
             (one, two)
@@ -371,8 +366,10 @@ class _Plane(Family):
     def _halve(
         self, curves: FoldCurves, one: FloatArray, two: FloatArray, kinds: NDArray[np.str_]
     ) -> None:
-        """Move the points of pairs towards each other, as long as the criticality between them is
-        known; ``kinds`` are those of ``one``.
+        """Move the points of pairs towards each other in place, as long as the criticality half-way
+        is decided.
+
+        ``kinds`` are the criticalities of ``one``.
         """
         rows = np.arange(kinds.size)
         for _ in range(30):  # halvings
@@ -390,10 +387,10 @@ class _Plane(Family):
 
 
 def _of_points(systems: OnsetSystems) -> Iterator[tuple[str, Condition, int]]:
-    """Kinds of points, conditions on them, and the number of the system whose curves they are on.
+    """Kinds of points, their conditions, and the index of the system whose curves they lie on.
 
-    Of blocks of coordinates the pair and the root 0 of a zero–Hopf point, or both pairs of a double
-    one, may be those of two blocks.
+    With several blocks of coordinates, the pair and the root 0 of a zero–Hopf point, or the two
+    pairs of a double Hopf point, may belong to two blocks.
     """
     only, blocks = systems.only, systems.blocks
     crossed = [
@@ -408,7 +405,7 @@ def _of_points(systems: OnsetSystems) -> Iterator[tuple[str, Condition, int]]:
         block = one.block or blocks[0]
         along = None if only is None else block.index(only)
         kinds = ["BT", *(["ZH"] if len(block) > 1 else [])]
-        # With one coordinate damped the coefficient of λ³ is that damping times a mass.
+        # With one damped coordinate the coefficient of λ³ is its damping times a mass, never 0.
         kinds += ["HH"] if len(block) == 2 and only is None else []
         for kind in kinds:
             yield kind, within_block(of_kind(kind, along), one.block), row
@@ -421,10 +418,9 @@ def _of_points(systems: OnsetSystems) -> Iterator[tuple[str, Condition, int]]:
 
 
 def _modes(sought: Sought, end: bool, *state: FloatArray) -> list[float]:
-    """ω of what oscillates at a state, 0 first at a Bogdanov–Takens point, which belongs to the
-    curve.
+    """Frequencies ω of a state.
 
-    There two λ are 0, and rounding would say what they are.
+    At a Bogdanov–Takens point (``end``), where two λ are 0 but for rounding, the first is 0.
     """
     if not end:
         return sought.omega(*state)
@@ -437,8 +433,8 @@ def _modes(sought: Sought, end: bool, *state: FloatArray) -> list[float]:
 def _pieces(
     chain: FloatArray, modes: Sequence[Sequence[float]]
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """The parts of a chain of states that have as many frequencies, once for each of these, with
-    that frequency.
+    """Pieces of a chain with an equal number of frequencies: each piece once for each frequency,
+    with its values.
     """
     cuts = np.flatnonzero(np.diff([len(each) for each in modes])) + 1
     for part in np.split(np.arange(len(modes)), cuts):
@@ -447,6 +443,6 @@ def _pieces(
 
 
 def _at_ends(curves: FoldCurves, states: FloatArray, ends: FloatArray) -> BoolArray:
-    """Mask of the states of a chain that are Bogdanov–Takens points, one a column."""
+    """Mask of the states of a chain that are among the Bogdanov–Takens points ``ends``."""
     off = np.abs(states[:, :, None] - ends[:, None]) / curves.scale[:, None, None]
     return (off.max(axis=0) < 1e-9).any(axis=1)

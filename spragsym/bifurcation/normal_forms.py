@@ -3,7 +3,8 @@
 At a Hopf point of u′ = F(u), let A q = i ω q, Aᵀ p = −i ω p, ⟨q, q⟩ = ⟨p, q⟩ = 1, and let B and C
 be the second and third derivatives of F. Then
 
-    l₁ = Re [⟨p, C(q, q, q̄)⟩ − 2 ⟨p, B(q, A⁻¹ B(q, q̄))⟩ + ⟨p, B(q̄, (2 i ω − A)⁻¹ B(q, q))⟩] / (2 ω)
+    l₁ = Re [⟨p, C(q, q, q̄)⟩ − 2 ⟨p, B(q, A⁻¹ B(q, q̄))⟩
+             + ⟨p, B(q̄, (2 i ω − A)⁻¹ B(q, q))⟩] / (2 ω)
 
 (Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, section 5.4). The state u is the
 coordinates, then their rates, in the model's units. One point is computed in ball arithmetic around

@@ -33,9 +33,9 @@ def equilibria(
         Of any model, of any shape; θ₀ and μ₀ of the article's model are needed.
     contact : bool or sequence of str, optional
         True for states with a gap ≤ 0, False for states with a gap ≥ 0 without the contact's force:
-        n̄ = 1 and n̄ = 0 of the article. With several contacts that open, True means that all touch,
-        False that none does, and names, as ``("front",)``, that these touch and no others. Left
-        out, all states in which at least one contact touches: each combination is searched and
+        n̄ = 1 and n̄ = 0 of the article. With several contacts that open, True means that all
+        touch, False that none does, and names, as ``("front",)``, that these touch and no others.
+        Left out, all states in which some contact touches: each combination is searched and
         proved on its own, and the column ``touching`` names it. A contact that presses on either of
         two faces, as in a slot, has friction μ |N|: True is for states with N ≥ 0, False for those
         with N ≤ 0; left out, both are searched.

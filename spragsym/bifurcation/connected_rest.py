@@ -1,10 +1,9 @@
-"""Places of rest in one connected set of states in which friction holds, of any forces.
+"""Whether two positions of rest lie in one connected set of sticking states, for any forces.
 
-Where the coefficients of friction are h_i μ_s,i with shares h_i in [−1, 1], a state of sticking is
-an equilibrium for some shares. From those of one place to those of another the shares move one
-after another, all in their box: where a tube holds one equilibrium at every step of the way, and
-the last one is the other place, a path of such equilibria connects the two. A path that is not
-found proves nothing.
+With friction coefficients h_i μ_s,i and shares h_i in [−1, 1], a sticking state is an equilibrium
+at some shares. The shares of one position are moved to those of the other, one after another,
+within their box. If tubes prove one equilibrium all along, and the last one is the other position,
+then a path of equilibria connects the two. If no such path is found, nothing is proved.
 """
 
 from __future__ import annotations
@@ -25,22 +24,21 @@ from .tubes import Place, Tubes, in_turn
 
 
 def connected(p: ParameterSet, one: FloatArray, other: FloatArray, near: FloatArray) -> bool:
-    """Whether two places of rest are proved to lie in one connected set of states in which friction
-    holds.
+    """Whether two positions of rest are proved to lie in one connected set of sticking states.
 
     Parameters
     ----------
     p : ParameterSet
         Scalars.
     one, other : ndarray, shape (n,)
-        Places of rest.
+        Positions of rest.
     near : ndarray, shape (n,)
-        How far from a place its state may be.
+        Largest distance of a position from its equilibrium, by coordinate.
 
     Returns
     -------
     bool
-        False where that is not proved.
+        False if that is not proved.
     """
     speeds = zip(p.model.frictions, belt_speeds(p), strict=False)
     holding = [entry["name"] for entry, speed in speeds if entry["holds"] and not np.any(speed)]
@@ -62,9 +60,7 @@ def connected(p: ParameterSet, one: FloatArray, other: FloatArray, near: FloatAr
 
 
 def _used(balance: Balance, rows: list[int], column: FloatArray, state: FloatArray) -> FloatArray:
-    """Shares of the static friction coefficients at a place, by least squares: forces are linear in
-    them.
-    """
+    """The shares used at a position, by least squares, since forces are linear in them."""
     given = np.repeat(column[:, None], 1 + len(rows), axis=1)
     given[rows, 1 + np.arange(len(rows))] = 1.0
     at = balance.at(list(np.tile(state[:, None], given.shape[1])), balance.floats(given), xp=np)
@@ -73,4 +69,5 @@ def _used(balance: Balance, rows: list[int], column: FloatArray, state: FloatArr
 
 
 def _close(place: Place, state: FloatArray, near: FloatArray) -> bool:
+    """Whether a place lies within the distances ``near`` of a state."""
     return magnitude((place.z[:-1, 0] - state) / near) <= 1

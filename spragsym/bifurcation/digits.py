@@ -1,5 +1,6 @@
-"""Any number of digits of equilibria and cusps: isolated over boxes of floats, narrowed by
-Krawczyk's operator in balls.
+"""Equilibria and cusps to any number of digits.
+
+Roots are isolated over boxes of floats, then narrowed by the Krawczyk operator in ball arithmetic.
 """
 
 from __future__ import annotations
@@ -46,10 +47,12 @@ def precise_equilibria(
     *,
     method: Method = "auto",
 ) -> PreciseEquilibria:
-    """All equilibria of a point, each number within 10^−digits max(1, |number|).
+    """All equilibria of one point, each number with an error of at most 10^−digits max(1,
+    |number|).
 
-    ``p`` is any set of the model, ``exact`` has every parameter: a rational number, or what gives
-    an interval in an arithmetic; ``contact`` as for :func:`spragsym.equilibria`.
+    ``p`` is any set of the model. ``exact`` has all parameters by name: a rational number, or a
+    function that returns a ball at the current precision. ``contact`` is as for
+    :func:`spragsym.equilibria`.
     """
     balances = balances_of(p.model, contact=contact)
     parts = [_in_combination(balance, exact, digits) for balance in balances]
@@ -63,17 +66,17 @@ def precise_equilibria(
 
 
 def _in_combination(balance: Balance, exact: Mapping[str, Any], digits: int) -> PreciseEquilibria:
-    """The equilibria of one combination of contacts that touch."""
+    """The equilibria of one combination of touching contacts."""
     found, searched, whole = _isolated(balance, exact)
     if found.undecided_point.size:
-        closer = (
-            ""
-            if _held(_ends(exact))
-            else ", or give only numbers that floats hold, as 0.5: these are searched more closely"
-        )
+        advice = ""
+        if not _held(_ends(exact)):
+            advice = (
+                ", or give only numbers that floats hold, as 0.5: these are searched more closely"
+            )
         raise ConvergenceError(
             f"equilibria: {found.undecided_point.size} boxes are not decided; change a parameter a "
-            f"little{closer}"
+            f"little{advice}"
         )
 
     def attempt(bits: int) -> list[PreciseEquilibrium]:
@@ -87,14 +90,15 @@ def _in_combination(balance: Balance, exact: Mapping[str, Any], digits: int) -> 
 
 
 def _each(found: Roots, tell: Callable[[FloatArray, FloatArray], T | None]) -> list[T]:
-    """Values of ``tell`` for each root, from its box and the one in which it is alone; no None
-    among them.
+    """The results of ``tell`` for all roots, without None; its arguments are the box of a root and
+    the box in which it is alone.
     """
     results = map(tell, *(np.moveaxis(boxes, 2, 0) for boxes in (found.ends, found.alone)))
     return [one for one in results if one is not None]
 
 
 def _searched(names: Sequence[str], region: FloatArray) -> Ranges:
+    """The searched region as ranges by name."""
     return {
         name: (-float(low), float(high))
         for name, low, high in zip(names, *region[:, :, 0], strict=True)
@@ -102,7 +106,7 @@ def _searched(names: Sequence[str], region: FloatArray) -> Ranges:
 
 
 def _hull(regions: Sequence[Ranges]) -> Ranges:
-    """The least box that holds those that were searched, of the same names."""
+    """The hull of searched regions, as ranges by name."""
     return {
         name: (min(one[name][0] for one in regions), max(one[name][1] for one in regions))
         for name in regions[0]
@@ -110,7 +114,7 @@ def _hull(regions: Sequence[Ranges]) -> Ranges:
 
 
 def _ends(exact: Mapping[str, Any]) -> dict[str, tuple[Fraction, Fraction]]:
-    """Both ends of every parameter, equal where it is rational, at the bits of this moment."""
+    """Lower and upper end of every parameter at the current precision; equal for rational ones."""
     return {
         name: balls.ends(value()) if callable(value) else (value, value)
         for name, value in exact.items()
@@ -118,34 +122,30 @@ def _ends(exact: Mapping[str, Any]) -> dict[str, tuple[Fraction, Fraction]]:
 
 
 def _held(ends: Mapping[str, tuple[Fraction, Fraction]]) -> bool:
-    """Whether floats hold all parameters."""
+    """Whether all parameters are floats exactly."""
     return all(low == high == Fraction(float(low)) for low, high in ends.values())
 
 
 def _isolated(balance: Balance, exact: Mapping[str, Any]) -> tuple[Roots, FloatArray, Any]:
-    """A box for each root of all parameters between the floats around the exact ones, what is left,
-    and the region.
+    """Boxes with one root for each parameter between the floats around the exact ones; the searched
+    region, and whether it holds all.
     """
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
-    given = [ends[name] for name in balance.parameters]
-    low, high = np.array([[-float_above(-least), float_above(most)] for least, most in given]).T[
-        :, :, None
-    ]
+    exact_ends = [ends[name] for name in balance.parameters]
+    floats = np.array([[-float_above(-least), float_above(most)] for least, most in exact_ends])
+    low, high = floats.T[:, :, None]
     if (low == high).all():
         return roots_of(balance, high)
-    searched, whole = region(balance, Intervals.between(low, high))
-    return (
-        reduced_by_turns(balance.periodic, certified_roots.search(balance, searched, low, high)),
-        searched,
-        whole,
-    )
+    box, whole = region(balance, Intervals.between(low, high))
+    found = certified_roots.search(balance, box, low, high)
+    return reduced_by_turns(balance.periodic, found), box, whole
 
 
 def _state(
     system: PreciseBalance, digits: int, box: FloatArray, alone: FloatArray
 ) -> PreciseEquilibrium | None:
-    """The equilibrium in a box; None where it lies beyond the border of the contact."""
+    """The equilibrium in a box; None if it lies beyond the contact's border."""
     q = _narrowed(system, box, alone)
     at = system.state(q)
     if not _on_contact_side(at):
@@ -163,7 +163,7 @@ def _columns(at: Evaluation) -> list[Any]:
 
 
 def _angle(c: Number, s: Number) -> Number:
-    """The angle of a direction, π where the digits do not tell it from −π."""
+    """The angle of a direction; π if it is not separated from −π."""
     with suppress(UndecidedSign):
         return XP.atan2(s, c)
     return balls.pi() + XP.atan2(-s, -c)
@@ -179,16 +179,14 @@ def precise_cusps(
     between: Ranges | None = None,
     method: Method = "auto",
 ) -> CuspProof:
-    """Cusps in contact, each number within 10^−digits max(1, |number|), arguments as of
-    :func:`.folds.cusps`.
+    """All cusps in contact, each number with an error of at most 10^−digits max(1, |number|).
 
-    Each is proved for the exact parameters; that there are no more, only where all of these are
-    floats.
+    Arguments are those of :func:`.folds.cusps`. Each cusp is proved for the exact parameters. That
+    there are no others is proved only if all of these are floats.
     """
     with balls.precision(FIRST_BITS):
         ends = _ends(exact)
-    # Not a set of parameters: the float next to an exact number may lie on an end of the range that
-    # excludes it.
+    # An array, no set of parameters: the nearest float may be an open end of the allowed range.
     given = np.array(
         [[float(sum(ends[name]) / 2) if name in ends else np.nan] for name in p.model.parameters]
     )
@@ -205,7 +203,7 @@ def precise_cusps(
 
 
 def _cusps_of(family: Family, exact: Mapping[str, Any], digits: int) -> CuspProof:
-    """The cusps of one combination of contacts that touch."""
+    """The cusps of one combination of touching contacts."""
     found, coordinates = isolated(family), family.balance.coordinates
     systems = [Augmented(family, cusp(column)) for column in range(len(coordinates))]
     names = [*family.vary, *columns_of(family.p.model)]
@@ -232,8 +230,8 @@ def _by_any_column(
     box: FloatArray,
     alone: FloatArray,
 ) -> PreciseCusp | None:
-    """The cusp by the first column of the adjugate that decides: none does by one that is 0
-    there.
+    """The cusp by the first column of the adjugate for which it is proved; a column that is 0
+    proves none.
     """
     for column, system in enumerate(systems):
         try:
@@ -252,9 +250,10 @@ def _cusp(
     alone: FloatArray,
     digits: int,
 ) -> PreciseCusp | None:
-    """The cusp in a box; None where it lies beyond the border of the contact.
+    """The cusp in a box, by one column of the adjugate; None if it lies beyond the contact's
+    border.
 
-    At a regular root of F = det K = ∇(det K) · v = 0 with v ≠ 0 it is of third order, and the
+    At a regular root of F = det K = ∇(det K) · v = 0 with v ≠ 0 the cusp is of third order, and the
     parameters unfold it.
     """
     n = system.balance.n
@@ -270,20 +269,20 @@ def _cusp(
 
 
 def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> list[Any]:
-    """The root in a box of floats. The box gets narrower as bits are added: an angle may be known
-    worse than the coordinates.
+    """The root in a box of floats, as balls whose radius falls with the number of bits.
+
+    Raises UndecidedSign for a root that is nearly double. The radius is smaller than the digits
+    need, since an angle may be known worse than the coordinates.
     """
-    # Bits that may be lost where forces are summed.
-    root = narrowed(
-        system, box, alone, Fraction(1, 2 ** max(2 * system.bits // 3, system.bits - 96))
-    )
+    kept_bits = max(2 * system.bits // 3, system.bits - 96)  # others may be lost in sums of forces
+    root = narrowed(system, box, alone, Fraction(1, 2**kept_bits))
     if root is None:
         raise UndecidedSign("a root that is nearly a double one")
     return root
 
 
 def _on_contact_side(at: Evaluation) -> bool:
-    """Whether a state is on the side of the contact's border that is asked for."""
+    """Whether a state lies on the required side of all borders."""
     return all(
         (balls.decided(gap, "a gap that is zero") < 0) == touches
         for gap, touches in zip(at.gaps(), at.balance.closed, strict=True)

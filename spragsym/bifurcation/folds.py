@@ -32,7 +32,7 @@ def folds(
     vary : str, optional
         The parameter; by default ``theta0``, or the model's first one.
     between : mapping, optional
-        Its range, as ``{"mu0": (0.0, 2.0)}``; by default the range that the page allows. An infinite
+        Its range, as ``{"mu0": (0.0, 2.0)}``; by default the range of the page. An infinite
         range is searched to ten times the larger of the base value and the own value, and at least
         to 10; the result says so.
     within : mapping, optional

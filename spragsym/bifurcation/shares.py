@@ -1,5 +1,6 @@
-"""A model whose friction coefficients are shares h in [−1, 1] of the static ones, and these are
-parameters: with the coefficients h μ_s a state of sticking is an equilibrium at some shares.
+"""A model with shares h in [−1, 1] of the static friction coefficients as parameters.
+
+With the friction coefficients h μ_s, a sticking state is an equilibrium at some shares.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from ..numerics.arithmetic import Number
 
 
 def belt_speeds(p: ParameterSet) -> Sequence[Any]:
-    """Sliding speeds of what rests, of all frictions."""
+    """Sliding speeds of a mass at rest, for all frictions."""
     model = p.model
     levels = model.algebra.borders(
         *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
@@ -27,9 +28,10 @@ def belt_speeds(p: ParameterSet) -> Sequence[Any]:
 
 
 def held(p: ParameterSet, holding: Sequence[str] | None = None) -> ParameterSet:
-    """Parameters of a model whose friction coefficients, those of some contacts or of all on which
-    friction can hold, are parameters: the shares of the static ones that are used, of which none
-    is.
+    """The parameters as a set of the model with shares, all of which are 0.
+
+    ``holding`` names the contacts whose friction coefficients become shares; by default all on
+    which friction can hold.
     """
     if holding is None:
         holding = [entry["name"] for entry in p.model.frictions if entry["holds"]]
@@ -39,7 +41,7 @@ def held(p: ParameterSet, holding: Sequence[str] | None = None) -> ParameterSet:
 
 @cache
 def _model_held(model: Model, holding: tuple[str, ...]) -> type[ParameterSet]:
-    """The class of such parameters."""
+    """The class of parameters of the model with shares."""
     about, arguments = dict(model.about), model.about["arguments"]
     shares = [named("held", name) for name in holding]
     share = {
@@ -73,8 +75,8 @@ def _model_held(model: Model, holding: tuple[str, ...]) -> type[ParameterSet]:
 
 
 def _slopes(model: Model, holding: tuple[str, ...], name: str) -> Callable[..., Any]:
-    """Slopes of a friction coefficient by the parameters, and by the shares behind them, in which
-    it is linear.
+    """The function that gives derivatives of a friction coefficient by parameters and then shares;
+    it is linear in its share.
     """
     count, held_name = len(model.parameters), named("friction_held", name)
     own = undecorated(getattr(model.algebra, named("friction_by_parameters", name)))

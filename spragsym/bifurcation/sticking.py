@@ -1,16 +1,15 @@
-"""States in which friction holds a mass where nothing moves: curves of equilibria, whose ends and
-turns are proved.
+"""Sticking states: equilibria held by dry friction where nothing moves, as curves with proved ends.
 
-With the friction coefficient h μ_s, where h in [−1, 1] is the share of the static one that is used,
-a state of sticking is an equilibrium at one h, and the other way round. So these states form
-curves, which begin and end at h = ±1 or where the contact opens, and may turn back in h at folds.
-On a curve a coordinate is least and largest at its ends, or where it turns back itself: there the
-slopes of the forces by the other coordinates and h are singular.
+Let the friction coefficient be h μ_s, where h in [−1, 1] is the share of the static coefficient
+that is used. Then each sticking state is an equilibrium for one h, and conversely. So sticking
+states form curves, which begin and end at h = ±1 or where the contact opens, and have limit points
+in h at folds. A coordinate is extreme at the ends of a curve or at its own limit points, where the
+Jacobian of the forces by the other coordinates and h is singular.
 
-|F| ≤ μ_s N holds nothing where N ≤ 0. A contact that opens has no such state, and one that presses
-on either of two faces rubs with |N|, by which the same states stick as by N, with shares of the
-other sign. Any other given normal force is nowhere negative, or its page is refused: states in
-which it is 0 are left out. It is so all along a curve, since a state with N = 0 is one without
+|F| ≤ μ_s N holds nothing where N ≤ 0. A contact that opens has no sticking state there. A contact
+that presses on either of two faces has friction by |N|: the same states stick as by N, with shares
+of the other sign. Any other prescribed normal force is never negative, or its page is refused;
+states in which it is 0 are excluded. They are whole curves, since a state with N = 0 is one without
 friction, at every h.
 """
 
@@ -42,8 +41,8 @@ from .sticking_sets import Patches, Touches, sets, sets_of
 
 @question
 def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStates:
-    """All states in which friction holds the mass where the belt stands still, V = 0: intervals of
-    each coordinate.
+    """All states in which friction holds the mass on a belt at rest, V = 0, as intervals of each
+    coordinate.
 
     Parameters
     ----------
@@ -56,22 +55,21 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     -------
     StickingStates
         A row for each connected set of states, with the least and the largest value of each
-        coordinate in it. Where several frictions hold, of forces that are linear, the set is a
-        parallelepiped: ``measure`` is its length, area or volume in the displacements that friction
-        opposes. Beside contacts that open, and of other forces, the ends are enclosed, without
-        ``measure``, see :mod:`spragsym.bifurcation.sticking_sets`; where states meet in folds over
-        the shares of friction that are used, ``complete`` is False, and ``remarks`` say that what
-        is told as one set may be several.
+        coordinate. With several frictions and linear forces, the set is a parallelepiped, and
+        ``measure`` is its length, area or volume in the displacements that friction opposes. With
+        contacts that open, or other forces, the ends are enclosed, without ``measure``, see
+        :mod:`spragsym.bifurcation.sticking_sets`. If states meet in folds over the shares of
+        friction, ``complete`` is False, and ``remarks`` say that one set may in fact be several.
 
     Raises
     ------
     ModelError
-        For a model in which friction holds nothing.
+        For a model without friction that holds.
     ParameterError
-        Where the belt moves, or a parameter is missing or an array.
+        If the belt moves, or a parameter is missing or an array.
     ConvergenceError
-        Where folds, or states at a limit of the force, are not all decided, as where they only just
-        touch that limit, or where the sign of a given normal force is not known.
+        If folds, or states at a limit of the force, are not all decided, as where states just touch
+        that limit, or if the sign of a prescribed normal force is not known.
 
     Notes
     -----
@@ -101,22 +99,20 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
                 f"parameters with {belt} = 0"
             )
     own, names = held(p), [entry["name"] for entry in holding]
-    beside = any(entry["border"] and entry["name"] not in names for entry in model.contacts)
-    if len(holding) > 1 or beside:
+    others_open = any(entry["border"] and entry["name"] not in names for entry in model.contacts)
+    if len(holding) > 1 or others_open:
         try:
             return region(p, own)
         except NotLinear:
             return sets(p, own)
-    if (found := line(p, own)) is not None:
+    found = line(p, own)
+    if found is not None:
         return found
     share = named("held", names[0])
     turns = [_turns(own, share, index) for index in range(len(model.coordinates))]
+    mesh = np.unique(np.concatenate([[-1.0, 1.0], *(points[share] for points in turns)]))
     try:
-        continuation = QuasiStaticContinuation(
-            own,
-            share,
-            np.unique(np.concatenate([[-1.0, 1.0], *(points[share] for points in turns)])),
-        )
+        continuation = QuasiStaticContinuation(own, share, mesh)
         return _sets(p, Touches(model, own, True), continuation, turns)
     except ConvergenceError as error:
         raise ConvergenceError(
@@ -128,7 +124,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
 
 
 def _turns(own: ParameterSet, share: str, index: int) -> Points:
-    """Points where a coordinate turns back along the states, by the share that is used."""
+    """Limit points of one coordinate along the sticking states, by the share that is used."""
     family = Family.of(own, (share,))
 
     def equations(at: Evaluation) -> Sequence[Any]:
@@ -136,11 +132,10 @@ def _turns(own: ParameterSet, share: str, index: int) -> Points:
         return (determinant([[slope(row, column) for column in columns] for row in at.forces()]),)
 
     system = Augmented(family, Condition(equations, order=1))
-    # A small box in contact: what is 0 all over it is 0 for all states.
+    # If the determinant is 0 all over a small box in contact, it is 0 by structure: the coordinate
+    # does not depend on the others and h.
     small = Intervals.between(*(np.full((system.n, 1), end) for end in (-0.5 - 2.0**-20, -0.5)))
-    if (
-        system.values(small, system.fixed(1), ()).magnitude[-1, 0] <= NEGLIGIBLE
-    ):  # the others and h do not move it
+    if system.values(small, system.fixed(1), ()).magnitude[-1, 0] <= NEGLIGIBLE:
         return arranged(family, nothing(family), "turn")
     return isolated(family, system.condition, "turn")
 
@@ -148,11 +143,11 @@ def _turns(own: ParameterSet, share: str, index: int) -> Points:
 def _sets(
     p: ParameterSet, it: Touches, continuation: QuasiStaticContinuation, turns: Sequence[Points]
 ) -> StickingStates:
-    """Connected sets of states that are followed from node to node, with the folds and borders at
-    which they end.
+    """Connected sets of sticking states, from curves followed from node to node of the mesh of
+    shares, with the folds and borders at which they end.
     """
     eq, balance = continuation.eq, continuation.balance
-    # Numbers of the first state of each node, then of folds and borders.
+    # Index of the first state of each node; folds and borders come last.
     first = np.concatenate([[0], np.cumsum(eq.count)])
     q = np.concatenate(
         [np.array([column[eq.states] for column in eq.coordinates.values()]), continuation.q],
@@ -161,8 +156,8 @@ def _sets(
     labels, comes_around = np.arange(q.shape[1]), np.zeros(q.shape, dtype=bool)
 
     def link(node: int, slot: int, goal: int, target: int) -> None:
-        """Join the sets of a state and of another one on its curve, or of the point at which it
-        vanishes; angles go on there.
+        """Join the sets of a state and of its continuation at another node, or of the point at
+        which it vanishes, so that periodic angles are continuous along the set.
         """
         one, other = (
             int(first[at] + there if there >= 0 else first[-1] + ~there)

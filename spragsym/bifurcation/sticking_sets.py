@@ -1,19 +1,20 @@
-"""Sets of states in which several frictions hold, or one beside contacts that open, of any forces.
+"""Connected sets of sticking states with several frictions, or with other contacts that open, for
+any forces.
 
-With the coefficients μ_i = h_i μ_s,i a state of sticking is an equilibrium at shares h in [−1, 1]ᵐ.
-Cells of this box are halved until interval Newton proves in each box of coordinates that is left
-one state for every h of the cell, a patch q(h) with the slopes
+With the coefficients μ_i = h_i μ_s,i a sticking state is an equilibrium at shares h in [−1, 1]ᵐ.
+Cells of this box are halved until interval Newton proves, in each remaining box of coordinates, one
+state for every h of the cell: a patch q(h) with the slopes
 
     ∂q/∂h_i = μ_s,i N_i K⁻¹ ∇a_i,
 
-of the displacement a_i that friction opposes. N_i is positive inside of a contact, so that K⁻¹ ∇a_i
-tells signs up to its border, and what is on the border, where N_i is 0, stays there whatever h_i
-is. Patches of neighbouring cells are one set where both hold one state.
+where friction i opposes the displacement a_i. N_i is positive inside of a contact, so that K⁻¹ ∇a_i
+gives signs up to the border. A state on a border, where N_i is 0, stays there for all h_i. Patches
+of neighbouring cells belong to one set if both hold the same state.
 
-A coordinate is least where its slope by no share has a sign, where it has and the share is at its
-end, or at a border: a patch is dropped, or cut down to an end of a share, by the signs of slopes,
-and halved by a bound on the least value. Where states meet in folds over the shares there are no
-patches: boxes there are left undecided, and bound what they may hold.
+A coordinate is least where no share has a slope of known sign, or at an end of a share, or at a
+border. By the signs of slopes patches are dropped, or reduced to an end of a share; others are
+halved until bounds on the least value meet (branch and bound). Where states meet in folds over the
+shares, there are no patches: boxes remain undecided, and bound the states that they may hold.
 """
 
 from __future__ import annotations
@@ -54,8 +55,10 @@ from .tubes import halves
 
 @dataclass(frozen=True)
 class Patches(ByColumn):
-    """States over cells of shares, ``low`` to ``high``, (m, N): in ``ends``, (2, n, N), and where
-    ``proved`` one for each point of the cell, the only one in ``alone``.
+    """States over cells of shares; cells are ``low`` to ``high``, shape (m, N).
+
+    The states lie in ``ends``, (2, n, N). If ``proved``, there is one for each point of the cell,
+    the only one in ``alone``.
     """
 
     low: FloatArray
@@ -68,18 +71,18 @@ class Patches(ByColumn):
         return int(self.proved.size)
 
     def over(self, low: FloatArray, high: FloatArray) -> Patches:
-        """The same states over parts of the cells."""
+        """The same states over other cells, parts of these."""
         return replace(self, low=low, high=high)
 
     def halved(self, weight: FloatArray) -> Patches:
-        """Both parts of each cell across its side of most weight."""
-        # Not in the middle: on simple shares of friction contacts just touch too often.
+        """Both parts of each cell, cut across its side of largest weight."""
+        # Not in the middle: contacts just touch at simple shares too often.
         _, high, low = halves(self.low, self.high, weight, 0.4873)
         return self.over(self.low, high).concatenated(self.over(low, self.high))
 
 
 class Touches:
-    """States of one combination of contacts that touch."""
+    """The sticking states of one combination of touching contacts, over boxes of shares."""
 
     def __init__(self, model: Model, own: ParameterSet, key: Touching) -> None:
         shares = [name for name in own.ranges if name not in model.parameters]
@@ -88,41 +91,42 @@ class Touches:
         self.rows = [balance.parameters.index(name) for name in shares]
         self.closed = frozenset(k for k in balance.opens if balance.pushing[k])
         holding = [k for k, entry in enumerate(own.model.frictions) if entry["holds"]]
-        #: Numbers of the frictions that hold and of their contacts, and which borders are theirs.
+        #: Indices of the frictions that hold, and of their contacts; mask of borders by friction.
         self.holding = holding
         self.rubbed = [balance.contacts.index(own.model.frictions[k]["name"]) for k in holding]
         self.theirs = np.equal.outer(np.array(balance.opens, dtype=int), self.rubbed)
         self.out = [k not in self.closed for k in balance.opens]
-        #: Frictions that rub on either of two faces, by |N|.
+        #: For each friction that holds, whether its contact presses on either of two faces.
         self.either = [presses_either(model.contacts[k]) for k in self.rubbed]
 
     @property
     def touches(self) -> bool:
-        """Whether every contact touches on which friction holds."""
+        """Whether all contacts touch on which friction holds."""
         return all(self.balance.pushing[k] for k in self.rubbed)
 
     def bounds(self, low: FloatArray, high: FloatArray) -> Intervals:
-        """Parameters over cells."""
+        """All parameters over cells of shares."""
         every = Intervals.point(np.repeat(self.given, low.shape[1], axis=1))
         every.ends[:, self.rows] = -low, high
         return every
 
     def prepared(self, some: Patches) -> Intervals:
-        """Arguments over the cells."""
+        """Arguments of the generated functions over the cells."""
         return self.balance.prepared(self.bounds(some.low, some.high))
 
     def state(self, some: Patches) -> Evaluation:
-        """The states over the cells."""
+        """The evaluation at the states of patches."""
         return self.balance.state(Intervals(some.ends), self.prepared(some))
 
     def unused(self) -> Patches:
-        """The origin of the coordinates where no share is used."""
+        """The origin of coordinates and of shares."""
         q, shares = np.zeros((2, self.balance.n, 1)), np.zeros((len(self.rows), 1))
         return Patches(shares, shares, q, q, np.zeros(1, dtype=bool))
 
     def searched(self, cells: Patches) -> tuple[Patches, IntArray]:
-        """All states over cells within their boxes, and the cell of each: proved where one moves
-        less over the cell than in a box with room around, else in boxes of a search.
+        """All states over cells within their boxes, as patches, with the index of the cell of each.
+
+        A cell whose box has one state by interval Newton is a patch; other cells are searched.
         """
         whole, none = self.alone(cells)
         rest = np.flatnonzero(~whole.proved & ~none)
@@ -139,11 +143,11 @@ class Touches:
         return found.concatenated(others[~none]), np.concatenate([cell, owner[~none]])
 
     def alone(self, some: Patches) -> tuple[Patches, BoolArray]:
-        """Patches where interval Newton proves one state in boxes with room around; and where there
-        is none.
+        """Patches that interval Newton proves in slightly wider boxes, and the mask of boxes
+        without a state.
         """
-        room = 0.3 * width_of(some.ends) + 2.0**-30 * scale_of(some.ends).max(axis=0)
-        wide = some.ends + room
+        inflation = 0.3 * width_of(some.ends) + 2.0**-30 * scale_of(some.ends).max(axis=0)
+        wide = some.ends + inflation
         step = certified_roots.stepped(self.balance, wide, self.prepared(some))
         proved = contractors.inside(step.ends, wide)
         ends = np.where(proved, step.ends, some.ends)
@@ -151,7 +155,7 @@ class Touches:
         return self.narrowed(made), step.none
 
     def narrowed(self, some: Patches) -> Patches:
-        """The same with smaller boxes."""
+        """The patches with boxes narrowed by interval Newton."""
         at, ends = self.prepared(some), some.ends
         for _ in range(3):
             step = certified_roots.stepped(self.balance, ends, at).ends
@@ -159,8 +163,9 @@ class Touches:
         return replace(some, ends=ends)
 
     def gaps(self, some: Patches) -> Intervals:
-        """Of every contact that opens a gap, with the other sign where it is open: not positive
-        where the states are of this combination.
+        """Gaps of the contacts that open, (gaps, N), with the sign changed for open contacts.
+
+        They are ≤ 0 where a state belongs to this combination.
         """
         gaps = stacked(self.state(some).gaps() or [0], some.proved.shape)
         ends = gaps.ends.copy()
@@ -168,12 +173,16 @@ class Touches:
         return Intervals(ends)[: len(self.out)]
 
     def sides(self, some: Patches) -> tuple[BoolArray, BoolArray]:
-        """Whether all states are of this combination, and whether none is."""
+        """Masks of patches whose states all belong to this combination, and of those of which none
+        does.
+        """
         gaps = self.gaps(some)
         return np.logical_and.reduce(gaps.high <= 0), np.logical_or.reduce(gaps.low > 0)
 
     def pressed(self, some: Patches) -> BoolArray:
-        """Whether given normal forces press at all states; an error where that is not known."""
+        """Mask of patches with positive prescribed normal forces; ConvergenceError if a sign is not
+        known.
+        """
         at = self.state(some)
         none = np.zeros(len(some), dtype=bool)
         for k, either in zip(self.rubbed, self.either, strict=True):
@@ -188,8 +197,9 @@ class Touches:
         return ~none
 
     def pulls(self, some: Patches) -> Intervals:
-        """μ_s N of every friction that holds, (m, N): its change by the share that is used, which
-        is no limit of a law that is larger one way.
+        """μ_s N for every friction that holds, (m, N): the derivative of its force by the share.
+
+        It differs from the limit of a law whose limits differ by direction.
         """
         at, found = self.state(some), list[Intervals]()
         for k in self.rubbed:
@@ -199,8 +209,8 @@ class Touches:
         return stacked(found, some.proved.shape)
 
     def slopes(self, some: Patches) -> tuple[Intervals, Intervals]:
-        """K⁻¹ ∇a, (n, m, N), and the slopes of gaps along it, (gaps, m, N); infinite where nothing
-        is known.
+        """K⁻¹ ∇a, (n, m, N), and the derivatives of gaps along it, (gaps, m, N); infinite where
+        unknown.
         """
         balance, shape, q = self.balance, some.proved.shape, list(Intervals(some.ends))
         parameters = self.prepared(some)
@@ -223,15 +233,16 @@ class Touches:
         return by, Intervals(ends)
 
     def crosses(self, some: Patches) -> BoolArray:
-        """Whether gaps of contacts may have both signs over a patch, (gaps, m, N); not of those of
-        the friction itself.
+        """Mask of contacts whose gap may have both signs over a patch, (gaps, m, N); not of the
+        contact that has the friction itself.
         """
         return (self.gaps(some).high > 0)[:, None] & ~self.theirs[:, :, None]
 
     def ways(self, some: Patches, gap_slopes: Intervals) -> IntArray:
-        """Directions of the shares in which gaps that have both signs over a patch all fall, 0
-        where these have no sign, (m, N): its states of this combination hang together with those
-        where these shares are at that end.
+        """Directions of the shares along which all gaps with both signs fall, (m, N); 0 where there
+        is none.
+
+        States of this combination are connected with those at that end of the share.
         """
         crosses = self.crosses(some)
         falls = ~crosses | (gap_slopes.high < 0)
@@ -240,24 +251,26 @@ class Touches:
         return np.where(some_cross, rises.all(axis=0) * -1 + falls.all(axis=0) * 1, 0)
 
     def most_inside(self, some: Patches) -> Patches:
-        """Patches over the ends of shares to which :meth:`ways` lead, or where none is known."""
+        """Patches reduced to the ends of shares to which :meth:`ways` lead."""
         ways = self.ways(some, self.slopes(some)[1])
         low, high = _led(some, ways)
         return self.narrowed(some.over(low, high))
 
 
 def _led(some: Patches, ways: IntArray) -> tuple[FloatArray, FloatArray]:
-    """Cells cut down to the ends of shares to which ways lead."""
+    """Cells reduced to the ends of shares to which ``ways`` lead."""
     return np.where(ways > 0, some.high, some.low), np.where(ways < 0, some.low, some.high)
 
 
 def _sign(values: Intervals) -> Intervals:
-    """Signs of intervals: that of one which holds 0 is any."""
+    """Signs of intervals; [−1, 1] for one that holds 0."""
     return Intervals.between(np.sign(values.low), np.sign(values.high))
 
 
 def solved(K: Intervals, right: Intervals) -> Intervals:
-    """All solutions of K x = right, (n, N), infinite where some matrix may be singular."""
+    """Enclosures of all solutions of K x = right, (n, N); infinite where a matrix may be
+    singular.
+    """
     near = (contractors.inverse(K.middle) * right.middle).sum(axis=1)
     values = sum((K[:, j] * Intervals.point(near[j]) for j in range(near.shape[0])), -right)
     reach = 0.1 * np.abs(near).max(axis=0) + 2.0**-40 + 0 * near
@@ -276,13 +289,13 @@ def solved(K: Intervals, right: Intervals) -> Intervals:
 
 
 def _cover(it: Touches) -> tuple[Patches, FloatArray, BoolArray]:
-    """Patches of one combination that hold all of its states, those that are not proved beside
-    them; the region that holds all, and whether that is proved.
+    """Patches and undecided boxes that hold all states of one combination; the searched region, and
+    whether it is proved to hold all.
     """
     ends, none = np.ones((len(it.rows), 1)), np.zeros(1, dtype=bool)
     bounds = it.bounds(-ends, ends)
     box, _ = region(it.balance, bounds)
-    # States beyond a border are looked for too, so that patches of cells that meet it are whole.
+    # States a little beyond a border are accepted, so that patches of cells that meet it are whole.
     it.balance = it.balance.extended(slack=0.1 * float(box.max()))
     box, whole = region(it.balance, bounds)
     cells = Patches(-ends, ends, box, box, none)
@@ -299,10 +312,9 @@ def _cover(it: Touches) -> tuple[Patches, FloatArray, BoolArray]:
         some, cell, decided = some[kept], cell[kept], decided[kept]
         small = (cells.high - cells.low).max(axis=0) < 2.0**-11
         again = np.unique(cell[~decided])
-        # Enough for sets without folds over the shares, and soon given up where these have some.
+        # Sets without folds over the shares need fewer cells; others would never end.
         again = again[~small[again]] if looked < 2000 else again[:0]
         left = ~np.isin(cell, again)
-        # Whether what just touches at an end of its cell is of this combination is not known.
         found.append(replace(some, proved=decided)[left])
         if not again.size:
             break
@@ -318,7 +330,7 @@ def _cover(it: Touches) -> tuple[Patches, FloatArray, BoolArray]:
 
 
 def _sets_of(count: int, *pairs: IntArray) -> IntArray:
-    """Of each of so many patches the number of its set, which pairs of them join."""
+    """The number of the set of each patch, from pairs of patches that belong together."""
     of = np.arange(count)
     for one, other in np.concatenate(pairs, axis=1).T:
         of[of == of[other]] = of[one]
@@ -328,8 +340,8 @@ def _sets_of(count: int, *pairs: IntArray) -> IntArray:
 def _links(
     parts: Sequence[Touches], patches: Sequence[Patches], first: IntArray
 ) -> tuple[IntArray, IntArray]:
-    """Pairs of patches of all combinations, by their numbers, that are proved to hang together, and
-    pairs of which that is not known.
+    """Pairs of patches of all combinations that are proved to be connected, and pairs that
+    may be.
     """
     found = [(k, k, _joined(it, patches[k])) for k, it in enumerate(parts)]
     for k, other in combinations(range(len(parts)), 2):
@@ -351,7 +363,7 @@ def _meeting(some: Patches, others: Patches) -> tuple[IntArray, IntArray]:
 
 
 def _joined(it: Touches, some: Patches) -> tuple[IntArray, IntArray]:
-    """Pairs of patches that are proved to hang together, and pairs of which that is not known, each
+    """Pairs of patches of one combination that are proved to be connected, and pairs that may be,
     (2, pairs).
     """
     first, second = _meeting(some, some)
@@ -375,9 +387,7 @@ def _joined(it: Touches, some: Patches) -> tuple[IntArray, IntArray]:
 def _across(
     one: tuple[Touches, Patches], other: tuple[Touches, Patches], contact: int
 ) -> tuple[IntArray, IntArray]:
-    """The same of patches of two combinations that differ in one contact: of the one and the
-    other.
-    """
+    """:func:`_joined` for patches of two combinations that differ in one contact."""
     it, some = one
     border = it.balance.opens.index(contact)
     crosses = np.flatnonzero(some.proved & it.gaps(some)[border].holds_zero())
@@ -395,7 +405,9 @@ def _across(
 
 
 def _on_border(it: Touches, some: Patches, ways: IntArray, border: int) -> Patches:
-    """Tiny parts of patches that hold a state on a border, ``proved`` where they do."""
+    """Tiny parts of patches that hold a state on a border, by bisection; ``proved`` where
+    they do.
+    """
     low, high = _led(some, ways)
     inner = 0.5 * (low + high)
     outer = np.where(ways > 0, some.low, np.where(ways < 0, some.high, inner))
@@ -427,8 +439,9 @@ def _on_border(it: Touches, some: Patches, ways: IntArray, border: int) -> Patch
 
 @dataclass(frozen=True)
 class _Aims(ByColumn):
-    """Patches, and what is least in each: the coordinate ``row`` times ``sign``, among all of one
-    ``number``.
+    """Patches with what is to be minimized in each: ``sign`` times the coordinate ``row``.
+
+    The minimum is over all patches of one ``number``.
     """
 
     patches: Patches
@@ -437,19 +450,19 @@ class _Aims(ByColumn):
     number: IntArray
 
     def of(self, values: Intervals) -> Intervals:
-        """What is least, of values of the coordinates, (n, …, N)."""
+        """The numbers to be minimized, from values of the coordinates, (n, …, N)."""
         rows = self.row.reshape((1,) * (values.ends.ndim - 1) + (-1,))
         ends = np.take_along_axis(values.ends, rows, axis=1)[:, 0]
         return Intervals(np.where(self.sign > 0, ends, ends[::-1]))
 
     def halved(self, weight: FloatArray) -> _Aims:
-        """Both parts of each."""
+        """Both parts of each patch."""
         return replace(self.concatenated(self), patches=self.patches.halved(weight))
 
 
 def _cut(it: Touches, aims: _Aims, by: Intervals, gap_slopes: Intervals) -> _Aims:
-    """Aims without those that have a smaller value beside them, cut down to the ends of shares at
-    which theirs are least.
+    """Patches reduced to the ends of shares at which their minimum lies; those with a smaller value
+    beside them are dropped.
     """
     some, slopes = aims.patches, aims.of(by)
     crosses = it.crosses(some)
@@ -461,8 +474,8 @@ def _cut(it: Touches, aims: _Aims, by: Intervals, gap_slopes: Intervals) -> _Aim
 
 
 def _least(it: Touches, aims: _Aims, best: FloatArray) -> FloatArray:
-    """Lower bounds by their numbers, where one is below the upper bounds ``best``, which are made
-    smaller.
+    """Lower bounds of the minima by number, and smaller upper bounds ``best`` in place (branch and
+    bound).
     """
     least, looked = np.full(best.shape, np.inf), 0
     while aims.row.size:
@@ -482,7 +495,7 @@ def _least(it: Touches, aims: _Aims, best: FloatArray) -> FloatArray:
         by_mean = np.where(some.patches.proved, middle.low - reach, -np.inf)
         below = np.fmax(some.of(Intervals(some.patches.ends)).low, by_mean)
         open_ = below < best[some.number]
-        # Bounds that agree to so many digits, points, and what is left of the budget are kept.
+        # Not halved: bounds that agree, tiny cells, and all when the budget is spent.
         near = best[some.number] - below <= 2.0**-46 * scale_of(best[some.number])
         small = (high - low).max(axis=0) <= 2.0**-40
         done = near | small if looked < 40_000 else open_
@@ -493,7 +506,9 @@ def _least(it: Touches, aims: _Aims, best: FloatArray) -> FloatArray:
 
 
 def _value(it: Touches, aims: _Aims, point: FloatArray, best: FloatArray) -> Intervals:
-    """What is least at points of patches; those of this combination are upper bounds."""
+    """Values at points of patches; those of states of this combination improve the upper bounds
+    ``best``.
+    """
     there = it.narrowed(aims.patches.over(point, point))
     value = aims.of(Intervals(there.ends))
     feasible = there.proved & it.sides(there)[0]
@@ -502,7 +517,7 @@ def _value(it: Touches, aims: _Aims, point: FloatArray, best: FloatArray) -> Int
 
 
 def _researched(it: Touches, aims: _Aims) -> _Aims:
-    """Aims of which the boxes that are not proved are searched anew."""
+    """Aims whose unproved boxes have been searched again."""
     some = aims[~aims.patches.proved]
     if not some.row.size:
         return aims
@@ -512,8 +527,8 @@ def _researched(it: Touches, aims: _Aims) -> _Aims:
 
 
 def sets(p: ParameterSet, own: ParameterSet) -> StickingStates:
-    """All states in which every friction that can hold does, of scalar parameters; ``own`` are
-    those with the shares as parameters.
+    """All sticking states of scalar parameters in which every friction that can hold does; ``own``
+    are parameters of the model with shares.
     """
     if own.model.whole_turns:
         raise ModelError(
@@ -542,7 +557,7 @@ def _result(
     links: tuple[IntArray, IntArray],
     remarks: tuple[str, ...],
 ) -> StickingStates:
-    """The result: sets by the patches that links join, and the ends of all coordinates."""
+    """The result: sets of connected patches, and the enclosed ends of all coordinates."""
     proved = np.concatenate([patches.proved for _, patches, _ in parts])
     apart, of = _sets_of(proved.size, links[0]), _sets_of(proved.size, *links)
     known = np.unique(of[proved])
@@ -578,8 +593,9 @@ def sets_of(
     further: Sequence[str] = (),
     error: FloatArray | float = 0.0,
 ) -> StickingStates:
-    """Enclosures of both ends of every coordinate and of ``further`` columns, or of nothing, whose
-    middles may have an ``error`` besides, as a result.
+    """A result from enclosures of both ends of every coordinate and of ``further`` columns.
+
+    Without enclosures it has no rows. ``error`` is added to that of the enclosures.
     """
     names = [f"{name}_{end}" for name in p.model.coordinates for end in ("low", "high")]
     every = ends or [Intervals(np.empty((2, 0)))] * (len(names) + len(further))

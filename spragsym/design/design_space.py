@@ -1,13 +1,15 @@
-"""Designs as vectors in units of their tolerances, the border at which a followed state ends, and
-the nearest design of a set.
+"""The space of designs around one, and the nearest design in a set.
 
-:func:`nearest` only asks which designs are members, of many at once. A point of the set's border
-that is the nearest one of its neighbours comes first. Rays from the origin, evenly spread and the
-same in every run, then ask for members that are nearer, and from these the next such point is
-sought, until no ray meets one. Where there is no point to begin with, rays are walked outward to
-their first member; the best of them is turned and shortened. That finds a set that a ray meets, and
-proves nothing about one that all rays miss. The border is one of floats: predictions for searches
-that verify what they find.
+A design is a vector z in units of tolerances. :class:`EndOfState` is the border on which the
+followed state ends at the design's own value.
+
+:func:`nearest` only asks which of many designs are members of a set. It starts from a point of the
+set's border that is locally nearest. Rays from the origin, evenly spread and the same in every run,
+look for nearer members, and from these the next locally nearest point is sought, until no ray meets
+one. Without a point to start from, the rays go outward to their first members, and the best ray is
+turned and shortened. A set that all rays miss is not found, and nothing is proved about it.
+
+Borders are computed in floats: they are predictions, which the callers verify.
 """
 
 from __future__ import annotations
@@ -39,19 +41,20 @@ from .jumps import Ends, Followed, first_limit_points, limit_point_passed, requi
 if TYPE_CHECKING:
     from ..models.model import Model
 
-#: The smallest and the largest of each quantity, or z of it.
+#: Lower and upper limits of quantities, or of z.
 Limits = tuple[FloatArray, FloatArray]
 
 
 @dataclass(frozen=True)
 class Design:
-    """One design, whatever its quantities are: ``given`` by name with their ``ranges``, and what
-    they are for the model.
+    """One design: quantities ``given`` by name with their ``ranges``, and what they mean for the
+    model.
 
-    ``parameters`` gives the model's own from the quantities, of any number type; ``made`` another
-    design, of the caller's kind, from those that changed; ``of_model`` is the class of the model's
-    sets. ``begins``, from the quantities, is where what rises begins in the model's units, if that
-    differs among designs; ``rises`` names parameters that are told as a quantity.
+    ``parameters`` gives the model's parameters from quantities of any number type. ``made`` gives
+    another design, of the caller's class, from the quantities that changed. ``of_model`` is the
+    class of the model's sets. ``begins`` gives, from the quantities, the value in the model's units
+    from which the rising parameter rises, if that differs among designs. ``rises`` maps names of
+    parameters to the quantities that stand for them.
     """
 
     given: Mapping[str, Any]
@@ -60,17 +63,17 @@ class Design:
     made: Callable[[Mapping[str, float]], Any]
     of_model: type[ParameterSet]
     begins: Callable[[Mapping[str, Any]], Any] | None = None
-    followed: Mapping[str, float] | None = None  #: coordinates near which the followed state begins
+    followed: Mapping[str, float] | None = None  #: as :attr:`ParameterSet.followed`
     rises: Mapping[str, str] = field(default_factory=dict)
 
     def of(self, model: Model) -> Design:
-        """The same design for the model without closed forms, or for the one that has them."""
+        """The same design for the model with or without closed forms."""
         return replace(self, of_model=model.Parameters)
 
 
 @dataclass(frozen=True)
 class Space:
-    """Designs around one: z = 0 is ``origin``, and a quantity changes by z times its ``scale``."""
+    """Designs around one: z = 0 is ``origin``, and quantities are ``origin`` + z ``scale``."""
 
     design: Design
     names: tuple[str, ...]
@@ -78,28 +81,28 @@ class Space:
     scale: FloatArray
 
     def quantities(self, z: FloatArray) -> dict[str, Any]:
-        """All quantities of designs z, of shape (…, number of names); those that don't change as
-        they are.
+        """All quantities of the designs z, shape (…, number of names); others than ``names`` stay
+        as they are.
         """
         values = self.origin + z * self.scale
-        if not np.iscomplexobj(values):  # z at a limit, rounded
+        if not np.iscomplexobj(values):  # rounding must not leave the limits
             values = np.where(z <= self.limits()[0], self.ends[0], np.clip(values, *self.ends))
         return {**self.design.given, **{name: values[..., j] for j, name in enumerate(self.names)}}
 
     def parameters(self, z: FloatArray) -> dict[str, Any]:
-        """Parameters of the model of designs z."""
+        """The model's parameters of the designs z, by name."""
         return self.design.parameters(self.quantities(z))
 
     def sets(self, z: FloatArray) -> ParameterSet:
-        """The same as a set of the model, of the shape of z without its last axis."""
+        """The designs z as one set of the model, of the shape of z without its last axis."""
         values = {
             name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()
         }
         return set_of(self.design.of_model.model_of_class(), values, self.design.followed)
 
     def at(self, name: str, value: float) -> Space:
-        """The same designs with a parameter at a value, that of its quantity where it is told as
-        one.
+        """The same designs with one parameter, or the quantity that stands for it, fixed at a
+        value.
         """
         design, quantity = self.design, self.design.rises.get(name)
         if quantity is not None:
@@ -112,7 +115,7 @@ class Space:
         )
 
     def slopes(self, z: FloatArray) -> dict[str, FloatArray]:
-        """Slopes of each parameter by z at one design: by complex steps, exact to rounding."""
+        """Derivatives of each parameter by z at one design, by complex steps, exact to rounding."""
         step = 1e-100
         moved = self.parameters(z + 1j * step * np.eye(z.size))
         return {
@@ -120,26 +123,26 @@ class Space:
         }
 
     def made(self, z: FloatArray) -> ParameterSet | QuantityValues:
-        """One design, of the kind of the first."""
+        """The design z, in the class of the first one."""
         return self.design.made(
             {name: float(value) for name, value in self.quantities(z).items() if name in self.names}
         )
 
     def change(self, z: FloatArray) -> dict[str, float]:
-        """By how much one design differs from the first, by quantity."""
+        """The change of each quantity from the first design."""
         return dict(zip(self.names, (z * self.scale).tolist(), strict=True))
 
     @functools.cached_property
     def ends(self) -> Limits:
-        """The smallest and the largest value of each quantity that changes."""
+        """Limits of each quantity that changes; the first design is always within them."""
         allowed = [self.design.ranges[name] for name in self.names]
-        clear = 1e-9 * np.maximum(np.abs(self.origin), self.scale)
+        inward = 1e-9 * np.maximum(np.abs(self.origin), self.scale)  # from ends that are open
         low, high = np.array([(one.low, one.high) for one in allowed]).T
-        low = low + clear * [one.open_low for one in allowed]
-        return np.minimum(low, self.origin), np.maximum(high - clear, self.origin)
+        low = low + inward * [one.open_low for one in allowed]
+        return np.minimum(low, self.origin), np.maximum(high - inward, self.origin)
 
     def limits(self) -> Limits:
-        """The smallest and the largest z that each quantity allows."""
+        """Limits of z."""
         low, high = ((end - self.origin) / self.scale for end in self.ends)
         return low, high
 
@@ -149,8 +152,10 @@ def space(
     change: str | Iterable[str] | Mapping[str, float],
     what: str,
 ) -> Space:
-    """The quantities that may change, each measured by its tolerance, or its own value where the
-    argument ``what`` gives none.
+    """The space of designs around ``base`` in the quantities of ``change``.
+
+    Each is measured by its tolerance or, without one, by its own value. ``what`` is the name of the
+    argument, for messages.
     """
     design = base if isinstance(base, Design) else _design(base)
     require_kind(what, change, Iterable, "names of what may change, or tolerances by name")
@@ -179,8 +184,8 @@ def space(
 
 
 def _design(base: ParameterSet | QuantityValues) -> Design:
-    """Design variables: the parameters of a set; of a brake all on which the jump depends where
-    friction works fully.
+    """A design of a set's parameters of the balance, or of the given quantities of a brake at full
+    slip.
     """
     if isinstance(base, QuantityValues):
         kind = base.kind
@@ -204,14 +209,14 @@ def _design(base: ParameterSet | QuantityValues) -> Design:
 
 
 class EndOfState:
-    """End of the followed state, as one parameter rises from where it begins to its own value in
-    each design.
+    """The border of designs at whose own value of ``vary`` the followed state ends, as it rises
+    from ``begin``.
 
-    Jump value and gradient of one design after the other are found near the last: the first fold is
-    the one of :func:`spragsym.jump_gradient`, by tubes from where ``vary`` begins. The next one is
-    found from the last by secants along the curve of states of the new design, in milliseconds, and
-    a value at which a state runs to infinity is the nearest one of that kind; that the followed
-    state ends there is not known then. Where there is none it is found by tubes again.
+    For the first design the end is found by tubes, as by :func:`spragsym.jump_gradient`. For the
+    next design it is predicted from the last: a fold by secant steps along the curve of states, in
+    milliseconds, and a value at which a state runs to infinity as the nearest one of that kind.
+    That the followed state ends there is then not known. If the prediction fails, tubes find the
+    end again.
     """
 
     def __init__(self, designs: Space, vary: str, begin: float) -> None:
@@ -219,20 +224,19 @@ class EndOfState:
         self.last: FloatArray | ModelEnd | None = None
 
     def ended(self, z: FloatArray) -> FloatArray:
-        """1 where the state has ended, 0 where not, NaN where that is not known; below where the
-        parameter begins it has not.
+        """1 where the state of a design has ended, 0 where it has not, NaN where that is unknown.
+
+        A value below that from which the parameter rises counts as not ended.
         """
         return limit_point_passed(self.designs.sets(z), self.vary, self._begins(z))
 
     def _begins(self, z: FloatArray) -> Any:
-        """The value from which the parameter rises in each design."""
+        """The value from which the parameter rises, for each design."""
         begins = self.designs.design.begins
         return self.begin if begins is None else begins(self.designs.quantities(z))
 
     def require_beginning(self) -> None:
-        """An error where it is not known what the state of the design itself begins as, and so not
-        whether it has ended, there or at any other design.
-        """
+        """Raise ConvergenceError if it is unknown in which state the first design begins."""
         z = np.zeros(len(self.designs.names))
         first = self.designs.sets(z).replace(**{self.vary: self._begins(z)})
         if np.isnan(self.ended(z)) and not equilibria(first).decided:
@@ -243,7 +247,9 @@ class EndOfState:
             raise ConvergenceError(Remark(text, At(self.vary, (float(first[self.vary]),), "g")))
 
     def ahead(self, z: FloatArray) -> tuple[float, FloatArray]:
-        """Distance beyond the design's own value at which the state ends, and its slopes by z."""
+        """The end of one design's state minus the design's own value, and the gradient of this by
+        z.
+        """
         p, slopes = self.designs.sets(z), self.designs.slopes(z)
         found = self._next(p) or require_known(first_limit_points(p, self.vary, begin=self.begin))
         unknowns = np.append(found.state, found.value)
@@ -252,7 +258,7 @@ class EndOfState:
             self.last = unknowns
         else:
             self.last = other if other and other.kind == "infinity" else None
-        # What is not among the slopes the jump does not depend on, as the belt's speed.
+        # The end does not depend on parameters without slopes, as the belt's speed.
         by_z = sum(
             float(slope) * slopes[name]
             for name, slope in slopes_of(p, self.vary, found).items()
@@ -264,27 +270,29 @@ class EndOfState:
         return float(found.value) - float(p[self.vary]), by_z
 
     def _next(self, p: ParameterSet) -> Ends | None:
-        """The fold near the last one, or the value at which a state runs to infinity, if there is
-        one within what the parameter may be.
+        """The predicted end: the fold, or the value of an escape to infinity, near the last one;
+        None if there is none in the range.
         """
         if self.last is None:
             return None
         if isinstance(self.last, ModelEnd):
             return self._next_escape(p, self.last)
-        asked, z = Followed(p, self.vary, "up", self.begin, None), self.last[:, None]
-        n, tubes = asked.balance.n, Tubes.of_points(asked.balance, self.vary, asked.fixed)
-        # At a fold the null vector of K is the direction of the curve: nothing else of z changes
-        # there.
-        along = np.linalg.svd(tubes.floats(z)[1][:, :n, 0])[2][-1]
-        tubes = replace(tubes, pivot=int(np.argmax(np.abs(along) / size_of(self.last[:n]))))
-        z, met = secants(tubes, tubes.corrected(z), np.ones(1))
-        if not met[0] or not asked.begin[0] <= z[n, 0] <= asked.until[0]:
+        followed, z = Followed(p, self.vary, "up", self.begin, None), self.last[:, None]
+        n, tubes = followed.balance.n, Tubes.of_points(followed.balance, self.vary, followed.fixed)
+        # At a fold the null vector of K is the tangent of the curve, and the pivot is its largest
+        # component.
+        tangent = np.linalg.svd(tubes.floats(z)[1][:, :n, 0])[2][-1]
+        tubes = replace(tubes, pivot=int(np.argmax(np.abs(tangent) / size_of(self.last[:n]))))
+        z, converged = secants(tubes, tubes.corrected(z), np.ones(1))
+        if not converged[0] or not followed.begin[0] <= z[n, 0] <= followed.until[0]:
             return None
-        return Ends(z[n, 0], np.zeros(()), z[:n, 0], {}, asked.until)
+        return Ends(z[n, 0], np.zeros(()), z[:n, 0], {}, followed.until)
 
     def _next_escape(self, p: ParameterSet, last: ModelEnd) -> Ends | None:
-        """The value nearest to the last one at which a state runs to infinity in the same way, if
-        there is one from half to twice of that.
+        """The value nearest to the last one at which a state runs to infinity along the same
+        coordinates.
+
+        It is sought between half and twice the last value; None if there is none.
         """
         allowed, balances = p.ranges[self.vary], balances_of(p.model)
         near = sorted([0.5 * last.value, 2 * last.value])
@@ -306,22 +314,21 @@ class EndOfState:
         return Ends(np.array(end.value), np.array(end.error), state, {}, until, number, {0: end})
 
     def near(self, z: FloatArray, steps: int) -> FloatArray | None:
-        """The z of smallest size near a given one where the state ends at the design's own value,
-        if there is one.
+        """The locally smallest z on the border, near a given one; None if it is not found.
 
-        Source: g(z) = 0, how far beyond that the state ends. Each step goes to the point of
-        smallest size of the plane g + ∇g · (z′ − z) = 0, by jump values and their gradients, or a
-        part of the way where steps don't get smaller.
+        Source: Newton steps on g(z) = 0, with g of :meth:`ahead`. Each step goes to the smallest z
+        of the plane g + ∇g · (z′ − z) = 0, or a part of the way if steps do not become smaller.
         """
         share, best = 1.0, np.inf
         try:
             for _ in range(steps):
                 ahead, by_z = self.ahead(z)
                 step = _smallest(by_z, float(by_z @ z) - ahead, *self.designs.limits()) - z
-                moved = norm(step)
-                share, best = (min(1.0, 2 * share), moved) if moved < best else (0.3 * share, best)
+                length = norm(step)
+                share = min(1.0, 2 * share) if length < best else 0.3 * share
+                best = min(best, length)
                 z = z + share * step
-                if moved <= 1e-10 * norm(z):
+                if length <= 1e-10 * norm(z):
                     break
             ahead, by_z = self.ahead(z)
         except ConvergenceError:
@@ -330,8 +337,8 @@ class EndOfState:
 
 
 def _smallest(slopes: FloatArray, level: float, low: FloatArray, high: FloatArray) -> FloatArray:
-    """The z of smallest size within limits, about 0, with slopes · z = level: one limit after the
-    other is kept to.
+    """The z of smallest norm with slopes · z = level, within limits around 0; components beyond a
+    limit are fixed at it one after another.
     """
     z, free = np.zeros_like(slopes), slopes != 0
     while free.any():
@@ -345,8 +352,8 @@ def _smallest(slopes: FloatArray, level: float, low: FloatArray, high: FloatArra
 
 
 Member = Callable[[FloatArray], BoolArray]
-#: From a point near the border, or from 0, to the nearest point of the border about there, a
-#: member, if it is found.
+#: Gives the locally nearest point of the border, a member, from a point near the border or from 0;
+#: None if it is not found.
 Improved = Callable[[FloatArray], FloatArray | None]
 
 
@@ -357,18 +364,18 @@ class MarginOptions(Options):
     Parameters
     ----------
     rays : int
-        Rays for each dimension squared, along which the border is looked for.
+        Number of rays over the square of the dimension.
     rounds : int
-        Times that the nearest design is improved at most.
+        Most improvements of the nearest design.
     coarse, fine : int
-        Halvings of a radius while rays are compared, and at the end.
+        Halvings of a radius, to compare rays and at the end.
     steps : int
-        Steps of Newton's method towards the border.
+        Most steps of Newton's method towards the border.
     prove : bool
-        Also prove that nothing jumps within a part of the distance, as large as can be shown in
-        some seconds.
+        Also prove that nothing jumps within a part of the distance, as large as can be proved in a
+        few seconds.
     proof : float
-        Parts of a box that a try of a proof may take, as a share of those of a certificate.
+        Limit of the parts of a box in one attempt to prove, over that of a certificate.
 
     Examples
     --------
@@ -392,18 +399,19 @@ class MarginOptions(Options):
 def nearest(
     member: Member, limits: Limits, improved: Improved, options: MarginOptions | None = None
 ) -> FloatArray | None:
-    """A member about as near to 0 as rays find it, of the shape (dimensions,), or none.
+    """A member of a set near 0, about as near as rays find one, shape (dimensions,); None without
+    one.
 
-    ``member`` tells of points, of shape (n, dimensions), which are members; ``limits`` are the
-    smallest and the largest value of each coordinate; ``improved`` gives the nearest member on the
-    border about a point, if it finds one.
+    ``member`` says which of many points, shape (n, dimensions), are members, and ``limits`` are the
+    limits of each component. ``improved`` gives the locally nearest member on the border, if it
+    finds one.
     """
     return _RaySearch(member, limits, improved, options or MarginOptions()).nearest()
 
 
 @dataclass(frozen=True)
 class _RaySearch:
-    """A search along rays from 0, arguments as of :func:`nearest`."""
+    """The search along rays from 0; arguments as for :func:`nearest`."""
 
     member: Member
     limits: Limits
@@ -411,21 +419,20 @@ class _RaySearch:
     options: MarginOptions
 
     def nearest(self) -> FloatArray | None:
-        """The nearest member that is found."""
+        """The nearest member found, or None."""
         size = self.limits[0].size
         if self.member(np.zeros((1, size)))[0]:
             return np.zeros(size)
         rays = self._rays(size)
         found = self.improved(np.zeros(size))
         if found is None:
-            # From near to far, some points at once.
-            radii = np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
-            steps = np.array_split(radii, -(-radii.size // max(1, 512 // len(rays))))
-            tried = (self._on_rays(rays, some) for some in steps)
-            far = next((one for one in tried if one is not None), None)
-            if far is None:
+            radii = np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])  # from near to far
+            batches = np.array_split(radii, -(-radii.size // max(1, 512 // len(rays))))
+            tried = (self._on_rays(rays, batch) for batch in batches)
+            first = next((point for point in tried if point is not None), None)
+            if first is None:
                 return None
-            found = self._better(self._rotated(far))
+            found = self._better(self._rotated(first))
         for _ in range(self.options.rounds):
             nearer = self._on_rays(rays, norm(found) * np.array([0.999, 0.7, 0.4]))
             if nearer is None:
@@ -434,23 +441,23 @@ class _RaySearch:
         return found
 
     def _better(self, point: FloatArray) -> FloatArray:
-        """The border on the ray to a member, or the nearest member about there."""
+        """The locally nearest point of the border near a member, or the border on the
+        member's ray.
+        """
         radius = np.array([norm(point)])
         ray = point[None] / radius
-        # Halvings are dear close to the border, and most often it is found from farther away: then
-        # the ray meets it no nearer.
+        # A few halvings are mostly enough; more of them, near the border, are expensive.
         far = self._shortened(ray, radius, self.options.coarse)
         found = self.improved(ray[0] * far)
         if found is not None and not self.member(ray * norm(found) * (1 - 1e-6))[0]:
             return found
         border = ray[0] * self._shortened(ray, far, self.options.fine)
-        # Just inside of the border.
-        found = self.improved(border * (1 - 1e-9))
+        found = self.improved(border * (1 - 1e-9))  # from just before the border
         return border if found is None or norm(found) > norm(border) else found
 
     def _on_rays(self, rays: FloatArray, radii: FloatArray) -> FloatArray | None:
-        """The nearest of the members that rays meet at some radii, or where they end before,
-        brought to the border, if any does.
+        """The nearest point where a ray meets the border, among rays with a member at one of the
+        radii; None if there is no member. Rays end at the limits.
         """
         lengths = np.minimum(radii[:, None], self._reach(rays))
         with doing("designs up to {:.4g} tolerances away", lengths.max()):
@@ -460,12 +467,12 @@ class _RaySearch:
         if not inside.any():
             return None
         radius = np.where(inside, lengths, np.inf).min(axis=0)
-        met = np.flatnonzero(radius <= 1.5 * radius.min())
-        found = self._shortened(rays[met], radius[met], self.options.coarse)
-        return rays[met[np.argmin(found)]] * found.min()
+        near = np.flatnonzero(radius <= 1.5 * radius.min())
+        found = self._shortened(rays[near], radius[near], self.options.coarse)
+        return rays[near[np.argmin(found)]] * found.min()
 
     def _rays(self, size: int) -> FloatArray:
-        """Unit vectors: both ways along every axis, and evenly in between."""
+        """Unit vectors: in both directions along every axis, and evenly spread."""
         from scipy import stats
 
         axes = np.concatenate([np.eye(size), -np.eye(size)])
@@ -479,14 +486,13 @@ class _RaySearch:
     def _reach(self, rays: FloatArray) -> FloatArray:
         """Length of each ray within the limits."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            ends = np.where(
-                rays > 0, self.limits[1] / rays, np.where(rays < 0, self.limits[0] / rays, np.inf)
-            )
+            low, high = (limit / rays for limit in self.limits)
+            ends = np.select([rays > 0, rays < 0], [high, low], np.inf)
         return ends.min(axis=-1)
 
     def _shortened(self, rays: FloatArray, radius: FloatArray, halvings: int) -> FloatArray:
-        """Radii of borders on the rays; several parts of each are asked for at once, where rays are
-        few.
+        """Radii of the border on rays whose ends are members, by division into parts; more parts at
+        once where rays are few.
         """
         parts = min(16, max(2, 4096 // len(rays)))
         low, high = np.zeros_like(radius), radius.copy()
@@ -507,7 +513,9 @@ class _RaySearch:
         return high
 
     def _rotated(self, point: FloatArray) -> FloatArray:
-        """The ray to a member turned a little, and less and less, as long as that shortens it."""
+        """A member on a shorter ray: the ray is turned by random steps, ever smaller ones, that
+        shorten it.
+        """
         radius = norm(point)
         ray = point / radius
         if ray.size > 1:

@@ -1,4 +1,6 @@
-"""Distance of a design to a jump, and the least change of it that moves a jump beyond a target."""
+"""Distance of a design from a jump, and the least change of a design that moves a jump beyond a
+target.
+"""
 
 from __future__ import annotations
 
@@ -22,17 +24,17 @@ from .tube_certificates import claims
 
 @dataclass(frozen=True)
 class JumpMargin(Result):
-    """The nearest parameters at which the reference state jumps as the friction rises to μ₀.
+    """The nearest parameters at which the followed state jumps as the friction rises to μ₀.
 
     Attributes
     ----------
     distance : float
-        Root of the sum of squares of the changes over their tolerances; 0 if it jumps as it is,
-        ``inf`` if nothing near jumps.
+        Root of the sum of squares of the changes over their tolerances; 0 if the design itself
+        jumps, ``inf`` if no design near it does.
     proved : float
-        Within this distance nothing jumps, proved; NaN where it was not asked for.
+        It is proved that no design within this distance jumps; NaN if no proof was asked for.
     change : dict of str to float
-        What changes, by how much.
+        Change of each quantity.
     parameters : Parameters or PhysicalParameters or None
         The nearest point, on the fold itself.
     """
@@ -61,14 +63,14 @@ def jump_margin(
     p : Parameters or PhysicalParameters
         One design, with its friction.
     scale : mapping of str to float
-        A tolerance for each quantity that may be off; the others stay.
+        A tolerance for each quantity that may change; the others stay as they are.
     vary, begin : str and float, optional
-        The parameter that rises, mu0 unless told otherwise, and from where, the lower end of its
-        range.
+        The parameter that rises, by default mu0, and the value from which it rises, by default the
+        lower end of its range.
     options : MarginOptions, optional
         Limits of the search, and whether to prove that nothing jumps within a part of the distance.
     method : {"auto", "closed", "search"}
-        Whether what is asked on the way may be answered by closed forms.
+        Whether closed forms may answer the questions of the search, must, or must not.
 
     Returns
     -------
@@ -80,14 +82,14 @@ def jump_margin(
         For quantities that ``p`` does not have, tolerances that are not positive, and a proof with
         physical quantities.
     ConvergenceError
-        Where no state is in contact at ``begin``.
+        If no state is in contact at ``begin``.
 
     Notes
     -----
-    Source: F = 0, det K = 0 at the least change. That the point found is on a fold at which that
-    state jumps is certain; that there is no nearer one is known within ``proved`` only: the search
-    follows the fold that ends the state, and asks along rays for nearer ones; where the state has
-    no end, it goes out along them, up to 256 tolerances away.
+    Source: F = 0, det K = 0 at the least change. The state is verified to jump at the design found.
+    That there is no nearer one is known only within ``proved``: the search follows the fold at
+    which the state ends, and looks along rays for nearer ones. If the state has no end, it goes out
+    along the rays, up to 256 tolerances away.
 
     Examples
     --------
@@ -122,36 +124,30 @@ def jump_margin(
 
     def on_fold(z: FloatArray) -> FloatArray | None:
         better = border.near(z, options.steps)
-        # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends
-        # there.
+        # The followed state must jump just beyond the fold: another one may end there.
         beyond = (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
         return better if better is not None and jumped(better * beyond).any() else None
 
     best = nearest(jumped, designs.limits(), on_fold, options)
-    # Where nothing was found two tolerances are enough for a proof.
-    reach, proved = 2.0 if best is None else norm(best), np.nan
+    # If nothing was found, a proof within two tolerances is tried.
+    distance, proved = 2.0 if best is None else norm(best), np.nan
     if options.prove:
-        radii = (share * reach for share in (0.95, 0.8, 0.5, 0.2) if reach)
-        proved = next(
-            (
-                radius
-                for radius in radii
-                if safe_within(designs, radius, name, first, options.proof)
-            ),
-            0.0,
-        )
+        radii = (share * distance for share in (0.95, 0.8, 0.5, 0.2) if distance)
+        safe = (r for r in radii if safe_within(designs, r, name, first, options.proof))
+        proved = next(safe, 0.0)
     if best is None:
         return JumpMargin(np.inf, proved, {}, None)
-    return JumpMargin(reach, proved, designs.change(best), designs.made(best))
+    return JumpMargin(distance, proved, designs.change(best), designs.made(best))
 
 
 def safe_within(
     designs: Space, radius: float, vary: str, begin: float, proof: float = 0.15
 ) -> bool:
-    """Whether it is proved that no state ends within a ball: over parts of the box around it, as
-    far as they are in the ball.
+    """Whether it is proved that no state ends within a ball about the design, in units of the
+    tolerances.
 
-    Of what rises only the largest value matters that the ball has over a part of the others.
+    Parts of the box around the ball are decided, as far as they meet it. Of the parameter that
+    rises, only the largest value within the ball matters for a part of the others.
     """
     low, high = designs.limits()
     if (low > -radius).any() or (high < radius).any():
@@ -163,14 +159,14 @@ def safe_within(
     origin, scale = designs.origin[columns, None], designs.scale[columns, None]
 
     def inside(parts: BoxParts) -> BoxParts:
-        off = (np.clip(origin, parts.low[rows], parts.high[rows]) - origin) / scale
-        left = (radius * (1 + 1e-9)) ** 2 - (off**2).sum(axis=0)
+        distance = (np.clip(origin, parts.low[rows], parts.high[rows]) - origin) / scale
+        rest = (radius * (1 + 1e-9)) ** 2 - (distance**2).sum(axis=0)
         if vary in designs.names:
             k, row = designs.names.index(vary), box.sides.index(vary)
             parts.low[row] = parts.high[row] = designs.origin[k] + designs.scale[k] * np.sqrt(
-                np.maximum(left, 0.0)
+                np.maximum(rest, 0.0)
             )
-        return parts[left >= 0]
+        return parts[rest >= 0]
 
     run = box.run(lambda parts: parts.open_volume, int(proof * box.most), kept=inside)
     return all((parts.outcome[last] == Decision.PROVED).all() for parts, last, _ in run)
@@ -178,20 +174,19 @@ def safe_within(
 
 @dataclass(frozen=True)
 class Redesign(Result):
-    """The least change that keeps a jump beyond its target.
+    """The least change of a design that keeps a jump beyond its target.
 
     Attributes
     ----------
     distance : float
-        Root of the sum of squares of the changes over their scales; 0 if nothing need change,
-        ``inf`` if nothing was found.
+        Root of the sum of squares of the changes over their scales; 0 if no change is needed,
+        ``inf`` if none was found.
     change : dict of str to float
-        What to change, by how much.
+        Change of each quantity.
     parameters : Parameters or PhysicalParameters or None
         The new design.
     jump : dict of str to float
-        Where the reference state jumps in the new design, solved for again, exactly; NaN where it
-        never does.
+        Jump values of the new design, computed again; NaN where it never jumps.
     """
 
     distance: float
@@ -217,18 +212,19 @@ def redesign(
     p : Parameters or PhysicalParameters
         One design.
     change : str, sequence of str, or mapping of str to float
-        What may change: parameters, or physical quantities of :class:`PhysicalParameters`; a
-        mapping gives each a tolerance, in which changes are measured, and otherwise its own value
-        is that.
+        The quantities that may change: parameters, or physical quantities of
+        :class:`PhysicalParameters`. A mapping gives the tolerance in which each change is measured;
+        otherwise a change is measured relative to the quantity.
     target : mapping of str to float
-        For parameters that rise, as ``mu0`` or ``theta0``, below what value the state may not end.
+        For each parameter that rises, as ``mu0`` or ``theta0``, the value below which the state may
+        not end.
     begin : float, optional
-        From where they rise instead of the lower end of their range: from its value in ``p`` a
-        design whose state has ended below that looks like one whose state goes on.
+        The value from which they rise; by default the lower end of the range. If it is the value
+        in ``p``, an end of the state below that value is not noticed.
     options : MarginOptions, optional
         Limits of the search.
     method : {"auto", "closed", "search"}
-        Whether what is asked on the way may be answered by closed forms.
+        Whether closed forms may answer the questions of the search, must, or must not.
 
     Returns
     -------
@@ -237,14 +233,14 @@ def redesign(
     Raises
     ------
     ParameterError
-        For quantities that ``p`` does not have, a target that is no parameter, or one that is to
+        For quantities that ``p`` does not have, a target that is no parameter, or one that may
         change itself.
 
     Notes
     -----
-    Source: F = 0, det K = 0 at the target. That the new design keeps it is verified; that there is
-    no smaller change is not proved: the search follows the fold, and asks along rays for nearer
-    ones, or goes out along them, up to 256 scales away, if it knows none.
+    Source: F = 0, det K = 0 at the target. The new design is verified to keep the target. That
+    there is no smaller change is not proved: the search follows the fold, and looks along rays for
+    nearer ones, or goes out along the rays, up to 256 scales away, if it knows none.
 
     Examples
     --------
@@ -273,13 +269,10 @@ def redesign(
                 f"{name} is the target and can't be what changes; leave it out of one of the two"
             )
         at = designs.at(name, as_number(f"target[{name!r}]", value, ranges[name]))
-        lowest = ranges[name].reached(ranges[name].low)
-        own = (
-            lowest
-            if np.isfinite(lowest)
-            else float(designs.parameters(np.zeros(len(designs.names)))[name])
-        )
-        borders.append(EndOfState(at, name, own if begin is None else begin))
+        first = ranges[name].reached(ranges[name].low) if begin is None else begin
+        if not np.isfinite(first):
+            first = float(designs.parameters(np.zeros(len(designs.names)))[name])
+        borders.append(EndOfState(at, name, first))
         borders[-1].require_beginning()
 
     def keeps(z: FloatArray) -> BoolArray:
@@ -288,8 +281,8 @@ def redesign(
     def on_target(z: FloatArray) -> FloatArray | None:
         """The nearest design on a fold at one of the targets, verified."""
         candidates = []
-        # A design on the target is moved outward by the first of these shares at which
-        # it is verified.
+        # A design on the border itself is moved outward by the first of these shares at which it
+        # is verified.
         nudges = np.array([0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6])
         for border in borders:
             better = border.near(z, options.steps)

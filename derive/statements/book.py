@@ -146,10 +146,13 @@ def by_name(equation: Equation) -> Equation:
 
 def print_name(name: str, left: str, statement: Statement, it: Derivation, book: Book) -> None:
     """Keep how a name is printed, and the argument with which it is, as in f(x) = …."""
+    left = re.sub(r"\\(?:left|right)(?=[()])|\\[,;:!]", "", left).strip()
     book.letters[name] = left
     if with_argument := re.fullmatch(r"([^()]*)\((.*)\)", left):
-        argument = equations_of(with_argument[2], statement, it, book)[0].left
-        book.letters[name], book.arguments[name] = with_argument[1], argument
+        book.letters[name] = with_argument[1]
+        with suppress(Unread):  # several arguments are not kept
+            argument = equations_of(with_argument[2], statement, it, book)[0].left
+            book.arguments[name] = argument
 
 
 def equations_of(

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 
 import sympy as sp
 from sympy import Dummy, Expr, S, Symbol
+from sympy.core.relational import Relational
 
 from .. import algebra
 
@@ -59,23 +60,28 @@ def _vanishes(expression: Expr) -> bool:
 
 def _by_signs(expression: Expr) -> Iterator[Expr]:
     """An expression in exponentials of single terms, with each choice of signs of what stands in
-    sizes and signs.
+    sizes, signs and conditions.
     """
     plain = expression.rewrite((sp.sinh, sp.cosh, sp.tanh), sp.exp)
-    plain = plain.replace(sp.exp, lambda power: sp.expand_power_exp(sp.exp(sp.expand(power))))
-    plain = plain.replace(sp.Abs, lambda size: sp.Abs(sp.factor(size)))
-    plain = plain.replace(sp.sign, lambda size: sp.sign(sp.factor(size)))
-    inside = (node.args[0] for node in plain.atoms(sp.Abs, sp.sign))
-    sizes = {-it if it.could_extract_minus_sign() else it for it in inside}
+    plain = plain.replace(sp.Abs, lambda size: size * _sign(size)).replace(sp.sign, _sign)
+    conditions = (it for it in plain.atoms(Relational) if not it.has(sp.sign))
+    plain = plain.xreplace({it: it.func(_sign(it.lhs - it.rhs), 0) for it in conditions})
+    found = plain.atoms(sp.sign)
     # So many signs are chosen one by one.
     most = 5
-    for signs in itertools.product((1, -1), repeat=len(sizes) * (len(sizes) <= most)):
-        known: dict[Expr, Expr] = {}
-        for size, sign in zip(sizes, signs, strict=False):
-            for way in (1, -1):
-                known[sp.Abs(way * size)] = sign * size
-                known[sp.sign(way * size)] = sp.Integer(way * sign)
-        yield plain.xreplace(known)
+    for signs in itertools.product((1, -1), repeat=len(found) * (len(found) <= most)):
+        chosen = plain.xreplace(dict(zip(found, map(sp.Integer, signs), strict=False)))
+        yield chosen.replace(sp.exp, lambda power: sp.expand_power_exp(sp.exp(sp.expand(power))))
+
+
+def _sign(size: Expr) -> Expr:
+    """The sign of a size by those of its factors, of sums that begin with a plus."""
+    found: Expr = S.One
+    for factor in sp.Mul.make_args(sp.factor(size)):
+        if not factor.is_nonnegative:
+            minus = factor.could_extract_minus_sign()
+            found *= -sp.sign(-factor) if minus else sp.sign(factor)
+    return found
 
 
 def _on_circles(expression: Expr) -> tuple[Expr, Mapping[Expr, Expr], algebra.Circles]:

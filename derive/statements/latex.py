@@ -209,9 +209,14 @@ class _LatexReader:
         return node_of(value) if {*shape_of(value)} == {1} else value
 
     def is_named_law(self, node: Node, bracket: Token | None) -> bool:
-        """Whether a law is named with an argument of the print's own, as μ(v) of any speed v."""
+        """Whether a law is named with an argument of the print's own, as μ(v) of any speed v, or
+        with several arguments.
+        """
+        inside = _bracket(bracket) or ()
+        if "," in texts(inside) and self.names.moves(node):
+            return True
         try:
-            argument = self.argument(node, _bracket(bracket) or ())
+            argument = self.argument(node, inside)
         except Unread:
             argument = None
         return node.value in self.names.laws and argument is None
@@ -649,7 +654,7 @@ class _LatexReader:
             raise Unread("a derivative of what is no name; define it", start)
         steps: list[Tokens] = []
         for part in split(_inside(below), sign.text)[1:]:
-            times = part[-1].text if texts(part[-2:-1]) == ["^"] else ""
+            times = _label(part[-1:]) if texts(part[-2:-1]) == ["^"] else ""
             steps += [part[:-2]] * int(times) if times.isdigit() else [part]
         if str(len(steps)) != order.value:
             raise Unread("a derivative of this order is not read", start)

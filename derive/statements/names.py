@@ -128,7 +128,7 @@ class Names:
 
     def rate(self, node: Node) -> Node:
         """The derivative by time, by the rules for sums, products, powers and functions."""
-        if not self._moves(node):
+        if not self.moves(node):
             return Node("number", value="0", at=node.at)
         match node.kind:
             case "symbol" if node.value in self.next:
@@ -138,10 +138,10 @@ class Names:
             case "add" | "neg":
                 return replace(node, args=tuple(map(self.rate, node.args)))
             case "mul":
-                moving = [place for place, it in enumerate(node.args) if self._moves(it)]
+                moving = [place for place, it in enumerate(node.args) if self.moves(it)]
                 terms = [with_part(node, (place,), self.rate(node.args[place])) for place in moving]
                 return joined("add", terms, node.at)
-            case "div" if not self._moves(node.args[1]):
+            case "div" if not self.moves(node.args[1]):
                 return replace(node, args=(self.rate(node.args[0]), node.args[1]))
             case "div" | "pow" | "call" if node.value in ("", *FUNCTIONS):
                 return moved(self._by_chain(node), node.at)
@@ -157,15 +157,16 @@ class Names:
         value = to_sympy(replace(node, args=plain), names)
         terms = []
         for symbol, operand in zip(places, node.args, strict=True):
-            if self._moves(operand):
+            if self.moves(operand):
                 text = str(sp.diff(value, symbol))
                 slope = read_sympy(text, Vocabulary(frozenset(names), (), {}))[0].left
                 terms.append(Node("mul", (renamed(slope, operands), self.rate(operand))))
         return joined("add", terms)
 
-    def _moves(self, node: Node) -> bool:
+    def moves(self, node: Node) -> bool:
+        """Whether a tree changes in time."""
         if node.kind != "symbol":
-            return any(map(self._moves, node.args))
+            return any(map(self.moves, node.args))
         if self.fixed is not None:
             return node.value not in self.fixed
         return node.value in {*self.next, *self.next.values(), *self.laws}

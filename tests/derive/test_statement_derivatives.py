@@ -46,6 +46,15 @@ def test_the_slope_of_a_friction_law_is_that_of_the_law(
     assert sign * at[name][far] == pytest.approx(sign * slope[far], rel=1e-4, abs=1e-4)
 
 
+def test_sizes_spaces_and_braces_change_no_name() -> None:
+    """An argument in brackets of any size, spaces before =, and an order in braces."""
+    energy = r"U\left(x\right) \,= \frac{k x^2}{2} + \frac{k_3 x^4}{4}"
+    slope = r"k_t = \frac{\mathrm{d}^{2}U}{\mathrm{d}x^{2}}"
+    kinetic = r"T(x, \dot x) = \frac{m}{2} \dot x^2"
+    found = rows(PAGE, ("energy V", energy), ("stiffness 1 1", slope), ("energy T", kinetic))
+    assert [row.status for row in found] == ["confirmed"] * 3
+
+
 @pytest.mark.parametrize(
     ("text", "status"),
     [

@@ -378,6 +378,7 @@ def test_identities_of_functions_are_known() -> None:
         "sign(x)*Abs(x)": "x",
         "Abs(p*x - p*y)": "p*Abs(y - x)",
         "Abs(x)**3": "sign(x)*x**3",
+        "Abs(x)*y": "Piecewise((x*y, x > 0), (-x*y, x < 0))",
     }
     names = {str(it): it for it in (a, p, x, y)}
     for left, value in right.items():

@@ -223,7 +223,7 @@ class Schema:
             text = getattr(value, "brief", None) or str(value)
             # The tables of a result stand in no cell.
             return type(value).__name__ if "\n" in text else text
-        if key == "error":
+        if key == ("error" if self.model is None else own_name(self.model, "error")):
             from .numerics.decimals import upward
 
             return upward(value)

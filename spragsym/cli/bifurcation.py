@@ -213,7 +213,7 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
             [
                 {
                     "curve": number,
-                    "points": len(kinds := curve["criticality"]),
+                    "points": len(kinds := curve[own("criticality")]),
                     **{
                         f"{title} {end}": pick(curve[title])
                         for title in titles
@@ -229,7 +229,8 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
             ],
         )
         print_rows(
-            "Points on them", [{title: row[title] for title in ("kind", *titles)} for row in points]
+            "Points on them",
+            [{title: row[title] for title in (own("kind"), *titles)} for row in points],
         )
         print_open("Onsets", answer)
         click.echo(
@@ -282,7 +283,8 @@ def print_points(title: str, found: Mapping[str, Any], where: Sequence[str]) -> 
         names = [*shown[0]] if shown else []
         after = [name for name in names if "_after" in name]
         room = [*left_out_first(names), *after[::-1]]
-        print_rows(f"{title} along {' and '.join(where)}", shown, room)
+        error = max((name for name in names if name.rstrip("_") == "error"), key=len, default="")
+        print_rows(f"{title} along {' and '.join(where)}", shown, room, error)
     lost = [
         row
         for row in rows

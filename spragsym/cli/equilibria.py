@@ -104,7 +104,7 @@ def _print(case: Case, points: list[Row], many: list[str]) -> None:
         for row in point["equilibria"]
     ]
     if rows:
-        print_rows("", rows, left_out_first(rows[0]))
+        print_rows("", rows, left_out_first(rows[0]), own_name(case.model, "error"))
     elif all(point["complete"] for point in points):
         click.echo("none, proved")
     for state in case.model.regimes.values():
@@ -210,20 +210,21 @@ def path(case: Case, near: tuple[str, ...]) -> object:
             case.following(case.set(along.name), near), along.name, along.values, **case.ask
         )
     ours = ("stability", "undamped", "growth")
-    words = {own_name(case.model, name): getattr(found, name) for name in ours}
+    own = partial(own_name, case.model)
+    words = {own(name): getattr(found, name) for name in ours}
     states = case.rows({along.name: found.values, **words, **found.places}, ss.results.Path)
     jumps = [
-        case.row({along.name: jump.value, "kind": jump.kind})
+        case.row({along.name: jump.value, own("kind"): jump.kind})
         | case.row(jump.before, end="_before")
         | case.row(jump.after, end="_after")
-        | {"error": jump.error}
+        | {own("error"): jump.error}
         for jump in found.jumps
     ]
 
     def tables() -> None:
         for title, rows in (("States", states), ("Jumps", jumps)):
             if rows:
-                print_rows(title, rows, left_out_first([*rows[0]][1:]))
+                print_rows(title, rows, left_out_first([*rows[0]][1:]), own("error"))
         if not jumps:
             click.echo("No jumps")
 
@@ -268,7 +269,7 @@ def critical(case: Case, near: tuple[str, ...]) -> object:
             low, high = jump["searched"]
             where = f"from {low:g} to {high:g}" if math.isfinite(high - low) else jump["way"]
             never = "it has jumped already" if jumped else "never"
-            verb = verb_of(jump["kind"]).does
+            verb = verb_of(jump[own_name(case.model, "kind")]).does
             first = "at the first jump" if verb == "jumps" else f"where it {verb}"
             rows.append(
                 {
@@ -334,7 +335,9 @@ def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> 
         for end in found.others.values():
             kind, before = end.kind, {name: float(end.before[name]) for name in before}
     row = {"searched": [0.0 if abs(end) <= INSIDE else along.unit * end for end in searched]}
-    return row | {along.title: along.unit * at, "kind": kind, **case.row(before), "error": error}
+    own = partial(own_name, case.model)
+    more = {own("kind"): kind, **case.row(before), own("error"): error}
+    return row | {along.title: along.unit * at, **more}
 
 
 def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:

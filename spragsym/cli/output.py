@@ -44,17 +44,25 @@ def wrapped(text: str, indent: int = 0) -> str:
     return f"\n{' ' * indent}".join(textwrap.wrap(text, room)) if line_width() else text
 
 
-def print_rows(title: str, rows: Sequence[Mapping[str, Any]], optional: Sequence[str] = ()) -> None:
+def print_rows(
+    title: str,
+    rows: Sequence[Mapping[str, Any]],
+    optional: Sequence[str] = (),
+    error: str = "error",
+) -> None:
     """Print a table of rows that have the same columns under a title; without rows, the title and
     ``none``.
 
     Floats get as many digits as the line has room for, up to twelve; columns that are ``optional``
-    are left out, the first of them first, while it has none. ``--json`` gives all.
+    are left out, the first of them first, while it has none. ``--json`` gives all. The column
+    ``error`` has bounds, of two digits.
     """
     if title:
         click.echo(click.style(title, bold=True) if rows else f"{title}: none")
     if rows:
-        columns = _fitted([(name, [row[name] for row in rows]) for name in rows[0]], optional)
+        columns = _fitted(
+            [(name, [row[name] for row in rows]) for name in rows[0]], optional, error
+        )
         head, *lines = aligned(list(zip(*columns, strict=True)))
         if head.strip():
             click.secho(head, bold=True)
@@ -62,7 +70,7 @@ def print_rows(title: str, rows: Sequence[Mapping[str, Any]], optional: Sequence
 
 
 def _fitted(
-    columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[str]
+    columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[str], error: str
 ) -> list[list[str]]:
     """Each column as its name and its cells, together no wider than the line if that can be."""
     written: list[list[str]] = []
@@ -74,7 +82,7 @@ def _fitted(
     ):
         used = ((name, cells) for name, cells in columns if name not in optional[:left_out])
         written = [
-            [name, *(_written(name, cell, digits) for cell in cells)] for name, cells in used
+            [name, *(_written(name, cell, digits, error) for cell in cells)] for name, cells in used
         ]
         # Width that a table of numbers fits into, unless the terminal is wider.
         if sum(max(map(len, column)) + 2 for column in written) - 2 <= max(80, line_width()):
@@ -82,10 +90,10 @@ def _fitted(
     return written
 
 
-def _written(name: str, cell: object, digits: int) -> str:
+def _written(name: str, cell: object, digits: int, error: str) -> str:
     if not isinstance(cell, float):
         return str(cell)
-    if name == "error":
+    if name == error:
         return upward(cell)
     if name.startswith("growth"):
         return f"{cell:.1e}"

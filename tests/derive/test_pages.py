@@ -2,6 +2,7 @@
 the article's model.
 """
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from spragsym.derive.kang_nam import mechanics, page_equivalence
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.model import PageError
 from spragsym.derive.statements import objects
+from tests.conftest import Run
 from tests.oracles.user_pages import derived, replaced
 
 TESTS = Path(__file__).resolve().parent.parent
@@ -303,6 +305,21 @@ def test_names_of_the_package_are_free_for_pages() -> None:
     motion = ss.simulate(model.Parameters(), t_end=5.0)
     assert np.array_equal(motion["mean"], motion.state[0])
     assert motion.mean(0.0) == pytest.approx(np.sum(motion.weights * motion["mean"]) / 5.0)
+
+
+@pytest.mark.thorough
+def test_tables_tell_a_quantity_from_a_column_of_its_name(run: Run) -> None:
+    """A quantity that is called error is no bound, which is shown with two digits, rounded up."""
+    text = (TESTS / "oracles/pages/named.py").read_text(encoding="utf-8").replace("count", "kind")
+    folder = derived(text, "named_kind")
+    path = ss.quasi_static_path(ss.load(folder).Parameters(), "error", [0.1, 0.2, 0.3])
+    model = ("--model", folder.as_posix())
+    for table in (str(path), run("path", *model, "--vary", "error=0.1:0.3:3")):
+        assert re.findall(r"^(0\.\d+) ", table, re.MULTILINE) == ["0.1", "0.2", "0.3"]
+    # Lift leaves the contact where it is the weight, 1.
+    lifted = run("critical", *model, "--vary", "error=0:2").splitlines()[1]
+    assert lifted.split()[-1] == "1"
+    assert "first jump" in run("critical", *model, "--vary", "kind=0.5:1")
 
 
 # ------------------------------------------------------------------------------------------------

@@ -26,14 +26,13 @@ from ..numerics.interval_arrays import (
     Intervals,
     ends_around,
     quiet,
-    scale_of,
 )
 from ..statics.forces import as_intervals
 from ..statics.precise_balance import on_side
 from ..statics.search import balances_of
 from .borders import kinds_of_borders
 from .defining_systems import Augmented, Family, touch
-from .tubes import Place, Tubes
+from .tubes import Place, Tubes, sizes_of
 
 
 @dataclass(frozen=True)
@@ -89,7 +88,7 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
             both = np.maximum(box, behind.box().ends)
             passes = good & also & (kinds_of_borders(family, both, back.balance) == "passes")
             over = good & (kinds_of_borders(family, box, back.balance) == "border_fold")
-        wide = ends_around(z, tubes.options.half_width * scale_of(z))
+        wide = ends_around(z, tubes.options.half_width * sizes_of(z, 1.0))
         step, alone = _enclosed(system, given, wide, box)
         error = contractors.distance(step, z)[-1]
         arrived = end.box()

@@ -50,6 +50,19 @@ from .options import ContinuationOptions
 ROUNDED_UP = 1 + 2.0**-40
 
 
+def sizes_of(z: FloatArray, least: float) -> FloatArray:
+    """Sizes of coordinates and of the parameter that varies, z of shape (n + 1, …), at least the
+    share ``least`` of 1, or of a smaller unit where all coordinates, or that parameter, are far
+    below 1.
+    """
+    parts = np.abs(z[:-1]), np.abs(z[-1:])
+    # Coordinates of 0.01 are usual where lengths are 1; a coordinate of 0 tells no unit.
+    units = [np.clip(2.0**9 * part.max(axis=0), 1e-6, 1.0) for part in parts]
+    return np.concatenate(
+        [np.maximum(part, least * unit) for part, unit in zip(parts, units, strict=True)]
+    )
+
+
 def halves(
     low: FloatArray, high: FloatArray, weight: FloatArray, share: float = 0.5
 ) -> tuple[IntArray, FloatArray, FloatArray]:
@@ -460,11 +473,13 @@ class Tubes(ByColumn):
         given, others, z = z, self.others, self.corrected(z)
         zero = np.zeros_like(z)
         beside = zero if like is None else like.off * self.half.any(axis=0)
+        distance = zero if error is None else np.abs(z - given) + error * scale_of(given)
+        distance[self.pivot] = 0.0
+        beside = np.maximum(beside, 2 * distance)
         found = self._one_state(z, zero, self._across(z), zero[0], beside)
         if error is not None:
             # Newton's method may have converged to another state.
-            distance = np.abs(z - given)[others] + error * scale_of(given[others])
-            found.sure[:] &= (distance * ROUNDED_UP <= found.radius[others]).all(axis=0)
+            found.sure[:] &= (distance * ROUNDED_UP <= found.radius)[others].all(axis=0)
         return found
 
     def segment(self, start: Place, z: FloatArray) -> tuple[BoolArray, Place, Place]:
@@ -529,7 +544,7 @@ class Tubes(ByColumn):
             half > 0, half * ROUNDED_UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0
         )
         swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * ROUNDED_UP
-        least = 2 * self.options.half_width * scale_of(z[others])
+        least = 2 * self.options.half_width * sizes_of(z, 1.0)[others]
         more = 1 + self.options.inflation
         reach = np.maximum(least, more * beside[others] * self.half.any(axis=0))
         zero, none = np.zeros_like(z), np.zeros(half.size, dtype=bool)

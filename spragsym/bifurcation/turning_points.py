@@ -12,7 +12,7 @@ import numpy as np
 
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, quiet
-from .tubes import Place, Tubes
+from .tubes import Place, Tubes, sizes_of
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
         begin, moving = start.v[rows], np.sign(by_v)
         by_s = own.tangents(here.z)[0]
         # A quarter of the distance if the curve stayed as steep.
-        step = np.minimum(0.25 * np.abs(by_v * by[rows]), 0.1 * size_of(here.z[own.pivot]))
+        step = np.minimum(0.25 * np.abs(by_v * by[rows]), 0.1 * size_of(here.z)[own.pivot])
         goal, least = begin + forward * by[rows], 1e-4 * step
         open_ = own.rises(here, by_s) == moving
         for _ in range(tubes.options.steep_steps):
@@ -160,7 +160,7 @@ def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray,
     """
     by_v, _ = tubes.tangents(start.z)
     with quiet():
-        pivots = np.argmax(np.abs(by_v[:-1]) / size_of(start.z[:-1]), axis=0)
+        pivots = np.argmax(np.abs(by_v[:-1]) / size_of(start.z)[:-1], axis=0)
     for pivot in range(tubes.n):
         rows = np.flatnonzero(start.sure & (pivots == pivot) & (by_v[pivot] != 0))
         if rows.size:
@@ -172,7 +172,7 @@ def secants(tubes: Tubes, z: FloatArray, towards: FloatArray) -> tuple[FloatArra
 
     The first step is a small one in the direction ``towards`` along the pivot.
     """
-    size = size_of(z[tubes.pivot])
+    size = size_of(z)[tubes.pivot]
     step = towards * 1e-4 * size
     by_s = tubes.tangents(z)[0]
     for _ in range(tubes.options.secant_steps):
@@ -196,7 +196,7 @@ def _proved(
     by_s = tubes.tangents(here.z)[0]
     open_ = tubes.rises(here, by_s) == moving
     # Length of the last segment; v varies by the square of it there.
-    last, share = 1e-6 * size_of(fold[tubes.pivot]), np.full(moving.size, 0.2)
+    last, share = 1e-6 * size_of(fold)[tubes.pivot], np.full(moving.size, 0.2)
     for _ in range(tubes.options.segments):
         rest = (fold - here.z)[tubes.pivot]
         rows = np.flatnonzero(open_ & (np.abs(rest) > last) & (share > 1e-4))
@@ -243,5 +243,7 @@ def _moved_on(
 
 
 def size_of(z: FloatArray) -> FloatArray:
-    """The size of coordinates, at least 1e-3."""
-    return np.maximum(np.abs(z), 1e-3)
+    """Sizes of coordinates and of the parameter that varies, at least 1e-3 or that share of their
+    unit.
+    """
+    return sizes_of(z, 1e-3)

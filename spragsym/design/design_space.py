@@ -282,7 +282,7 @@ class EndOfState:
         # At a fold the null vector of K is the tangent of the curve, and the pivot is its largest
         # component.
         tangent = np.linalg.svd(tubes.floats(z)[1][:, :n, 0])[2][-1]
-        tubes = replace(tubes, pivot=int(np.argmax(np.abs(tangent) / size_of(self.last[:n]))))
+        tubes = replace(tubes, pivot=int(np.argmax(np.abs(tangent) / size_of(self.last)[:n])))
         z, converged = secants(tubes, tubes.corrected(z), np.ones(1))
         if not converged[0] or not followed.begin[0] <= z[n, 0] <= followed.until[0]:
             return None

@@ -9,7 +9,7 @@ from scipy.optimize import minimize_scalar
 
 import spragsym as ss
 from tests.design.test_self_locking import LEVER
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
 
@@ -109,3 +109,25 @@ def test_where_a_cusp_is_a_turn_as_well(load: float) -> None:
     found = ss.critical_friction(p, "mu", "A", between={"A": (0.5, 5.0), "mu": (0.0, 3.0)})
     assert (found.kind, found.complete) == ("cusp", True)
     assert found.value == pytest.approx(math.pi / load, rel=1e-14)
+
+
+@pytest.mark.thorough
+def test_a_bar_in_units_of_a_million_of_its_length() -> None:
+    """Its coordinates are some 10⁻⁷, and what it goes into the wall some 10⁻⁹."""
+    own = (
+        'l0 = page.unit("l0", "m", "its length")',
+        'l0 = page.parameter("l0", "m", "", "> 0", 1.0)',
+    )
+    text = replaced(BAR, (own[0], f'a = page.unit("a", "m", "a unit")\n{own[1]}'))
+    u = 1e-6
+    p = model_of(text, "bar_in_units").Parameters(
+        l0=u, b=0.9 * u, P=0.01 * u, V=0.5 * u, d=10.0 / u
+    )
+    rises = {"vary": "P", "begin": 1e-3 * u}
+    found = ss.certify(p, between={"P": (1e-3 * u, 0.01 * u), "mu": (0.05, 0.1)}, **rises)
+    assert found.outcome == "proved"
+    margin = ss.jump_margin(p, {"P": 1e-3 * u}, **rises)
+    assert margin.distance == pytest.approx((snaps(0.1, 0.9, 2.0) - 0.01) / 1e-3, rel=1e-9)
+    between = {"b": (0.7 * u, 0.95 * u), "P": (1e-3 * u, 0.2 * u)}
+    lowest = ss.critical_friction(p, "P", "b", between=between)
+    assert lowest.value == pytest.approx(u * snaps(0.1, 0.95, 2.0), rel=1e-12)

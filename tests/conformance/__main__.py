@@ -8,11 +8,10 @@ the whole suite for each of them; the exit code is that of the tests.
 """
 
 import os
+import subprocess
 import sys
 from itertools import takewhile
 from pathlib import Path
-
-import pytest
 
 import spragsym as ss
 from tests.conformance import models
@@ -51,12 +50,11 @@ def main() -> int:
         )
     if not asked:
         return 0
-    # Workers are processes of their own, in which the models are those asked for.
+    # In a process of its own, in which the models are those asked for, without workers too.
     os.environ[models.ASKED] = os.pathsep.join(model.where for model in asked)
+    tests = [sys.executable, "-m", "pytest", str(Path(__file__).parent)]
     workers = str(min(4, os.cpu_count() or 1))
-    return int(
-        pytest.main([str(Path(__file__).parent), "-n", workers, *sys.argv[1 + len(named) :]])
-    )
+    return subprocess.call([*tests, "-n", workers, *sys.argv[1 + len(named) :]])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""The article's Figures 11, 12 and 14, surface and bifurcation set; friction of the lowest fold;
-double roots but no folds.
+"""The article's Figures 11, 12 and 14: equilibrium surface and bifurcation set. Friction of the
+lowest fold; double roots of the quartics that are not folds.
 """
 
 from __future__ import annotations
@@ -138,8 +138,8 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
 
 
 def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str]) -> Table:
-    """The bifurcation set, with the number of equilibria at places in the regions and the cusp's
-    coordinates beside it.
+    """Draw the bifurcation set, with the numbers of equilibria at given positions, and the
+    coordinates of the cusp; the curves as a table.
     """
     found, _ = draw_plane(ax, p, {"mu0": MU0_RANGE})
     for position, text in counts.items():
@@ -152,16 +152,16 @@ def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str])
     )
 
 
-#: Proportions of the box.
+#: Proportions of the sides of the axes in three dimensions.
 _ASPECT = (1.25, 1.1, 0.9)
 
 
 def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
-    """Quadrilaterals of (θ₀ in degrees, μ₀, x), shape (cells, 4, 3): the surface as it is shown;
-    and their stability.
+    """Mesh of the part of the equilibrium surface that is shown: quadrilaterals (cells, 4, 3) of
+    (θ₀ in degrees, μ₀, x), and their stability (cells,).
 
-    Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is
-    infinite: the mesh has no hole.
+    For each θ₀ the directions go from one end of the arc in contact to the other, where μ₀ is
+    infinite, so that the mesh has no holes.
     """
     theta0 = np.radians(theta0_deg)
     found = ss.kang_nam.surface(p, _directions(p, theta0, n), theta0[:, None])
@@ -183,16 +183,18 @@ def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, I
 
 
 def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
-    """For each θ₀ directions in contact, evenly spaced on the surface as it is shown."""
+    """For each θ₀, ``n`` directions θ in contact, evenly spaced on the part of the surface that is
+    shown, and sparser outside.
+    """
     kappa, sigma = p.scalars("kappa", "sigma")
-    # Contact is where sin θ is above it.
+    # In contact sin θ is larger than that of the start.
     start = np.arcsin(np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0))
     u = np.linspace(1e-3, 1 - 1e-3, 20 * n)
-    share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
+    share = u**3 * (10 - 15 * u + 6 * u * u)  # dense at the ends, where μ₀ is steep
     theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
     found = ss.kang_nam.surface(p, theta, theta0[:, None])
     shown = np.clip(found.mu0, MU0_RANGE[0] - 0.1, MU0_RANGE[1] + 0.1)
-    # Outside the shown range points are sparser, the farther away the sparser.
+    # Sparser with the distance from the shown range.
     weight = 0.25 / (1 + (found.mu0 - shown) ** 2)[:, 1:]
     steps = np.hypot(np.diff(shown, axis=1), weight * np.diff(found.x, axis=1))
     length = np.pad(np.cumsum(steps, axis=1), [(0, 0), (1, 0)])
@@ -203,7 +205,7 @@ def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
 
 
 def space_axes(figure: Sheet, corners: tuple[float, float, float, float], zoom: float) -> Axes3D:
-    """Axes in three dimensions, for print."""
+    """Axes in three dimensions for θ₀, μ₀ and x."""
     ax: Any = figure.add_axes(
         corners,
         projection="3d",
@@ -225,13 +227,13 @@ def space_axes(figure: Sheet, corners: tuple[float, float, float, float], zoom: 
 def draw_surface(
     ax: Axes3D, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float
 ) -> Table:
-    """Sheets by stability, fold curves, cusps and more ``lines``, (n, 3) and a colour; behind a
-    sheet thin dashes.
+    """Draw the equilibrium surface by stability, with folds, cusps and other ``lines``, (n, 3) with
+    a colour. Hidden lines are dashed. A table of the folds.
     """
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     cells, kinds = sheets(p, np.linspace(0.5, 179.5, round(160 * detail)), round(160 * detail))
-    # What its sides go over in θ₀ in degrees, μ₀ and x.
+    # Ranges of θ₀ in degrees, μ₀ and x, relative to the sides of the axes.
     size, (up, turn) = np.divide((180.0, 1.0, 4.0), _ASPECT), np.radians((ax.elev, ax.azim))
     towards = np.array([np.cos(up) * np.cos(turn), np.cos(up) * np.sin(turn), np.sin(up)])
     first, second = ((cells[:, i] - cells[:, j]) / size for i, j in ((2, 0), (3, 1)))
@@ -243,16 +245,16 @@ def draw_surface(
         EquilibriumType.FLUTTER: "#96dcc0",
     }
     colors = to_rgba_array([sheet_colors[EquilibriumType(kind)] for kind in kinds])
-    colors[:, :3] *= 0.72 + 0.28 * upright[:, None]  # darker the steeper
+    colors[:, :3] *= 0.72 + 0.28 * upright[:, None]  # steep cells are darker
     found = ss.bifurcation_set(p)
     folds = [on_surface(curve.mu0, curve.theta0, curve.x) for curve in found.curves]
     polygons, faces = [cells], [colors]
     for points, color in (*lines, *((fold, VERMILION) for fold in folds)):
         ax.plot(*points.T, color=color, linewidth=0.6, linestyle=(0, (3.0, 2.2)), zorder=2)
         across = np.cross(np.diff(points, axis=0) / size, towards)
-        # Half of the width of a line, in the units of the proportions.
+        # Lines are ribbons in front of the surface; half of the width in units of the sides.
         across *= size * 0.0036 / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
-        # How far lines stand before the surface, in the units of the proportions.
+        # Distance from the surface in units of the sides.
         begin, end = (part + 0.08 * towards * size for part in (points[:-1], points[1:]))
         ribbon = np.stack([begin - across, end - across, end + across, begin + across], axis=1)
         ribbon = ribbon[np.isfinite(ribbon).all(axis=(1, 2))]
@@ -275,8 +277,7 @@ def draw_surface(
 
 
 def table_of_lines(lines: Iterable[FloatArray]) -> Table:
-    """The points of lines that are shown."""
-    # Columns of points.
+    """The finite points of lines as a table."""
     point = ("theta0_deg", "mu0", "x")
     return stacked(
         [dict(zip(point, line[np.isfinite(line[:, 1])].T, strict=True)) for line in lines],
@@ -286,8 +287,8 @@ def table_of_lines(lines: Iterable[FloatArray]) -> Table:
 
 
 def on_surface(mu0: FloatArray, theta0: FloatArray | float, x: FloatArray) -> FloatArray:
-    """Points of a line on the surface, θ₀ in radians; NaN where ``mu0`` leaves its range, so that
-    the line breaks there.
+    """Points (n, 3) of a line on the surface from θ₀ in radians; NaN where ``mu0`` is outside its
+    range, so that the line is interrupted.
     """
     inside = np.where(mu0 == np.clip(mu0, *MU0_RANGE), mu0, np.nan)
     return np.stack(np.broadcast_arrays(np.degrees(theta0), inside, x), axis=-1)
@@ -295,7 +296,7 @@ def on_surface(mu0: FloatArray, theta0: FloatArray | float, x: FloatArray) -> Fl
 
 @styled
 def figure_cusp_friction(*, n: int = 41) -> Sheet:
-    """The lowest fold over each parameter: why Figures 8 to 10 come out as they do."""
+    """Friction of the lowest fold over each parameter, which explains Figures 8 to 10."""
     figure, axes = panels(2, 2, DOUBLE, 4.6)
     shown = {
         "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0), ()),
@@ -314,12 +315,13 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
     )
 
 
-#: The range of a parameter that is shown, the article's samples, an interval that holds the
-#: critical value, frictions on a logarithmic axis.
+#: Range of a parameter, the article's samples, an interval that contains the critical value, and
+#: ticks of the friction if the axes are logarithmic.
 _Samples = tuple[Span, tuple[float, ...], Span, tuple[float, ...]]
 
 
 def _draw_cusp_friction(ax: Axes, name: str, shown: _Samples, n: int) -> Table:
+    """Draw one panel of :func:`figure_cusp_friction`; its data."""
     (low, high), samples, bracket, ticks = shown
     values = np.geomspace(low, high, n) if ticks else np.linspace(low, high, n)
     p, mu0 = Parameters.article(), Parameters.mu0
@@ -355,7 +357,7 @@ def _draw_cusp_friction(ax: Axes, name: str, shown: _Samples, n: int) -> Table:
 
 
 def _given(p: Parameters, theta0: FloatArray) -> tuple[Any, ...]:
-    """Arguments of generated functions, in contact."""
+    """Arguments of the generated functions, in contact."""
     return np.cos(theta0), np.sin(theta0), *p.scalars("mu0", "kappa", "alpha", "sigma", "beta"), 1
 
 

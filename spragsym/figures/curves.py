@@ -1,5 +1,5 @@
-"""Curves of equilibria, computed branch by branch, drawn by stability; paths along them;
-eigenvalues over a parameter.
+"""Curves of equilibria over a parameter, drawn by stability; quasi-static paths; eigenvalues over a
+parameter.
 """
 
 from __future__ import annotations
@@ -63,10 +63,11 @@ States: TypeAlias = tuple[IntArray, ...]
 
 @dataclass(frozen=True, eq=False)
 class Branch(Named):
-    """A piece of an equilibrium curve of states of one type, from end to end; angles in radians.
+    """A part of an equilibrium curve with states of one type; angles in radians.
 
-    ``states`` are the columns of :class:`spragsym.results.Equilibria` that say where a state is, by
-    name, each an attribute too.
+    ``values`` are those of the parameter. ``states`` are the columns of
+    :class:`spragsym.results.Equilibria` that describe the positions, by name; each is also an
+    attribute.
     """
 
     schema = Path.schema
@@ -79,13 +80,13 @@ class Branch(Named):
     kind: EquilibriumType
 
     def shown(self, name: str) -> FloatArray:
-        """A column or the parameter as an axis shows it: angles in degrees."""
+        """A column, or the parameter, in the unit of an axis: angles in degrees."""
         values = self.values if name == self.vary else self.states[name]
         return self.model.column(name).size * values
 
 
 class Branches(list[Branch]):
-    """Curves of equilibria, and where along the parameter not all are known.
+    """Curves of equilibria, and ranges of the parameter in which some may be missing.
 
     Attributes
     ----------
@@ -93,8 +94,7 @@ class Branches(list[Branch]):
     vary : str
         The parameter.
     undecided : ndarray
-        Least and largest values of the ranges in which a point, or a fold, is undecided, shape
-        (ranges, 2).
+        Ranges (n, 2) in which a point or a fold is undecided.
     """
 
     def __init__(
@@ -105,7 +105,7 @@ class Branches(list[Branch]):
 
 
 def name_axes(ax: Axes, model: Model, vary: str, quantity: str) -> None:
-    """Label axes that have no label yet."""
+    """Label the axes, unless they have labels."""
     for axis, name in ((ax.xaxis, vary), (ax.yaxis, quantity)):
         if not axis.get_label_text():
             axis.set_label_text(label(model.column(name), own_unit(model, model.column(name))))
@@ -120,31 +120,31 @@ def branches(
     damping: bool = False,
     n: int = 200,
 ) -> Branches:
-    """All equilibrium curves of any model as one parameter varies, cut at folds, and where their
-    stability changes.
+    """All equilibrium curves of any model over one parameter, cut at folds and at changes of
+    stability.
 
     Parameters
     ----------
     p : Parameters
         Scalars; the parameter that varies is not used.
     vary : str, optional
-        Its name; theta0 where there is one.
+        Its name, by default theta0 if the model has it.
     between : mapping, optional
-        Its range, by its name; by default its own, and for one without an end up to 1, or twice the
-        base value if that is more.
+        Its range, by its name; by default its own, which if unbounded ends at 1, or at twice the
+        base value if that is larger.
     contact : bool
-        Steady sliding, of several contacts in every combination of those that touch, or lift-off.
+        Steady sliding, with several contacts in every combination of touching ones; or lift-off.
     damping : bool
-        Types with dampers and the slope of the friction law, or by (27), without them.
+        Types of equilibria with dampers and the slope of the friction law; or without, by (27).
     n : int
-        Points of each piece, denser towards its ends.
+        Number of points of each piece, denser at its ends.
 
     Notes
     -----
-    Folds and onsets are solved for; between them equilibria are solved for at each point, and
-    belong together where a tube joins them, see :func:`spragsym.bifurcation.branches.linked`. Where
-    a curve leaves the contact it ends at the last of these points. Where a point is undecided, or a
-    fold may be missing, ``undecided`` of the result has the range.
+    Folds and onsets of flutter are computed first. Between these, equilibria are computed at each
+    point, and connected by tubes, see :func:`spragsym.bifurcation.branches.linked`. A curve that
+    leaves the contact ends at the last point in contact. Ranges in which a point is undecided, or a
+    fold may be missing, are in ``undecided`` of the result.
     """
     return curves_between(p, *_range(p, vary, between, contact), damping, n)
 
@@ -152,10 +152,10 @@ def branches(
 def curves_between(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
 ) -> Branches:
-    """The curves of :func:`branches` where the folds, at least those between the ends, are known.
+    """The curves of :func:`branches` with known folds ``turns`` between the ends; None for
+    lift-off.
 
-    In lift-off there are none. A curve between two cuts is split by stability; at a fold it is
-    extended to the exact point.
+    A curve between two cuts is split by stability, and extended to the exact point of a fold.
     """
     pieces, undecided = _pieces(p, vary, ends, turns, damping, n)
     curves = [curve for piece in pieces for curve in _by_stability(vary, piece, damping)]
@@ -164,8 +164,8 @@ def curves_between(
 
 @dataclass(frozen=True, eq=False)
 class _Chain:
-    """A curve between two cuts: which of the equilibria it has, by their indices into the columns,
-    and the folds and border points of such states; none in lift-off.
+    """A curve between two cuts: indices ``at`` of its states in the columns of ``eq``, and the
+    folds and border points of such states, None for lift-off.
     """
 
     eq: Equilibria
@@ -177,8 +177,8 @@ class _Chain:
 def _pieces(
     p: ParameterSet, vary: str, ends: Span, turns: Points | None, damping: bool, n: int
 ) -> tuple[list[_Chain], FloatArray]:
-    """Every curve between two cuts, folds, borders and onsets of flutter as far as these are known,
-    of every combination of contacts that touch; and the ranges in which something is undecided.
+    """All curves between cuts (folds, borders, onsets of flutter) for every combination of touching
+    contacts, and the ranges in which something is undecided.
     """
     combinations: list[tuple[Touching, Points | None]] = [(False, None)]
     onsets = list[float]()
@@ -201,14 +201,14 @@ def _pieces(
 
 
 def _by_stability(vary: str, piece: _Chain, damping: bool) -> Iterator[Branch]:
-    """The parts of one curve, each of one stability, up to the exact folds."""
+    """The parts of a curve with constant stability, extended to the exact folds."""
     eq, at, turns = piece.eq, piece.at, piece.turns
     columns = {
         vary: eq.parameters[vary][at[0]],
         **{name: eq[name][at] for name in eq.state_columns},
     }
     kinds = eq.undamped[at]
-    if damping:  # where the sign of the growth is not proved, the type by (27) stays
+    if damping:  # by (27) if the sign of the growth is not proved
         sign, fastest = eq.growth_sign[at], eq.damped_eigenvalues[at][:, 0]
         grows = np.where(
             np.abs(fastest.imag) <= REAL * np.abs(fastest),
@@ -220,7 +220,7 @@ def _by_stability(vary: str, piece: _Chain, damping: bool) -> Iterator[Branch]:
         folds = [] if turns is None else np.flatnonzero(turns[vary] == cut).tolist()
         if turns is None or not folds or at[0][side] != range(eq.count.size)[side]:
             continue
-        # Two states meet at a fold, one comes to a border.
+        # At a fold two states meet; at a border one arrives.
         meeting = 1 if turns.kind[folds[0]] in ("passes", "border_fold") else 2
         fold, count = {name: turns[name][folds[0]] for name in columns}, eq.count[side]
         away = [values[side, :count] - fold[name] for name, values in eq.coordinates.items()]
@@ -237,9 +237,9 @@ def _by_stability(vary: str, piece: _Chain, damping: bool) -> Iterator[Branch]:
 
 
 def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> list[States]:
-    """Equilibria of each curve, by their indices into the columns."""
+    """The states of each curve, as indices into the columns of ``eq``."""
     found, ends = list[list[tuple[int, int]]](), dict[int, list[tuple[int, int]]]()
-    # Curves that these do not tell apart are drawn as two.
+    # A curve with a link that is not proved with these is drawn as two.
     halved = ss.ContinuationOptions(halvings=3)
     for index, pairs in enumerate([{}, *linked(p, vary, eq, turns, options=halved)]):
         before = {other: ends[one] for one, other in pairs.items()}
@@ -254,8 +254,8 @@ def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> 
 def _range(
     p: ParameterSet, vary: str | None, between: Ranges | None, contact: bool
 ) -> tuple[str, Span, Points | None]:
-    """The parameter that varies, its ends that are given, or those that are shown, and the folds
-    between them, in contact.
+    """The parameter that varies, its range as given or by default, and the folds in it; None for
+    lift-off.
     """
     model = model_of(p)
     vary = model.one(vary)
@@ -280,8 +280,7 @@ def draw_branches(
 ) -> list[Line2D]:
     """Draw branches: stable solid, divergent dashed, flutter dash-dotted; returns the lines.
 
-    Of what :func:`branches` gives, ranges of the parameter in which something is undecided are
-    hatched.
+    Undecided ranges of a result of :func:`branches` are hatched.
     """
     ax = own_axes(ax)
     lines = []
@@ -294,7 +293,7 @@ def draw_branches(
 
 
 def shade(ax: Axes, model: Model, vary: str, spans: FloatArray) -> None:
-    """Hatch ranges of a parameter, those of one value too, in which not everything is decided."""
+    """Hatch undecided ranges of a parameter, including those of a single value."""
     for low, high in (model.column(vary).size * spans).tolist():
         ax.axvspan(
             low, high, facecolor="none", edgecolor=GREY, hatch="////", linewidth=0.8, zorder=0
@@ -310,7 +309,7 @@ def mark_folds(
     between: Ranges | None = None,
     **options: Any,
 ) -> list[Line2D]:
-    """Mark folds at their exact positions, those ``between`` ends of the parameter that varies."""
+    """Mark folds at their exact positions, if given only those in a range of the parameter."""
     require_kind("turns", turns, Points, "an answer of ss.folds(...)")
     vary = turns.vary[0]
     if between:
@@ -339,7 +338,7 @@ def plot_equilibria(
     n: int = 200,
     **options: Any,
 ) -> list[Line2D]:
-    """All equilibrium curves of any model as a parameter varies, folds marked.
+    """Plot all equilibrium curves of any model over a parameter, with folds marked.
 
     Ranges in which a point is undecided, or a fold may be missing, are hatched.
 
@@ -350,21 +349,21 @@ def plot_equilibria(
     vary : str, optional
         As for :func:`branches`: the parameter along the horizontal axis.
     quantity : str, optional
-        What to show, a column of :class:`spragsym.results.Equilibria` that says where a state is,
-        as x or theta; angles in degrees. By default the first coordinate.
+        Along the vertical axis: a column of :class:`spragsym.results.Equilibria` that describes
+        positions, as x or theta; by default the first coordinate. Angles are in degrees.
     between, contact, damping, n
         As for :func:`branches`.
     ax : matplotlib.axes.Axes, optional
         Where to draw; by default pyplot's current axes.
     color : str
-        Of lines and folds.
+        Colour of lines and folds.
     **options
         For :meth:`matplotlib.axes.Axes.plot`.
 
     Returns
     -------
     list of matplotlib.lines.Line2D
-        One for each piece of one stability, and the folds.
+        One for each part with constant stability, and the folds.
 
     Examples
     --------
@@ -391,7 +390,7 @@ def plot_equilibria(
 
 
 def table_of(curves: Iterable[Branch]) -> Table:
-    """Branches as columns, one after the other."""
+    """Branches as a table, concatenated."""
     tables = list[Table]()
     for curve in curves:
         names = (curve.vary, *curve.states)
@@ -401,7 +400,7 @@ def table_of(curves: Iterable[Branch]) -> Table:
 
 
 def first_fold(p: ParameterSet) -> float:
-    """The least θ₀ of a fold, degrees."""
+    """The smallest θ₀ of a fold, in degrees."""
     return float(np.degrees(ss.folds(p).theta0[0]))
 
 
@@ -410,15 +409,15 @@ def first_fold(p: ParameterSet) -> float:
 
 
 def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArray]]:
-    """The pieces of a quasi-static path between its jumps, from where it landed to the exact fold,
-    as axes show them.
+    """The pieces of a quasi-static path between jumps, each up to the exact fold, in the units of
+    the axes.
     """
     values, model = path.values, path.parameters.model
     forward = -1.0 if values[0] > values[-1] else 1.0
     ends = [
         (jump.value, end[quantity])
         for jump in path.jumps
-        if jump.after  # the end at infinity has no place in a figure
+        if jump.after  # not at infinity
         for end in (jump.before, jump.after)
     ]
     jumps = np.array(ends).reshape(-1, 2)
@@ -439,8 +438,8 @@ def draw_path(
     arrows: Sequence[float] = (0.5,),
     **options: Any,
 ) -> list[Any]:
-    """Draw a quasi-static path, its jumps dotted; arrow heads at some shares of every piece, and on
-    jumps.
+    """Draw a quasi-static path, with jumps dotted, and arrow heads on jumps and at ``arrows``,
+    shares of the extent of each piece; returns the artists.
     """
     require_kind("path", path, Path, "one of ss.quasi_static_path(...)")
     ax, quantity = own_axes(ax), quantity or path.parameters.model.coordinates[0]
@@ -459,9 +458,9 @@ def draw_path(
 
 
 def _head(ax: Axes, x: FloatArray, y: FloatArray, share: float, color: str) -> Annotation:
-    """An arrow head on a curve, at a share of its way along x."""
-    way = np.abs(x - x[0])
-    i = np.clip(np.searchsorted(way, share * way[-1]), 1, x.size - 1)
+    """Draw an arrow head on a curve, at a share of its extent along x."""
+    distance = np.abs(x - x[0])
+    i = np.clip(np.searchsorted(distance, share * distance[-1]), 1, x.size - 1)
     before, at = np.stack([x, y], axis=1)[i - 1 : i + 1]
     arrow = {
         "arrowstyle": "-|>",
@@ -483,11 +482,11 @@ def plot_eigenvalues(
     axes: tuple[Axes, Axes] | None = None,
     n: int = 200,
 ) -> list[Line2D]:
-    """Imaginary and real parts of the eigenvalues λ of all equilibria of any model as a parameter
-    varies.
+    """Plot imaginary and real parts of the eigenvalues λ of all equilibria of any model over a
+    parameter.
 
-    Black by the full linearization, det(λ² M + λ C + K) = 0, and red where that λ grows by more
-    than 1e-4 of its size; grey by (27), without dampers and the slope of the friction law.
+    Black: the full linearization, det(λ² M + λ C + K) = 0; red if Re λ > 1e-4 |λ|. Grey: by (27),
+    without dampers and the slope of the friction law.
 
     Parameters
     ----------
@@ -496,9 +495,9 @@ def plot_eigenvalues(
     vary, between, contact
         As for :func:`~spragsym.figures.branches`: the parameter along the horizontal axes.
     axes : tuple of two matplotlib.axes.Axes, optional
-        For frequencies and for growth rates; by default two panels of pyplot's current figure.
+        Axes for frequencies and for growth rates; by default two panels of pyplot's current figure.
     n : int
-        Points between two folds or onsets, denser towards these.
+        Number of points between two folds or onsets, denser near these.
 
     Returns
     -------
@@ -507,7 +506,7 @@ def plot_eigenvalues(
     Raises
     ------
     ConvergenceError
-        Where no equilibrium is found.
+        If no equilibrium is found.
 
     Examples
     --------
@@ -536,7 +535,7 @@ def eigenvalue_figure(
     contact: bool = True,
     n: int = 200,
 ) -> Sheet:
-    """Frequencies above growth rates, as a figure; arguments as :func:`plot_eigenvalues`."""
+    """:func:`plot_eigenvalues` as a figure, frequencies above growth rates; same arguments."""
     figure, axes = panels(2, 1, SINGLE, 4.2, sharex=True)
     vary = model_of(p).one(vary)
     _, frequencies, rates = _drawn([*axes[:, 0]], p, vary, between, contact, n)
@@ -550,17 +549,19 @@ def eigenvalue_figure(
 
 
 def _followed(values: FloatArray, every: ComplexArray) -> ComplexArray:
-    """Rows of λ in such an order that each column goes on straight from the two rows before."""
+    """Eigenvalues (values, n), sorted in each row so that columns are continuous: by the assignment
+    that is closest to a linear extrapolation of the two rows before.
+    """
     out = every.copy()
     for row in range(1, len(out)):
-        ahead = out[row - 1]
+        predicted = out[row - 1]
         if row > 1:
-            ahead = ahead + (ahead - out[row - 2]) * (values[row] - values[row - 1]) / (
+            predicted = predicted + (predicted - out[row - 2]) * (values[row] - values[row - 1]) / (
                 values[row - 1] - values[row - 2]
             )
-        off = np.abs(ahead[:, None] - every[row])
-        if np.isfinite(off).all():
-            out[row] = every[row, linear_sum_assignment(off)[1]]
+        distances = np.abs(predicted[:, None] - every[row])
+        if np.isfinite(distances).all():
+            out[row] = every[row, linear_sum_assignment(distances)[1]]
     return out
 
 
@@ -572,8 +573,8 @@ def _drawn(
     contact: bool,
     n: int,
 ) -> tuple[list[Line2D], Table, Table]:
-    """The lines, and tables of frequencies and of growth rates: of each λ with damping, then of
-    each without.
+    """Draw eigenvalues: the lines, and tables of frequencies and of growth rates, with damping and
+    without.
     """
     vary, ends, turns = _range(p, vary, between, contact)
     model, lines, courses = p.model, list[Line2D](), list[Table]()

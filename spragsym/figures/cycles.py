@@ -1,5 +1,5 @@
-"""The oscillation: cycles beside equilibria, their branches, diagrams and events, and maps of what
-motions come to.
+"""Figures of cycles: their branches beside equilibria, bifurcation diagrams, curves of their
+bifurcations, and maps of the fates of motions.
 """
 
 from __future__ import annotations
@@ -56,31 +56,30 @@ from .style import (
     write_along,
 )
 
-#: Of branches, in the order in which they were found; doubled ones have the colour of those that
-#: they come from.
+#: Colours of branches, in their order; doubled cycles have the colour of the original ones.
 COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
 
 
-#: Of events of cycles.
+#: Markers of bifurcations of cycles.
 MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
 
 
 def _sliding() -> Parameters:
-    """The article's values with the friction μ(V)."""
+    """The article's parameters with the friction μ(V) in place of μ₀."""
     p = Parameters.article()
     return p.replace(mu0=float(p.model.friction(p)))
 
 
 @styled
 def figure_cycles() -> Sheet:
-    """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one
-    motion.
+    """Root mean square of x over θ₀ for equilibria and cycles: the bifurcation diagram behind
+    Figure 7b.
     """
     figure, ax = single(DOUBLE, 4.2)
     rest = branches(_sliding(), "theta0", between={"theta0": (np.radians(1.0), np.radians(179.0))})
-    # The branches that ``python -m validation.cycle_search`` found, with how they were looked for.
+    # Branches found by ``python -m validation.cycle_search``, with data of the search.
     found = json.loads(shipped_text("spragsym.figures", "cycles.json"))
-    for curve in rest:  # |x| is the root mean square
+    for curve in rest:  # the root mean square is |x|
         ax.plot(
             curve.shown("theta0"),
             np.abs(curve.x),
@@ -101,10 +100,9 @@ def figure_cycles() -> Sheet:
         angles, stable = np.degrees(theta0), is_stable == 1
         draw_stretches(ax, angles, heights, stable, colour, 0.9 if doubled else 1.4)
         value, period, *_ = line["at"]
-        # Doubled cycles are labelled if they are stable over more degrees than this.
+        # Doubled cycles are labelled if they are stable over more than 10 degrees.
         if not doubled or np.ptp(angles[stable]) > 10.0:
             nearest = np.argmin(np.abs(theta0 - value) + np.abs(periods - period))
-            # A label stands this far above its curve.
             position = np.degrees(value), heights[nearest] + 0.035
             write_along(ax, f"{period:.0f}", *position, color=colour, ha="center", fontsize=7)
         for kind, at, length, rms, how in line["events"]:
@@ -119,7 +117,7 @@ def figure_cycles() -> Sheet:
     places = np.degrees(fate.value), first_fold(p), first_fold(_sliding())
     for place, colour, style in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
         line_at(ax, place, colour, 0.8, style=style, zorder=0.5)
-    # Unstable cycles beyond this are left to the table.
+    # Larger unstable cycles are in the table only.
     angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, 2.15))
     return figure.describe(
         f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V
@@ -141,14 +139,14 @@ def figure_cycles() -> Sheet:
 
 
 def _mark(ax: Axes, place: tuple[float, float], marker: str, **style: Any) -> None:
-    """A hollow mark, black unless told otherwise."""
+    """Draw a hollow marker, by default black."""
     ax.plot(*place, marker, **{"color": BLACK, "markersize": 4, **style}, markerfacecolor="white")
 
 
 def draw_stretches(
     ax: Axes, values: FloatArray, heights: FloatArray, stable: BoolArray, colour: str, width: float
 ) -> None:
-    """A branch: full where stable, dashed where not, without a gap between."""
+    """Draw a branch: solid lines for stable parts, dashed ones for unstable parts, without gaps."""
     for part in runs(stable):
         style = "-" if stable[part][0] else (0, (3, 1.5))
         ax.plot(values[part], heights[part], color=colour, linestyle=style, linewidth=width)
@@ -162,10 +160,10 @@ def draw_cycles(
     height_of: Callable[[Cycle], float],
     colour: str,
 ) -> None:
-    """A branch of cycles by one of its columns, of which ``height_of`` is one cycle's: full as far
-    as it is stable.
+    """Draw a branch of cycles: ``heights`` over the parameter, with ``height_of`` for the cycles at
+    changes of stability; solid lines for stable parts.
 
-    ``units`` is what one of the parameter and of the column is on the axes.
+    ``units`` are factors from the parameter and the heights to the units of the axes.
     """
     changes = dict(branch.changes())
     at = [*changes]
@@ -183,7 +181,7 @@ def draw_cycles(
 
 @styled
 def branch_figure(branch: CycleBranch) -> Sheet:
-    """Root mean square of the first coordinate and period along one branch."""
+    """Root mean square of the first coordinate and period along a branch of cycles, as a figure."""
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
     draw_branch(branch, left)
     draw_branch(branch, right, "period")
@@ -202,8 +200,8 @@ def branch_figure(branch: CycleBranch) -> Sheet:
 
 @styled
 def draw_branch(branch: CycleBranch, ax: Axes, quantity: str = "rms") -> None:
-    """The root mean square of the first coordinate, or the ``"period"``, along one branch, on given
-    axes.
+    """Draw the root mean square of the first coordinate (``"rms"``), or the ``"period"``, along a
+    branch of cycles.
     """
     require_kind("branch", branch, CycleBranch, "one of ss.cycle_branch(...)")
     one_of("quantity", quantity, ("rms", "period"))
@@ -219,9 +217,9 @@ def draw_branch(branch: CycleBranch, ax: Axes, quantity: str = "rms") -> None:
             _mark(ax, (unit * event.value, size * height_of(event.cycle)), marker)
 
 
-#: Events of the cycle of period 34, from its branches at 42 degrees over the friction and at
-#: friction 0.5 over the angle: the one nearest to a value, how far its curve is followed, and what
-#: stands beside it where.
+#: Bifurcations of the cycle of period 34, on its branches over the friction at 42 degrees and over
+#: the angle at friction 0.5: parameter of the branch, kind, approximate value, number of points of
+#: its curve in the plane, label and position of the label.
 CURVES: dict[str, tuple[str, str, float, int, str, tuple[float, float]]] = {
     "doubling": ("mu0", "period_doubling", 0.49, 22, "period doubling", (5.0, 0.455)),
     "lower_doubling": ("mu0", "period_doubling", 0.32, 25, "period doubling", (96.0, 0.43)),
@@ -231,7 +229,7 @@ CURVES: dict[str, tuple[str, str, float, int, str, tuple[float, float]]] = {
 
 
 def _along(vary: str) -> CycleBranch:
-    """The branch of the cycle of period 34 from 42 degrees and friction 0.5."""
+    """The branch over a parameter of the cycle of period 34 at 42 degrees and friction 0.5."""
     first = cycle(Parameters.article(theta0=np.radians(42.0)), near=ON_CYCLE, patient=False)
     if vary == "theta0":
         return cycle_branch(first, vary, between={vary: (np.radians(41.0), np.radians(72.0))})
@@ -244,8 +242,8 @@ def figure_cycles_plane(
     frictions: tuple[float, ...] = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8),
     curves: tuple[str, ...] = tuple(CURVES),
 ) -> Sheet:
-    """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀
-    and μ₀.
+    """Curves in the plane of θ₀ and μ₀: bifurcations of the cycle of period 34, folds of
+    equilibria, and changes of the fate of the motion from rest.
     """
     figure, ax = single(DOUBLE, 3.6)
     followed = functools.cache(_along)
@@ -277,7 +275,7 @@ def figure_cycles_plane(
     for mu0 in frictions:
         p = Parameters.article(mu0=mu0)
         fold = np.radians(first_fold(p))
-        with suppress(ConvergenceError):  # where the motion is undecided by then, there is no dot
+        with suppress(ConvergenceError):  # no dot if the fate is undecided
             fate = fate_boundary(
                 p, "theta0", between={"theta0": (fold - np.radians(9.0), fold - 0.003)}
             )
@@ -299,8 +297,8 @@ def figure_cycles_plane(
 
 @styled
 def fate_map_figure(found: FateMap) -> Sheet:
-    """Map of fates over two parameters: rest, cycles coloured by their period, chaos, undecided
-    ones with a cross.
+    """Map of the fates of motions over two parameters: rest, cycles coloured by their period,
+    chaos, lift-off; undecided ones are marked by crosses.
     """
     figure, ax = single(DOUBLE, 3.2)
     every = draw_fate_map(found, ax)
@@ -318,8 +316,8 @@ def fate_map_figure(found: FateMap) -> Sheet:
 
 @styled
 def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
-    """:func:`fate_map_figure` on given axes; returns the values of both parameters, as axes show
-    them.
+    """Draw :func:`fate_map_figure` on given axes; returns the values of both parameters in the
+    units of the axes.
     """
     require_kind("found", found, FateMap, "one of ss.fate_map(...)")
     shape, model = found.kind.shape, found.model
@@ -337,7 +335,7 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
     order = np.lexsort([*every.values()]).reshape(up.size, across.size)
     kind, period = found.kind.ravel()[order], found.period.ravel()[order]
     patches = []
-    # Kinds of a map that have one colour, and its name.
+    # Colour and name of each fate except cycles.
     plain = {
         FateKind.REST: ("#d9d9d9", "rest"),
         FateKind.CHAOTIC: (VERMILION, "chaotic"),
@@ -366,8 +364,8 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
 
 
 def diagram_figure(found: Diagram) -> Sheet:
-    """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours,
-    the largest and the least.
+    """Bifurcation diagram, first coordinate over the parameter: equilibria in black, without
+    contact in grey; maximum and minimum of cycles in colours.
     """
     figure, ax = single(DOUBLE, 3.6)
     figure.tables |= draw_diagram(found, ax)
@@ -387,7 +385,7 @@ def diagram_figure(found: Diagram) -> Sheet:
 
 @styled
 def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
-    """:func:`diagram_figure` on given axes; returns tables of what was drawn."""
+    """Draw :func:`diagram_figure` on given axes; returns tables of the drawn data."""
     require_kind("found", found, Diagram, "one of ss.diagram(...)")
     tables = dict[str, Table]()
     varied, first = map(found.model.column, (found.vary, found.name))
@@ -421,7 +419,7 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
     ax.autoscale_view()
     inside = Affine2D(ax.transLimits.get_matrix())
     named = dict[str, list[tuple[float, float]]]()
-    # Of labels; those that are not here are left to the table.
+    # Markers of labels; other labels are in the table only.
     label_markers = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}
     for one_label in found.labels:
         name, at = one_label.label, (unit * one_label.value, one * one_label.height)
@@ -429,7 +427,7 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
             continue
         _mark(ax, at, label_markers[name], zorder=4)
         x, y = inside.transform(at)
-        # Two labels of one kind nearer than this share of the frame are written once.
+        # A label is left out if one of the same kind is within this share of the frame.
         near = (abs(x - left) + abs(y - low) < 0.04 for left, low in named.setdefault(name, []))
         if not any(near):
             named[name].append((x, y))
@@ -441,7 +439,7 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
 
 
 def _aside(label: Label, position: tuple[float, float]) -> tuple[float, float]:
-    """Place of the text of a label, in points: inside of the frame."""
+    """Offset of the text of a label in points, so that it stays inside the frame."""
     if label.label == "H":
         return (-11.0, 5.0)
     return (

@@ -1,5 +1,5 @@
-"""Motions: over time, against their rate, and their spectra; the article's Figures 3 and 7, and
-what 7 rests on.
+"""Motions over time, in the phase plane, and their spectra; the article's Figures 3 and 7, and the
+sensitivity of 7 to what the article does not state.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def figure_3() -> Sheet:
         xticks=np.arange(-0.5, 1.6, 0.5),
     )
     y, p = np.array([-0.1, 0.0, 0.1]), Parameters.article(theta0=1.0)
-    # (11), which is of y alone.
+    # (11), which depends on y only.
     contact = contact_force(p.model, (0.0, y), p.model.arguments(p, "motion"))
     right.plot(y, contact, color=BLACK)
     write_along(right, "contact", -0.048, 0.06)
@@ -102,7 +102,7 @@ def figure_3() -> Sheet:
 
 @styled
 def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
-    """The motion in time at 49°, and the root mean square of x over θ₀."""
+    """The motion over time at 49°, and the root mean square of x over θ₀."""
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.5)
     p = Parameters.article()
     trajectory = simulate(p.replace(theta0=np.radians(49.0)))
@@ -129,23 +129,23 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     )
 
 
-#: What both axes of a picture show.
+#: Titles and units of both axes.
 _Pair: TypeAlias = tuple[Shown, Shown]
 
 
 def _own(motion: Trajectory, name: str) -> Shown:
-    """An axis of a column in radians or the model's unit."""
+    """Title and unit of an axis for a column, in radians or the model's unit."""
     column = motion.columns[name]
     return label(column, "rad" if column.is_angle else own_unit(motion.model, column)), 1.0
 
 
 def _frequency(model: Model) -> Shown:
-    """An axis of frequencies in the model's unit."""
+    """Title and unit of an axis for frequencies in the model's unit."""
     return rf"frequency $\times\ {in_letters(model.unit('s'))}$", 1.0
 
 
 def _line(ax: Axes, x: FloatArray, y: FloatArray, shown: _Pair, width: float = 0.8) -> Line2D:
-    """A line on axes that are named."""
+    """Draw a line, and name the axes."""
     (across, one), (up, size) = shown
     (line,) = ax.plot(one * x, size * y, color=BLUE, linewidth=width)
     ax.set(xlabel=across, ylabel=up)
@@ -159,17 +159,17 @@ def draw_motion(
     *,
     shown: _Pair | None = None,
 ) -> Line2D:
-    """A component of a motion over time; returns the line.
+    """Draw a component of a motion over time; returns the line.
 
     Parameters
     ----------
     motion : Trajectory
     of : str, optional
-        One of its components, by default the first: ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``, or a
-        coordinate of the model or its rate.
+        A coordinate of the model or its rate, as ``"x"``, ``"y"``, ``"vx"``, ``"vy"``; by default
+        the first coordinate.
     ax : Axes, optional
     shown : pair of (str, float), optional
-        Title of either axis, and what one unit of the model is on it.
+        Title of each axis, and the factor from the model's unit to that of the axis.
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     names = motion.components
@@ -185,8 +185,8 @@ def draw_phase(
     of: str | None = None,
     shown: _Pair | None = None,
 ) -> Line2D:
-    """x′ over x, the first coordinate or another, and the speed of the belt along it as a line;
-    returns the curve. ``shown`` as of :func:`draw_motion`.
+    """Draw the phase plane of a coordinate, by default the first, with a line at the speed of the
+    belt; returns the curve. ``shown`` as for :func:`draw_motion`.
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax, model, names = own_axes(ax), motion.model, motion.model.coordinates
@@ -207,8 +207,8 @@ def draw_spectrum(
     *,
     shown: _Pair | None = None,
 ) -> Line2D:
-    """Amplitudes over frequency, as far as they matter; returns the line. ``shown`` as of
-    :func:`draw_motion`.
+    """Draw the spectrum of a motion, up to the highest frequency with a considerable amplitude;
+    returns the line. ``shown`` as for :func:`draw_motion`.
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax, found = own_axes(ax), motion.spectrum(0.0, of=of)
@@ -217,7 +217,7 @@ def draw_spectrum(
         (f"amplitude of {_own(motion, of)[0]}", 1.0),
     )
     line = _line(ax, found.frequency, found.amplitude, shown, 0.9)
-    # Of a motion that stays at rest none is large.
+    # At rest all amplitudes are 0.
     last = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max()).max(initial=0)
     end = shown[0][1] * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
     ax.set(xlim=(0, end), ylim=(0, None))
@@ -225,16 +225,15 @@ def draw_spectrum(
 
 
 def draw_harmonics(cycle: Cycle, of: str, ax: Axes, *, shown: _Pair) -> LineCollection:
-    """Amplitudes of a cycle's harmonics as stems at n f, as far as they matter; returns the
-    stems. ``shown`` as of :func:`draw_motion`.
+    """Draw the amplitudes of the harmonics of a cycle, up to the last considerable one, as stems;
+    returns the stems. ``shown`` as for :func:`draw_motion`.
     """
     (across, one), (up, size) = shown
-    # Samples of one period.
     samples = 1024
     states = cycle.samples(np.arange(samples) * cycle.period / samples)
     row = states[cycle.field.model.components.index(of)]
     amplitude = 2 * size * np.abs(np.fft.rfft(row))[1:] / samples
-    # Least amplitude of a harmonic that is drawn, as a share of the largest.
+    # Harmonics are drawn up to the last one above this share of the largest.
     amplitude = amplitude[: np.flatnonzero(amplitude >= 0.005 * amplitude.max())[-1] + 1]
     places = one * np.arange(1, amplitude.size + 1) / cycle.period
     stems = ax.vlines(places, 0.0, amplitude, color=BLUE, linewidth=1.4)
@@ -245,19 +244,18 @@ def draw_harmonics(cycle: Cycle, of: str, ax: Axes, *, shown: _Pair) -> LineColl
 
 @styled
 def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | None = None) -> Sheet:
-    """Each coordinate over time; what follows the transient in the plane of it and its rate, and
-    its spectrum.
+    """For each coordinate the motion over time, and without the transient its phase plane and its
+    spectrum, as a figure.
 
     Parameters
     ----------
     motion : Trajectory
         Of any model.
     transient : float
-        Time that the planes and spectra leave out.
+        Time that is left out in phase planes and spectra.
     units : Scales, optional
-        What the units of the model are in metres and seconds, as of
-        :class:`spragsym.PhysicalParameters`: axes are then in mm, degrees and s, and dimensionless
-        without.
+        Units of the model in metres and seconds, as of :class:`spragsym.PhysicalParameters`. Axes
+        are then in mm, degrees and s; by default they are dimensionless.
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     model, late = motion.model, motion.after(transient)
@@ -307,10 +305,10 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
 def figure_rms_map(
     *, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int = 2, workers: Workers = 1
 ) -> Sheet:
-    """Root mean square of x over (θ₀, μ₀), as in Figure 7b, upon the bifurcation set.
+    """Root mean square of x over (θ₀, μ₀), as in Figure 7b, with the bifurcation set.
 
-    Cells are divided into four ``levels`` times, each time where the RMS steps from a cell to its
-    neighbour.
+    Cells in which the RMS differs much from that of a neighbour are divided into four, ``levels``
+    times.
     """
     figure, ax = single(SINGLE * 1.3, 3.2)
     p = Parameters.article()
@@ -342,13 +340,13 @@ def figure_rms_map(
 def _divided(
     p: Parameters, step_deg: float, step_mu0: float, levels: int, workers: Workers
 ) -> tuple[FloatArray, FloatArray, FloatArray, Table]:
-    """A map over cells of unequal size: angles, frictions and RMS on the finest grid, and a table
-    of what was computed.
+    """Adaptive map of the RMS: angles, frictions and RMS on the finest grid, and a table of the
+    computed cells.
     """
     tables: list[Table] = []
     for level in range(levels + 1):
         ends = (180.0, step_deg / 2**level), (MU0_RANGE[1], step_mu0 / 2**level)
-        # Middles of equal cells from 0 on; the last cell may reach beyond the end.
+        # Centres of equal cells from 0; the last cell may extend beyond the end.
         angles, frictions = (
             step * np.arange(0.5, round(top / step), dtype=float) for top, step in ends
         )
@@ -376,25 +374,22 @@ def _divided(
 
 
 def _beside_a_step(rms: FloatArray) -> BoolArray:
-    """Cells that differ from a neighbour, beside or above, by a step."""
+    """Mask of cells whose RMS differs from that of a neighbour by more than 0.3."""
     cross = ndimage.generate_binary_structure(2, 1)
     above = ndimage.maximum_filter(rms, footprint=cross) - rms
     below = rms - ndimage.minimum_filter(rms, footprint=cross)
-    # Neighbouring cells whose RMS differ by more than this are divided.
     return np.maximum(above, below) > 0.3
 
 
 @styled
 def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
-    """Sensitivity of the article's Figure 7b to V and d, which it does not state: a decade of
-    each.
-    """
+    """Sensitivity of the article's Figure 7b to V and d, which it does not state, over a decade."""
     figure, (axes,) = panels(1, 3, DOUBLE, 2.5)
     p = Parameters.article()
     angles = np.arange(20.0, 70.0 + step_deg / 2, step_deg)
     along = p.replace(theta0=np.radians(angles))
     speeds, creeps = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
-    # Of the smaller, the assumed and the larger value.
+    # Colours of the smaller, the assumed and the larger value.
     shades = (BLUE, BLACK, VERMILION)
     for letter, ax, name, values in zip("ab", axes[:2], "Vd", (speeds, creeps), strict=True):
         sweep = rms_sweep(along.replace(**{name: values[:, None]}), workers=workers)

@@ -1,5 +1,5 @@
-"""A report as one page of HTML that needs no other file, and its pictures, SVG within it; the same
-bytes every time.
+"""A report as a self-contained HTML page, with pictures as SVG. The same report gives the same
+bytes.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ from .style import picture as content
 
 
 def report_page(report: Facts) -> str:
-    """A report as one page of HTML, which needs no other file (extra ``plot``): the text of it."""
+    """Text of a self-contained HTML page with a report (extra ``plot``)."""
     study, about = report.study, about_of(report)
     data = [
         (
@@ -84,7 +84,9 @@ def report_page(report: Facts) -> str:
 
 
 def pictures(report: Facts) -> Rows:
-    """Each picture as SVG, with its caption; none of a plane that the model does not have."""
+    """The pictures of a report as SVG, with captions; without those that the model does not
+    have.
+    """
     study, odds = report.study, report.probability
     if study.load is not None:
         yield from _planes(report)
@@ -101,8 +103,8 @@ def pictures(report: Facts) -> Rows:
 
 
 def _planes(report: Facts) -> Rows:
-    """The brake in the plane of angle and friction, where there is an angle, and its states over
-    the loading parameter.
+    """The brake in the plane of angle and friction, if there is an angle, and its states over the
+    loading parameter.
     """
     study, jump = report.study, report.mu_jump
     low, _, high = study.in_use
@@ -110,7 +112,7 @@ def _planes(report: Facts) -> Rows:
     first = study.kind.about["coordinates"][0]
     angle, friction = p.model.inclination, p.model.coefficient
     jump, lowest = (math.nan if one is None else one for one in (jump, report.mu_lowest))
-    seen = not lowest > _top(high, jump)  # a plane that no line crosses shows nothing
+    seen = not lowest > _top(high, jump)  # otherwise the plane would be empty
     if angle is not None and friction is not None and study.of_friction and seen:
         angles = study.quantities[str(study.kind.inclination)]
         caption = "On the lines two states of sliding meet; where it is shaded there are three."
@@ -130,7 +132,7 @@ def _planes(report: Facts) -> Rows:
         with suppress(SpragsymError):
             yield picture(draw), f"{works}. {caption}"
     unit, size = unit_of(study)
-    # Angles are drawn in degrees by the picture itself.
+    # Angles are already drawn in degrees.
     up = f"{first['name']} in {unit}", size if unit == "mm" else 1.0
     load, vary, begin, along = "the friction", study.loading.name, 0.0, (r"friction $\mu$", 1.0)
     if not study.of_friction:
@@ -152,7 +154,7 @@ def _planes(report: Facts) -> Rows:
 
 
 def _stability_map(report: Facts) -> Rows:
-    """Onsets of oscillation over angle and friction; nothing where the belt or its law is not
+    """Onsets of oscillation over angle and friction; nothing if the belt or the friction law is not
     known.
     """
     study, p = report.study, report.study.operating_point
@@ -167,9 +169,9 @@ def _stability_map(report: Facts) -> Rows:
     )
     top = max(1.0, 1.15 * between[1], *(1.15 * value for value in marked))
     with suppress(SpragsymError):
-        # Lines on which onsets of oscillation are looked for.
+        # 12 lines on which onsets of oscillation are searched for.
         onsets = ss.onset_curves(p, (angle, friction), 12, between={friction: (0.0, top)})
-        if not onsets.curves and not len(onsets.undecided):  # an empty plane shows nothing
+        if not onsets.curves and not len(onsets.undecided):  # the plane would be empty
             return
         box = {angle: (angles.low, angles.high), friction: between}
         shown = {name: _around(onsets, name, box[name]) for name in onsets.vary}
@@ -195,23 +197,23 @@ def _stability_map(report: Facts) -> Rows:
 
 
 def _varies(box: Ranges) -> bool:
-    """Whether tolerances are drawn."""
+    """True if a box of tolerances has an extent."""
     return any(high > low for low, high in box.values())
 
 
 def _around(onsets: OnsetCurves, name: str, ends: Span) -> Span:
-    """Range of an axis: the curves and the brake, and a margin about them."""
+    """Range of an axis that contains the curves and the brake, with a margin."""
     values = np.concatenate([*(curve[name] for curve in onsets.curves), ends])
     low, high = onsets.between[name]
-    # Least margin of an axis, as a share of what was searched.
+    # At least this share of the range of the search.
     margin = max(_MORE * float(np.ptp(values)), 0.03 * (high - low))
     return max(low, float(values.min()) - margin), min(high, float(values.max()) + margin)
 
 
 def _kinds_of(onsets: OnsetCurves) -> str:
-    """Kinds of lines and points of the map, in plain words."""
+    """Legend of the lines and points of the map, in words."""
     kinds = {str(kind) for curve in onsets.curves for kind in curve.criticality}
-    # Kinds of onsets: how a line is drawn, and the words for it.
+    # For each kind of onset the style of its line, and an explanation.
     looks = {
         "supercritical": ("full line", "it begins with a small amplitude (supercritical)"),
         "subcritical": ("dashed", "with a large one at once (subcritical)"),
@@ -220,7 +222,7 @@ def _kinds_of(onsets: OnsetCurves) -> str:
     lines = [f"{line}: {words}" for kind, (line, words) in looks.items() if kind in kinds]
     if len(onsets.changes["error"]):
         lines.append("GH: where that changes")
-    # Points of two conditions, in plain words.
+    # Explanations of points of codimension two.
     meetings = {
         "BT": "BT: a line ends where two states meet",
         "ZH": "ZH: a line touches one on which two states meet",
@@ -232,6 +234,7 @@ def _kinds_of(onsets: OnsetCurves) -> str:
 
 
 def _of_motion(report: Facts, lives: Oscillation) -> Rows:
+    """Phase plane and spectrum of the oscillation."""
     unit, size = unit_of(report.study)
     time = report.study.scales.time
     name = report.study.kind.model.coordinates[0]
@@ -257,10 +260,10 @@ def _of_motion(report: Facts, lives: Oscillation) -> Rows:
 
 
 def picture(draw: Callable[[Any], Any]) -> str:
-    """A picture of one panel, without the head of a file; its ids are made from itself, so that no
-    other has them.
+    """A picture of one panel as SVG for a page. Its ids get a prefix from a hash of the picture, so
+    that they are unique in the page.
     """
-    letters = Path(__file__).with_name("page.mplstyle")  # of the page's own family and size
+    letters = Path(__file__).with_name("page.mplstyle")  # fonts of the page
     with house_style(), context(letters):
         figure, ax = single(4.6, 3.3)
         draw(ax)
@@ -272,22 +275,22 @@ def picture(draw: Callable[[Any], Any]) -> str:
     return re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
 
 
-#: Friction up to which pictures go, at least; of another quantity times its value.
+#: Smallest upper end of an axis of friction.
 _TOP = 1.0
-#: Friction up to which folds are looked for; of another quantity times its value.
+#: Largest friction for which folds are searched; of another loading, times its value.
 _FAR = 3.0
-#: By how much they go beyond what they show.
+#: Margin of an axis, relative to the largest value.
 _MORE = 0.15
 
 
 def _top(most: float, jump: float) -> float:
-    """Upper end of a plane's friction: beyond that in use, and that of the jump if there is one."""
+    """Upper end of an axis of friction: above that in use, and above the jump if there is one."""
     return max(_TOP, 1.15 * most, 1.15 * jump if jump < _FAR else 0.0)
 
 
 def mark_brake(ax: Axes, p: ParameterSet, box: Ranges, jump: float = float("nan")) -> None:
-    """A brake in the plane of inclination in degrees and friction: its point, the box of its
-    tolerances, and where it jumps, if it does.
+    """Mark a brake in the plane of inclination in degrees and friction: a dot, the box of its
+    tolerances, and the jump, if there is one.
     """
     radians, friction = p.scalars(*p.model.axes)
     angle = np.degrees(radians)
@@ -316,23 +319,23 @@ def mark_brake(ax: Axes, p: ParameterSet, box: Ranges, jump: float = float("nan"
 def draw_rising(
     ax: Axes, p: ParameterSet, vary: str, ends: Span, begin: float, shown: tuple[Shown, Shown]
 ) -> list[Any]:
-    """The states over the loading parameter, the one followed as it rises, and its tolerance
-    shaded; returns the artists of the path.
+    """Draw the states over the loading parameter, the state that is followed as it rises, and its
+    tolerance, shaded; returns the artists of the path.
 
     Parameters
     ----------
     ax : Axes
     p : Parameters
-        Scalars, of which the one that rises is not used.
+        Scalars; the loading parameter is not used.
     vary : str
         The loading parameter.
     ends : pair of float
         Ends of its tolerance.
     begin : float
-        From where.
+        Lower end of the axis.
     shown : pair of (str, float)
-        Title of either axis, and what one is on it of the loading parameter and of the first
-        coordinate; of an angle, what a degree is.
+        Title of each axis, and the factor from the model's unit, for angles from degrees, to the
+        unit of the axis: for the loading parameter, and for the first coordinate.
     """
     model, first = p.model, p.model.coordinates[0]
     allowed, end = p.ranges[vary], ranges(p, (vary,), {})[0, 1]
@@ -343,15 +346,12 @@ def draw_rising(
     turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})
     marked = [value + _MORE * abs(value) for value in turns[vary].tolist() if begin < value < far]
     top = min(max(least, further, *marked), high)
-    top = top if top > begin else end  # nothing is applied yet, and nothing ends
-    # Points of each piece.
+    top = top if top > begin else end  # without a load, and without folds
     n = 80
     curves = curves_between(p, vary, (begin, top), turns, True, n)
     draw_branches(curves, first, ax=ax, color=GREY, linewidth=0.8)
     artists: list[Any] = []
-    with suppress(
-        ConvergenceError
-    ):  # where branches can't be told apart there are the states alone
+    with suppress(ConvergenceError):  # without a path if branches cannot be separated
         path = ss.quasi_static_path(p, vary, np.linspace(begin, top, 2 * n + 1))
         artists += draw_path(path, first, ax=ax, color=VERMILION)
     mark_folds(turns, first, ax=ax, between={vary: (begin, top)})
@@ -365,8 +365,8 @@ def draw_rising(
 
 
 def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes) -> None:
-    """Sobol' indices as bars: the total effect of every quantity, its own share within, and the
-    interval of the total.
+    """Draw Sobol' indices as bars: total indices with their intervals, and first-order indices
+    inside.
 
     Parameters
     ----------

@@ -20,21 +20,21 @@ RATIO = Range(0.0, 1.0)
 def modal_dampers(
     kind: Quantities, measured: Mapping[str, Measured], ratio: float
 ) -> dict[str, Measured]:
-    """Dampers with which every mode of the unloaded mechanism has one damping ratio.
+    """Dampers with which all modes of the unloaded mechanism have the same damping ratio.
 
     Parameters
     ----------
     kind : Quantities
         The quantities of the model.
-    known : mapping of str to Measured
-        All of them but the dampers.
+    measured : mapping of str to Measured
+        All of them except the dampers.
     ratio : float
         The damping ratio ζ.
 
     Raises
     ------
     ParameterError
-        If the dampers of the model are none, or cannot give every mode that ratio.
+        If the model has no dampers, or they cannot give all modes this ratio.
 
     Notes
     -----
@@ -78,8 +78,7 @@ def modal_dampers(
     sizes = np.linalg.norm(columns, axis=0)
     found = np.linalg.lstsq(columns / sizes, asked.reshape(-1), rcond=None)[0]
     off = np.linalg.norm(columns / sizes @ found - asked.reshape(-1))
-    # What the damping matrix of the dampers may be off that of the ratio, as a share of its
-    # size.
+    # Relative to the damping matrix.
     rounding = 1e-9
     if off > rounding * np.linalg.norm(asked) or found.min() < -rounding * found.max():
         raise ParameterError(
@@ -94,19 +93,22 @@ def modal_dampers(
 
 
 def _lines(kind: Quantities) -> str:
+    """Example lines of a file for all dampers."""
     return ", ".join(f'{name} = "{example_of(name, kind.units[name])}"' for name in kind.dampers)
 
 
 def remedy(kind: Quantities) -> str:
-    """Text to write so that a brake has damping."""
+    """What to write in the file to add damping."""
     if kind.model.where in WITH_DAMPERS:
         return 'write damping_ratio = "0.5 %" or what you measured'
     return f"write {_lines(kind)} or what you measured" if kind.dampers else "add it to the page"
 
 
 def _matrices(kind: Quantities, values: Mapping[str, float]) -> list[FloatArray]:
-    """Mass, damping and stiffness without friction where all coordinates are 0, in contact."""
-    # The solvers are heavy, and a refusal does not need them.
+    """Mass, damping and stiffness matrices (n, n) without friction at all coordinates 0, in
+    contact.
+    """
+    # Slow imports, which input errors do not need.
     from ..statics.balance import Balance
     from ..statics.stability import linearization
 

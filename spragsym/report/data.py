@@ -38,29 +38,29 @@ from .units import (
 
 
 def read_brake(path: FilePath, trust: bool | str = False) -> Study:
-    """The data of a brake from a TOML file with one table, ``[brake]``.
+    """Read the data of a brake from a TOML file with one table, ``[brake]``.
 
-    For each quantity it has a text with number, unit and, if there is one, a tolerance;
-    ``correlation = [["k", "k_x", 0.9]]`` for quantities that vary together; ``vary = "F_L"`` where
-    not the friction but a quantity rises until the state jumps, with ``begin = "10 N"`` if not from
-    its least value; and ``state = { phi = "-28 deg" }`` where another state than the reference
-    state is followed; ``may_change = { k = "[100, 250] N/mm" }`` where a proposal may change these
-    only, within these ends; ``title = "Front brake"`` and ``date = 2026-03-01`` for the head of the
-    report. ``trust`` says whether the code of a model's folder may run that the file names, or the
-    one folder whose code may. Every mistake is a ParameterError that names the file, the line, the
-    key, the value and what to write.
+    Each quantity is a text with a number, a unit, and optionally a tolerance. Other keys:
+    ``correlation = [["k", "k_x", 0.9]]`` for correlated quantities; ``vary = "F_L"`` if a quantity
+    other than the friction rises until the state jumps, with ``begin = "10 N"`` unless it starts at
+    its smallest value; ``state = { phi = "-28 deg" }`` if another state than the reference state is
+    followed; ``may_change = { k = "[100, 250] N/mm" }`` for the only quantities that a redesign may
+    change, with ranges; ``title = "Front brake"`` and ``date = 2026-03-01`` for the head of the
+    report. ``trust`` is True if the code of a model folder that the file names may be run, or the
+    name of the only folder for which it may. Mistakes raise a ParameterError with the file, the
+    line, the key, the value, and what to write.
     """
     return _FileReader(path_text(path), brake_text(path)).read(trust)
 
 
 class _FileReader:
-    """The text of a file; mistakes in it are told with the line on which their key stands."""
+    """Reader of the text of a file, which adds file and line to errors."""
 
     def __init__(self, path: str, text: str) -> None:
         self.path, self.text, self.lines = path, text, text.splitlines()
 
     def of(self, key: str, pattern: str = r"""\s*(?:brake\s*\.\s*)?["']?{}["']?\s*=""") -> str:
-        """The line of a key."""
+        """File and line of a key, for messages."""
         found = (
             number
             for number, line in enumerate(self.lines, 1)
@@ -70,22 +70,23 @@ class _FileReader:
         return f"{self.path}, line {number}" if number else self.path
 
     def table(self, name: str) -> str:
-        """The line of a table."""
+        """File and line of a table."""
         return self.of(name, r"""\s*\[\s*["']?{}["']?\s*\]""")
 
     @contextmanager
     def at(self, key: str, before: str = "") -> Iterator[None]:
-        """A mistake in the value of a key is told with its line."""
+        """Context that adds file and line of a key to errors."""
         try:
             yield
         except SpragsymError as error:
             raise ParameterError(f"{self.of(key)}: {before}{error}") from error
 
     def read(self, trust: bool | str) -> Study:
+        """The study that the file describes."""
         table = self._table()
         for key, value in table.items():
             printed(self.of(key), {key: value})
-        # Keys of a file that are no quantities.
+        # Keys other than quantities.
         keys = [
             "friction",
             "damping_ratio",
@@ -106,7 +107,7 @@ class _FileReader:
         dampers = damped.units.keys() - kind.units.keys()
         if own["damping_ratio"] is not None or table.keys() & dampers:
             kind = damped
-        # What is told without the sizes of units comes first: these need pint.
+        # Checks without sizes of units come first, because these need the slow import of pint.
         ranges, found = kind.ranges(), dict[str, Measured]()
         for key, value in table.items():
             with self.at(key):
@@ -148,7 +149,7 @@ class _FileReader:
     def _check_missing(
         self, given: Set[str], own: Mapping[str, Any], kind: Quantities, dampers: Set[str]
     ) -> None:
-        """Refuse a file that lacks a quantity; ``dampers`` are those that a damping ratio adds."""
+        """Raise if a quantity is missing; ``dampers`` are those that a damping ratio provides."""
         needed = (
             {*kind.of_the_law} if own["friction"] is None else {*kind.of_the_law, kind.friction}
         )
@@ -163,12 +164,10 @@ class _FileReader:
             )
 
     def _table(self) -> dict[str, Any]:
+        """The table [brake], the only one in the file."""
         try:
             content = tomllib.loads(self.text)
-        except (
-            ValueError,
-            RecursionError,
-        ) as error:  # TOML that is none, and numbers that are too long
+        except (ValueError, RecursionError) as error:  # also for numbers that are too long
             raise ParameterError(self._syntax(str(error))) from error
         if not content:
             raise ParameterError(
@@ -187,7 +186,7 @@ class _FileReader:
         )
 
     def _syntax(self, message: str) -> str:
-        """Message of tomllib, with the line before it and how a line is written."""
+        """Message for a syntax error, with the line and an example, from that of tomllib."""
         found = re.search(r" \(at line (\d+), column \d+\)", message)  # else at the end
         number = int(found[1]) if found else len(self.lines)
         line = self.lines[number - 1].strip() if 0 < number <= len(self.lines) else ""
@@ -199,8 +198,8 @@ class _FileReader:
         return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
 
     def _friction(self, given: object, found: dict[str, Measured], kind: Quantities) -> FrictionFit:
-        """The fit of the measured file; its μ₀ and d go among the quantities, normal, with their
-        standard errors.
+        """Fit of the measured friction in a file; adds μ₀ and d with their standard errors, as
+        normal distributions, to the quantities.
         """
         if not isinstance(given, str) or not given.strip():
             raise ParameterError('it is no file name; write friction = "measured.csv"')
@@ -218,7 +217,7 @@ class _FileReader:
 
 
 def _trusted(name: object, trust: bool | str) -> Quantities:
-    """The quantities of a model; a folder whose code is not trusted is refused."""
+    """The quantities of a model; raises for a folder whose code is not trusted."""
     if not isinstance(name, str):
         raise ParameterError(f'{name!r} is no name; write model = "kang_nam"')
     if (
@@ -233,7 +232,7 @@ def _trusted(name: object, trust: bool | str) -> Quantities:
 
 
 def _looked_at(how: Callable[..., R], key: str, given: object, unit: str, allowed: Range) -> R:
-    """What is found in the text of a quantity where it is read, or checked for its words."""
+    """Result of ``how``, a function to read or check a text, for the value of a key."""
     example = OWN_EXAMPLES.get(key, "")
     if (
         unit == "1"
@@ -256,7 +255,7 @@ def _looked_at(how: Callable[..., R], key: str, given: object, unit: str, allowe
 def _correlation(
     given: object, found: dict[str, Measured], fit: FrictionFit | None, friction: str | None
 ) -> Correlation:
-    """Quantities that vary together: those of the file, and μ₀ and d of one fit."""
+    """Correlations of quantities: those in the file, and that of μ₀ and d of a fit."""
     rows: list[Any] = given if isinstance(given, list) else [] if given is None else [given]
     varying = [name for name, one in found.items() if one.varies]
     if fit is not None and {friction, "d"} <= set(varying):
@@ -282,6 +281,7 @@ def _correlation(
 
 
 def _state(given: object, kind: Quantities) -> Numbers:
+    """Coordinates of the state to follow, in SI."""
     units = kind.coordinates
     if not isinstance(given, dict) or not set(given) <= set(units):
         example = ", ".join(
@@ -294,15 +294,12 @@ def _state(given: object, kind: Quantities) -> Numbers:
 
 
 def _exact(name: str, text: object, unit: str, allowed: Range = FINITE) -> float:
-    """The value of a place, of where a load begins, or of a ratio; an error for one with a
-    tolerance.
-    """
-    # What begins a tolerance.
+    """A value in SI without a tolerance; raises if the text has one."""
     tolerance = re.compile(r"±|\+/?-|\bsd\b")
     alone = tolerance.split(text)[0].strip() if isinstance(text, str) else text
     try:
         found = _looked_at(read, name, alone, unit, allowed)
-    except ParameterError:  # its unit stands behind the tolerance, if it has one
+    except ParameterError:  # the unit may come after a tolerance
         found = _looked_at(read, name, text, unit, allowed)
     if found.varies or alone != text:
         value = shown_in(found.value, found.unit, unit)
@@ -311,6 +308,7 @@ def _exact(name: str, text: object, unit: str, allowed: Range = FINITE) -> float
 
 
 def _may_change(given: object, kind: Quantities) -> Ranges:
+    """Ranges of the quantities that a redesign may change, in SI."""
     if not isinstance(given, dict) or not set(given) <= set(kind.units):
         name = next(iter(kind.may_rise), next(iter(kind.units)))
         cure = f'write may_change = {{ {name} = "{example_of(name, kind.units[name])}" }}'
@@ -332,8 +330,8 @@ def _rise(
 
 
 def _fitted(value: float, error: float, unit: str) -> Measured:
-    """A normal distribution; cut off at three standard errors, and above 0, where it would reach 0
-    else.
+    """A fitted value with a normal distribution; if this would include 0, it is cut off at three
+    standard errors and above 0.
     """
     cut = error == 0 or value <= SIGMAS_IN_ALL * error
     return Measured(

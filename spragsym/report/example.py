@@ -1,4 +1,4 @@
-"""A file of data to begin with, for each model."""
+"""Example data file for each model."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from ..models.load import USUAL
 from ..models.quantities import factor, quantities
 from .units import EXAMPLES, plain_unit
 
-#: Quantities that are not of the size that others of the same unit have.
+#: Examples for quantities whose size is not that of others with the same unit.
 OWN_EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
 
 
 def example_of(key: str, unit: str) -> str:
-    """Example of a quantity, as an engineer would write it."""
+    """Example of a quantity as text, in an engineer's units."""
     return OWN_EXAMPLES.get(key) or EXAMPLES.get(unit, (f"1 {unit}",))[0]
 
 
 def example(model: Model) -> str:
-    """The text of ``brake.toml``: the article's example, or the base values of a model in the sizes
-    of a brake.
+    """Text of ``brake.toml``: the article's example, or for another model its base values, scaled
+    to the size of a brake.
 
     >>> import spragsym as ss
     >>> example(ss.load("stick_slip")).splitlines()[1:3]
@@ -32,16 +32,15 @@ def example(model: Model) -> str:
     if model.where == USUAL:
         return shipped_text("spragsym.report", "brake.toml")
     kind, (_, p) = quantities(model.where), model.cases()[0]
-    # Of a file to begin with: what one of a unit of measure is, by its unit in SI, and
-    # tolerances.
+    # Typical sizes of the units of measure, by SI unit.
     common = {"kg": 0.35, "N/m": 1.5e6, "m": 0.038, "N": 400.0, "N/m^(3/2)": 8e6}
     sizes = {name: common.get(unit, 1.0) for name, unit in kind.bases.items()}
     values = sizes | {
         quantity: float(p[name]) * kind.scale(kind.units[quantity], sizes)
         for quantity, name in kind.parameters.items()
     }
-    # A speed in m/s that no belt of a brake has, as the unit of a model may be; then speeds
-    # are those of the examples.
+    # If the model's unit of speed is above 10 m/s, which is too fast for a belt, use example
+    # speeds.
     given = ("m/s^2", "m/s", "s/m") if kind.scale("m/s", sizes) > 10.0 else ("m/s^2",)
 
     def written(name: str, value: float) -> str:

@@ -1,4 +1,4 @@
-"""A measured friction curve: sliding speed and coefficient, read from a table of text."""
+"""Measured friction curves, sliding speed and friction coefficient, from text files."""
 
 from __future__ import annotations
 
@@ -15,8 +15,7 @@ from ..files.text import text_of
 from ..models.parameters import FloatArray
 from ..models.quantities import factor
 
-#: Names of the two columns, in small letters without hyphens; a name that is not here is that of
-#: another column.
+#: Names of the two columns, in lower case and without hyphens. Other columns are ignored.
 SPEED = frozenset(
     (
         "v",
@@ -43,19 +42,20 @@ FRICTION = frozenset(
         "cof",
     )
 )
-#: What a head looks like.
+#: Example of a header.
 EXAMPLE = "v [m/s],mu"
 
 
 def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
     """Sliding speeds in m/s and friction coefficients.
 
-    The first line that is no comment names the columns in any order, with units in brackets, as in
-    ``v [mm/s];mu``. Columns stand between semicolons, tabs, bars, commas or blanks, whichever of
-    these the head has first, with a decimal point, or a decimal comma. A ParameterError is raised
-    for a file that has no such head, may be read in two ways, or has a line that is no measurement.
+    The header, which is the first line that is no comment, names the columns in any order, with
+    units in brackets, as in ``v [mm/s];mu``. The separator is the first of semicolon, tab, bar,
+    comma and blank that the header contains. Numbers have a decimal point or a decimal comma. A
+    ParameterError is raised for a file without such a header, an ambiguous one, or one with a line
+    that is no measurement.
     """
-    # Bytes of a file, at most: an instrument writes more than a person does.
+    # Maximum size of a file in bytes.
     most = 8 * 2**20
     text = text_of(path, most, "a text file with sliding speed and coefficient").splitlines()
     lines = [
@@ -63,7 +63,6 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         for number, line in enumerate(text, 1)
         if line.strip() and not line.strip().startswith(("#", "%", "//"))
     ]
-    # Lines of a file, at most.
     most_lines = 20_000
     if len(lines) > most_lines:
         raise ParameterError(
@@ -81,7 +80,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
             f"{path} has {len(measured)} measurements; at least two at different sliding speeds "
             "are needed to fit mu0 and d"
         )
-    # A sliding speed in m/s that is smaller is none.
+    # Smaller speeds in m/s, and larger ones than its inverse, are mistakes.
     slowest = 1e-15
     if not ((speed == 0) | ((speed > slowest) & (speed < 1 / slowest))).all():
         ends = f"{speed.min():g} to {speed.max():g} m/s"
@@ -97,7 +96,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
 
 
 def _measurements(path: Path, lines: Sequence[tuple[int, str]]) -> list[tuple[float, float]]:
-    """Speed in m/s and coefficient of every line."""
+    """Speed in m/s and friction coefficient of each line."""
     (first, head), *data = lines
     between = next((mark for mark in ";\t|," if mark in head), " ")
     if between == " ":
@@ -131,7 +130,7 @@ def _measurements(path: Path, lines: Sequence[tuple[int, str]]) -> list[tuple[fl
         v, mu = numbers[0] * speed[1], numbers[1] * friction[1]
         if mu < 0:
             raise ParameterError(f"{at}: the coefficient {mu:g} is negative; give its size")
-        # A coefficient that is larger is in percent, or none.
+        # A larger coefficient is in percent, or a mistake.
         if mu > 2.0:
             raise ParameterError(
                 f"{at}: the coefficient {mu:g} is more than any brake has; write mu [%] in the "
@@ -144,7 +143,7 @@ def _measurements(path: Path, lines: Sequence[tuple[int, str]]) -> list[tuple[fl
 
 
 def _check_marks(at: str, written: Sequence[str]) -> None:
-    """Refuse numbers whose points or commas may stand before thousands."""
+    """Raise if points or commas in the numbers may be thousands separators."""
     marks = {mark for mark in ".," for cell in written if mark in cell}
     thousands = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
     if len(marks) > 1 or any(
@@ -157,6 +156,7 @@ def _check_marks(at: str, written: Sequence[str]) -> None:
 
 
 def _cells(line: str, between: str) -> list[str]:
+    """Cells of a line, without blanks and quotes."""
     try:
         cells = next(csv.reader([line], delimiter=between, skipinitialspace=True))
     except csv.Error as error:
@@ -167,7 +167,7 @@ def _cells(line: str, between: str) -> list[str]:
 
 
 def _column(at: str, names: Sequence[str], words: frozenset[str], si: str) -> tuple[int, float]:
-    """Column that has one of these names, and the size of its unit in SI."""
+    """Index of the column with one of the names ``words``, and the factor of its unit to SI."""
     what, write = ("the friction coefficient", "mu or mu [%]")
     if si == "m/s":
         what, write = ("the sliding speed", "v [m/s]")
@@ -193,6 +193,6 @@ def _column(at: str, names: Sequence[str], words: frozenset[str], si: str) -> tu
 
 
 def _word(name: str) -> str:
-    """Name of a column in small letters, without hyphens and marks, and mu for its letter."""
+    """Name of a column in lower case, without hyphens and similar characters; "mu" for μ."""
     word = re.sub("[\N{MICRO SIGN}\N{GREEK SMALL LETTER MU}]", "mu", name)
     return re.sub(r"[\s_\-./]+", " ", word).strip().lower()

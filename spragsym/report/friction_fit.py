@@ -14,13 +14,11 @@ from ..results import Result
 
 @dataclass(frozen=True)
 class FrictionFit(Result):
-    """μ₀ and d of the law μ₀ (1 − exp(−d \\|v\\|)) by least squares, with their standard errors and
-    the rms of what is left.
+    """Least-squares fit of the law μ₀ (1 − exp(−d \\|v\\|)), with standard errors.
 
-    ``correlation`` is that of the two errors: a larger μ₀ with a smaller d may fit as well.
-
-    ``slowest`` and ``fastest`` are the smallest and the largest sliding speed that was measured, in
-    m/s.
+    ``rms`` is the standard deviation of the residuals. ``correlation`` is that of the errors of μ₀
+    and d. ``slowest`` and ``fastest`` are the smallest and largest measured sliding speed above 0
+    in m/s.
     """
 
     mu0: float
@@ -35,8 +33,8 @@ class FrictionFit(Result):
 
 
 def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
-    """μ₀ and d by least squares; for each d the best μ₀ is linear, so that one search over d finds
-    the best of all.
+    """Fit μ₀ and d by least squares. For each d the best μ₀ is that of a linear problem, so that a
+    search over d only finds the global minimum.
 
     Source: the regularized law (10) at steady sliding.
 
@@ -51,16 +49,16 @@ def fit_friction(speed: FloatArray, friction: FloatArray) -> FrictionFit:
         return laws.friction(0.0, 1.0, speed, d)
 
     def best(log_d: float) -> Span:
-        """μ₀, and the sum of squares that it leaves."""
+        """The best μ₀, and the sum of squared residuals."""
         rise = shape(math.exp(log_d))
         mu0 = float(rise @ friction / (rise @ rise))
         return mu0, float(((friction - mu0 * rise) ** 2).sum())
 
-    # Beyond these the law is a straight line in v, or a constant, at every speed that was measured.
+    # Outside this range of d the law is linear in v, or constant, at all measured speeds.
     grid = np.linspace(math.log(1e-4 / moving.max()), math.log(40.0 / moving.min()), 400)
     k = int(np.argmin([best(value)[1] for value in grid]))
     ends = grid[np.clip([k - 1, k + 1], 0, grid.size - 1)]
-    from scipy.optimize import minimize_scalar  # heavy, and a refusal does not need it
+    from scipy.optimize import minimize_scalar  # a slow import, which input errors do not need
 
     found = minimize_scalar(
         lambda log_d: best(log_d)[1], bounds=ends, method="bounded", options={"xatol": 1e-12}

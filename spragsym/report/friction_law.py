@@ -1,5 +1,5 @@
-"""The friction in use over all tolerances, and the speed of the belt that brings one, enclosed by
-intervals.
+"""Bounds, by intervals, of the friction in use within the tolerances, and the belt speed at which
+friction reaches a value.
 """
 
 from __future__ import annotations
@@ -24,26 +24,26 @@ if TYPE_CHECKING:
 
 
 def friction_depends_on(study: Study) -> tuple[str, ...]:
-    """Quantities on which the friction that works depends."""
+    """Quantities on which the friction in use depends."""
     law, own = study.kind.law, study.kind.friction
     full = law["at_rest"] == "full" and study.law == "friction_at_rest"
     return (own,) if full and own is not None else tuple(law["quantities"])
 
 
 def friction_bounds(study: Study) -> Span:
-    """Bounds of the friction that works for everything within the tolerances, by intervals."""
+    """Bounds of the friction in use within the tolerances, by intervals."""
     law = _Law(study)
     least, most = -law.largest(-1), law.largest()
-    # A law that is proportional to μ₀ does not drive.
+    # A friction that is proportional to μ₀ is not negative.
     return max(0.0, least) if study.kind.law["at_rest"] == "full" else least, most
 
 
 def speed_for(study: Study, friction: float) -> float:
-    """The least speed of the belt in m/s at which the largest friction within the tolerances is
-    this one; NaN where none is.
+    """The smallest belt speed in m/s at which the largest friction within the tolerances reaches a
+    value; NaN if none does.
 
-    It is a little less where the law neither rises nor falls over the tolerances, where bounds over
-    intervals are loose.
+    The speed is a little too small if the law is not monotonic over the tolerances, because the
+    bounds by intervals are not sharp then.
     """
     if (
         not study.moves
@@ -55,12 +55,11 @@ def speed_for(study: Study, friction: float) -> float:
     law, name = _Law(study), study.kind.law["belt"]
     index = law.balance.parameters.index(name)
     speed = abs(float(study.dimensionless[name]))
-    # Times the belt's own speed up to which a speed is looked for, as a power of two.
+    # Intervals of the speed up to 2³⁰ times the belt's own; the slowest is last, and taken first.
     parts = [
         (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(30))
     ] + [(0.0, speed)]
-    # Ranges of the speed that are looked at, at most; boxes of a rough look; and the relative width
-    # to which that speed is enclosed.
+    # Maximum number of intervals, boxes for a rough bound, relative width of the enclosure.
     most, boxes, narrow = 4096, 64, 2.0**-44
     for _ in range(most):
         if not parts:
@@ -77,8 +76,8 @@ def speed_for(study: Study, friction: float) -> float:
 
 
 class _Law:
-    """The law that works, and corners within the tolerances of all on which it depends; units of
-    measure cancel in it.
+    """The friction law in use, over the box of the tolerances of the quantities on which it
+    depends. Units of measure cancel.
     """
 
     def __init__(self, study: Study) -> None:
@@ -94,21 +93,21 @@ class _Law:
         self.place = low.model.rubbing.index(study.kind.law["name"])
 
     def over(self, low: FloatArray, high: FloatArray, sign: int = 1) -> Intervals:
-        """Bounds over boxes of the law, or with ``sign=-1`` of its negative."""
+        """Bounds of ``sign`` times the friction over boxes."""
         arguments = self.balance.over(Intervals.between(low, high))
         found = as_intervals(self.balance.at((), arguments).frictions[self.place], low.shape[1:])
         return found if sign > 0 else -found
 
     def largest(self, sign: int = 1, most: int = 1 << 12) -> float:
-        """A bound of ± the law over the box: parts are halved along the side over which it moves
-        most, until it is close.
+        """Upper bound of ``sign`` times the friction over the whole box, by branch and bound with
+        at most ``most`` boxes: a box is bisected along the side over which the friction changes
+        most.
         """
         low, high, above, done = self.low, self.high, np.full(1, np.inf), -np.inf
-        # Halvings of the box, at most.
         for _ in range(60):
             above = self.over(low, high, sign).high
             best = max(float(self.over(end, end, sign).low.max()) for end in (low, high))
-            # How closely the ends of the friction are enclosed, relative.
+            # Boxes that may contain a larger value than the best one known.
             open_ = np.flatnonzero(above > best + 1e-9 * abs(best))
             if not open_.size or 2 * open_.size > most:
                 break
@@ -121,7 +120,9 @@ class _Law:
         return max(done, float(above.max()))
 
     def _moves(self, low: FloatArray, high: FloatArray, side: int) -> FloatArray:
-        """By how much the law moves over one side, all others in their middles."""
+        """Change of the friction over one side, at the midpoints of the others; −1 for a side
+        without extent.
+        """
         one, other = 0.5 * (low + high), 0.5 * (low + high)
         one[side], other[side] = low[side], high[side]
         found = self.over(one, other)
@@ -129,12 +130,12 @@ class _Law:
 
 
 def parameter_ends(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
-    """Two sets of parameters at the study's own units, rounded outward, and units of measure that
-    have tolerances too.
+    """Parameters at the lower and at the upper ends of the tolerances in the study's units, rounded
+    outward, and the units of measure that have tolerances themselves.
     """
     kind, low, high = study.kind, dict[str, float](), dict[str, float]()
     of_units: dict[str, dict[str, float]] = {name: {} for name in kind.bases}
-    # Some roundings of half a unit each.
+    # Bound of a few rounding errors.
     rounded = 2.0**-48
     for quantity, name in kind.parameters.items():
         if quantity not in study.quantities:
@@ -155,7 +156,7 @@ def parameter_ends(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
 
 
 def outward(one: Measured, scale: float, off: float) -> Span:
-    """Ends over a scale, the lower one no higher and the upper one no lower than they are."""
+    """Ends divided by a scale, moved outward by a relative error ``off``."""
     return one.low / scale * (1 - math.copysign(off, one.low)), one.high / scale * (
         1 + math.copysign(off, one.high)
     )

@@ -17,8 +17,8 @@ from .facts import percent_beyond, reach_of, speed_of_jump
 from .states import current, states
 from .study import Study
 
-#: What is said of a point by where its state ends, see :attr:`Facts.reach`, in the words of an
-#: :class:`~spragsym.design.jumps.EndVerb`.
+#: Outcome in words for each :attr:`Facts.reach`, with the forms of an
+#: :class:`~spragsym.design.jumps.EndVerb` to be inserted.
 OUTCOMES = {
     "jumped": "{0.has_done}",
     "within": "{0.does} within the tolerances",
@@ -36,13 +36,13 @@ class Verdicts:
     Attributes
     ----------
     titles : tuple of str
-        Each quantity with its unit, then what is told of each point.
+        Titles of the columns, with units.
     rows : tuple of tuple
-        One for each point: quantities in the units of the file; the loading parameter at the jump
-        in its own, NaN where there is none; the margin to its largest value in percent; the
-        outcome in words; and whether small disturbances die out.
+        For each point: the quantities, in the units of the file; the loading at the jump, NaN if
+        there is none; the margin between its largest value and the jump in percent; the outcome in
+        words; the stability of the current state.
     reason : str
-        Why the first unsettled point is that; empty where there is none.
+        Reason for which the first unsettled point has no answer; empty if there is none.
     """
 
     titles: tuple[str, ...]
@@ -51,7 +51,7 @@ class Verdicts:
 
     @property
     def onsets(self) -> tuple[str, ...]:
-        """Between which neighbours of a single quantity what is said of the state changes."""
+        """For a single quantity, the intervals between points of different stability."""
         if len(self.titles) != 5:
             return ()
         return tuple(
@@ -62,9 +62,7 @@ class Verdicts:
 
     @property
     def unsettled(self) -> str:
-        """Number of points without an answer, the reason, and the remedy; empty if there is
-        none.
-        """
+        """Number of points without an answer, with reason and remedy; empty if there are none."""
         count = sum(row[-2] == OUTCOMES[""] for row in self.rows)
         if count:
             return (
@@ -75,19 +73,22 @@ class Verdicts:
         return ""
 
     def csv(self) -> str:
-        """Lines with commas under one line of titles; what has no number is empty."""
+        """The rows as CSV text, with a header; NaN is empty."""
         lines = [self.titles, *(map(_cell, row) for row in self.rows)]
         return "".join(f"{','.join(line)}\n" for line in lines)
 
 
 def _cell(value: float | str) -> str:
-    return value if isinstance(value, str) else repr(value) if math.isfinite(value) else ""
+    """A cell of a CSV file."""
+    if isinstance(value, str):
+        return value
+    return repr(value) if math.isfinite(value) else ""
 
 
 def verdicts_over(study: Study, over: Mapping[str, FloatArray]) -> Verdicts:
-    """The verdict at each point of a grid; values are in the units of the file.
+    """The verdict at each point of a grid, with values in the units of the file.
 
-    A quantity that has a tolerance keeps it as a share of its value, an inclination as it is.
+    Tolerances stay the same relative to the values, that of an inclination absolutely.
 
     Raises
     ------
@@ -100,7 +101,7 @@ def verdicts_over(study: Study, over: Mapping[str, FloatArray]) -> Verdicts:
             remark = hint(name, quantities) or f"; choose of {', '.join(quantities)}"
             raise ParameterError(f"over: {name!r} is no quantity of the brake{remark}")
         for value in values.tolist():
-            _in_si(study, name, value)  # an error for one out of range, before anything is asked
+            _in_si(study, name, value)  # raises for a value out of range, before any computation
     points = list(itertools.product(*(one.tolist() for one in over.values())))
     rows, reason = [], ""
     for number, point in enumerate(points, 1):
@@ -110,17 +111,20 @@ def verdicts_over(study: Study, over: Mapping[str, FloatArray]) -> Verdicts:
         rows.append((*point, *verdict))
     units = [_titled(name, study.quantities[name].unit) for name in over]
     load = study.loading
-    unit = "" if study.of_friction else study.quantities[load.quantity].unit if load.name else ""
+    unit = ""
+    if load.name and not study.of_friction:
+        unit = study.quantities[load.quantity].unit
     titles = (*units, _titled(f"jump {load.word}", unit), "margin [%]", "outcome", "state")
     return Verdicts(titles, tuple(rows), reason)
 
 
 def _titled(name: str, unit: str) -> str:
+    """Title of a column."""
     return f"{name} [{unit}]" if unit else name
 
 
 def _verdict_of(study: Study, values: Mapping[str, float]) -> tuple[tuple[float | str, ...], str]:
-    """Verdict of one point, and the reason where there is none."""
+    """Columns of the verdict at a point, and the reason if there is no answer."""
     try:
         at = brake_at(study, values)
         jump = at.displayed(at.jump())
@@ -135,8 +139,8 @@ def _verdict_of(study: Study, values: Mapping[str, float]) -> tuple[tuple[float 
 
 
 def brake_at(study: Study, values: Mapping[str, float]) -> Study:
-    """The brake with quantities at values in the units of the file; a damping ratio holds for every
-    mode there, too, unless one of its dampers is among them.
+    """The brake with some quantities changed, in the units of the file. If it has a damping ratio,
+    the dampers are computed anew, unless one of them is among the values.
     """
     new = study.changed({name: _in_si(study, name, value) for name, value in values.items()})
     dampers = study.kind.dampers
@@ -148,7 +152,7 @@ def brake_at(study: Study, values: Mapping[str, float]) -> Study:
 
 
 def _in_si(study: Study, name: str, value: float) -> float:
-    """A value in the unit of the file; an error for one out of range."""
+    """A value, given in the unit of the file, in SI; raises if it is out of range."""
     si, allowed = value * study.unit_size(name), study.kind.ranges()[name]
     if not allowed.contains(si):
         raise ParameterError(f"over: {name} = {study.shown(name, si)} is not in {allowed}")

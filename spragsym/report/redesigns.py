@@ -1,9 +1,9 @@
-"""Changes that move the jump beyond a target: single quantities, and the least joint change, with
-certificates.
+"""Redesigns that move the jump beyond a target: changes of single quantities, and the smallest
+joint change, with certificates.
 
-A value is rounded to what stands in the report, away from the old one, and verified as it stands
-there. A change that a brake within its tolerances refutes is not given: it goes on until the proof
-is found, or is said to be missing.
+New values are rounded for the report, away from the old ones, and the rounded values are verified.
+A change is discarded if a brake within its tolerances jumps; it is extended until a certificate is
+found, or reported as undecided.
 """
 
 import itertools
@@ -35,22 +35,30 @@ from .tolerances import (
 )
 from .units import Numbers
 
-#: Tolerance of an inclination that has none, radians.
+#: Assumed tolerance of an inclination without one, radians.
 _INCLINATION_TOLERANCE = math.radians(1.0)
-#: A quantity is changed by up to this factor either way, where the data do not say how far it may
-#: change.
+#: Largest factor by which a quantity is increased or decreased, if the data have no may_change.
 LARGEST_FACTOR = 3.0
 
 
 @dataclass(frozen=True)
 class Change(Result):
-    """A new design: what changes, in SI, before and after; where it jumps, as the report tells it;
-    how far it is, in tolerances.
+    """A new design.
 
-    ``outcome`` is that of the certificate that nothing jumps within the tolerances about it:
-    ``"proved"``, or ``"undecided"`` if no proof was found, and neither was a brake that jumps.
-    ``probability`` is the share of brakes within them that jump: 0 if that is proved, else what a
-    sample gives; NaN where nothing has a tolerance.
+    Attributes
+    ----------
+    before, after : dict
+        Old and new values in SI of the quantities that change.
+    jump_at : float
+        Value of the loading at the jump, as reported.
+    distance : float
+        Size of the change, in tolerances.
+    probability : float
+        Probability of a jump within the tolerances: 0 if proved, else from samples; NaN if nothing
+        has a tolerance.
+    outcome : str
+        Of the certificate that nothing jumps within the tolerances: ``"proved"``, or
+        ``"undecided"`` if neither a proof nor a counterexample was found.
     """
 
     schema = (
@@ -67,15 +75,15 @@ class Change(Result):
 
 
 def changes(study: Study, target: float) -> tuple[Change, ...]:
-    """Changes that keep the jump at or beyond a target, and beyond the largest value given for all
-    brakes within the tolerances.
+    """Changes with the jump at or beyond a target, and for all brakes within the tolerances beyond
+    the largest value of the loading.
 
-    Single quantities, nearest first, and last the least joint change, unless that alone is without
-    a proof; ``target`` is a friction, or what rises in SI.
+    First single quantities, the smallest change first, then the smallest joint change, unless only
+    that has no proof. ``target`` is a friction, or another loading in SI.
 
-    Source: :func:`spragsym.redesign`, and :func:`spragsym.certify` over the tolerances about the
-    values as they are printed; that there is none nearer is not proved. A changed quantity keeps
-    its tolerance as a share of its value, an inclination as it is.
+    Source: :func:`spragsym.redesign`, and :func:`spragsym.certify` over the tolerances around the
+    printed values. It is not proved that no smaller change exists. Tolerances stay the same
+    relative to the values, that of an inclination absolutely.
     """
     search = _RedesignSearch(study, target)
     found = search.singles()
@@ -90,8 +98,8 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 
 
 def distance(study: Study) -> float:
-    """The nearest jump in tolerances at what works, see :func:`spragsym.jump_margin`; NaN without
-    one, or a jump.
+    """Distance in tolerances to the nearest brake that jumps, see :func:`spragsym.jump_margin`; NaN
+    without tolerances, or without a jump.
     """
     scale = {name: size for name, size in study.tolerances.items() if name in study.kind.of_statics}
     if scale and study.load:
@@ -100,9 +108,7 @@ def distance(study: Study) -> float:
 
 
 def design(study: Study) -> Design:
-    """The brake as drawn, with the friction that works, as a design of the model: quantities in
-    SI.
-    """
+    """The brake as drawn, with the friction in use, as a design of the model, in SI."""
     kind = study.kind
     name, own = kind.friction, kind.model.coefficient
     works = {} if name is None or own is None else {name: float(study.operating_point[own])}
@@ -119,7 +125,9 @@ def design(study: Study) -> Design:
 
 
 class _RedesignSearch:
-    """The changes of one brake."""
+    """Search for changes of a brake: ``span`` are ranges, and ``scale`` tolerances, of the
+    quantities that may change.
+    """
 
     def __init__(self, study: Study, target: float) -> None:
         self.study, self.target, self.budget = study, target, sampling_budget(study)
@@ -134,8 +142,8 @@ class _RedesignSearch:
         self.within = replace(design(study), ranges=self.allowed | within)
 
     def _span(self, name: str) -> Span:
-        """Between which values it may change: as the data say, else by :data:`LARGEST_FACTOR`, an
-        inclination from 1° to 179°.
+        """Range of values of a quantity: from the data, else up to :data:`LARGEST_FACTOR`, for an
+        inclination within 1° to 179°.
         """
         start = self.study.values[name]
         if self.study.may_change:
@@ -146,6 +154,9 @@ class _RedesignSearch:
         return (low, high)
 
     def _scale(self, name: str) -> float:
+        """Tolerance of a quantity; if it has none, 1° for an inclination, else a tenth of the value
+        (of the smallest in the same unit, if the value is 0).
+        """
         study, si = self.study, self.study.kind.units
         if name in study.tolerances:
             return study.tolerances[name]
@@ -154,12 +165,11 @@ class _RedesignSearch:
         alike = [
             value for other, value in study.values.items() if value > 0 and si[other] == si[name]
         ]
-        # Tolerance of a quantity that has none, as a share of its value.
         return 0.1 * (study.values[name] or min(alike, default=0.01 * study.scale(si[name])))
 
     def _keep(self, designs: Sequence[Numbers]) -> BoolArray:
-        """Whether each of some designs may be, jumps at the target at the earliest, and at no
-        corner of its tolerances.
+        """Mask of designs that are allowed, do not jump below the target, and do not jump at any
+        corner of their tolerances.
         """
         new = {
             i: self.study.changed(one)
@@ -175,17 +185,14 @@ class _RedesignSearch:
                     name: np.concatenate([np.atleast_1d(one[name]) for one in neighbours])
                     for name in self.study.values
                 }
-                goes_on = (
-                    (ending(self.study, values, target, coarse=True) == 0)
-                    .reshape(len(new), -1)
-                    .all(axis=1)
-                )
-                new = dict(itertools.compress(new.items(), goes_on))
+                remains = ending(self.study, values, target, coarse=True) == 0
+                none_jumps = remains.reshape(len(new), -1).all(axis=1)
+                new = dict(itertools.compress(new.items(), none_jumps))
         return np.isin(np.arange(len(designs)), [*new])
 
     def singles(self) -> list[Change]:
-        """Least changes of single quantities that keep the target, the nearest first, of as many as
-        are asked for.
+        """Smallest changes of single quantities that reach the target, in increasing order, at most
+        as many as the budget says.
         """
         least = filter(None, (self._least((name,)) for name in self.scale))
         found = [
@@ -194,13 +201,14 @@ class _RedesignSearch:
         return sorted((one for one in found if one is not None), key=lambda one: one.distance)
 
     def _distance(self, after: Numbers) -> float:
+        """Size of a change, in tolerances."""
         return math.hypot(
             *((value - self.study.values[name]) / self.scale[name] for name, value in after.items())
         )
 
     def joint(self) -> Change | None:
-        """The least change of all that has a tolerance; where that is one alone, of the three that
-        move the jump most.
+        """The smallest joint change of all quantities with a tolerance; if there are less than two,
+        of the three quantities that move the jump most.
         """
         names = tuple(name for name in self.scale if name in self.study.tolerances)
         try:
@@ -216,8 +224,8 @@ class _RedesignSearch:
         return self._first_proved(self._least(names))
 
     def _least(self, names: tuple[str, ...]) -> Numbers | None:
-        """The least change of some quantities whose jump is on the target, or as near to that as
-        they may be.
+        """The smallest change of some quantities with the jump at the target, restricted to their
+        ranges; None if none is found.
         """
         study = self.study
         try:
@@ -231,11 +239,11 @@ class _RedesignSearch:
         return None
 
     def _further(self, after: Numbers) -> Iterator[Numbers]:
-        """A change where no corner of its tolerances jumps, and further ones, up to the end of what
-        a quantity may be.
+        """A change for which no corner of the tolerances jumps, and larger ones, up to the end of
+        the range of a quantity.
         """
         before = self.study.values
-        way = {name: value - self.study.values[name] for name, value in after.items()}
+        way = {name: value - before[name] for name, value in after.items()}
         left = min(
             [
                 (self.span[name][step > 0] - after[name]) / step
@@ -251,8 +259,7 @@ class _RedesignSearch:
         def at(share: float) -> Numbers:
             return {name: before[name] + (1 + share * left) * step for name, step in way.items()}
 
-        # Shares of what is left of the way at which corners of the tolerances are looked
-        # at.
+        # Shares of the remaining range at which corners of the tolerances are examined.
         tried, high = np.array((0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0)), 0.0
         for _ in range(3):
             kept = self._keep([at(share) for share in tried.tolist()])
@@ -262,14 +269,13 @@ class _RedesignSearch:
             high = float(tried[first])
             if not high:
                 break
-            # Parts into which the step to the first design that is kept is cut,
-            # twice.
+            # Refine between the last design that jumps and the first that does not.
             tried = np.linspace(tried[first - 1], high, 9)
         yield from (at(high + share * (1 - high)) for share in self.budget.further)
 
     def _first_proved(self, least: Numbers | None) -> Change | None:
-        """A change, or the first further one with a proof; else the first without a brake that
-        jumps among many samples.
+        """The first change with a proof, of the smallest one and larger ones; else the first for
+        which no brake among many samples jumps.
         """
         open_one = None
         tried: list[Numbers] = []
@@ -285,8 +291,8 @@ class _RedesignSearch:
         return open_one
 
     def _printed(self, after: Numbers) -> Numbers | None:
-        """Changes as they are printed, if they keep the target; a value that does not change in
-        print is left as it was.
+        """A change rounded as it is printed, if it still reaches the target; None otherwise. Values
+        that do not change in print are left out.
         """
         for further in range(4):
             rounded = {
@@ -307,13 +313,13 @@ class _RedesignSearch:
         return None
 
     def _may_be(self, name: str, value: float) -> bool:
-        """Whether a quantity may change to a value, but for the rounding of that."""
+        """True if a quantity may have a value, up to rounding."""
         (low, high), rounding = self.span[name], 1e-12 * abs(value)
         return self.allowed[name].contains(value) and low - rounding <= value <= high + rounding
 
     def _verified(self, after: Numbers, proof_only: bool) -> Change | None:
-        """A change with its certificate; None if a brake within the tolerances about it jumps, or
-        only a proof will do.
+        """A change with its certificate; None if a brake within the tolerances jumps, or if there
+        is no proof and ``proof_only``.
         """
         study, new = self.study, self.study.changed(after)
         try:
@@ -345,12 +351,11 @@ class _RedesignSearch:
 
 
 def _rounded(study: Study, name: str, after: float, further: int) -> float:
-    """A value rounded away from the old one to few digits in its unit, and then by single units of
-    the last digit farther.
+    """A new value rounded to a few digits in its unit, away from the old one, and moved away by
+    ``further`` units of the last digit.
     """
     before, unit = study.values[name], study.unit_size(name)
     old, new = before / unit, after / unit
-    # Digits of a new value.
     digits = 3
     step = 10.0 ** (math.floor(math.log10(abs(new))) - digits + 1) if new else 1.0
     if abs(new - old) < 0.5 * step:

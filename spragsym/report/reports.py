@@ -1,4 +1,4 @@
-"""The report of a study: its facts, stated as text, page and JSON."""
+"""The report of a study: its facts as text, HTML page and JSON."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from .facts import Facts
 
 
 class Report(Facts, Result):
-    """Report on a brake: its facts are attributes; text, page and JSON state them."""
+    """Report on a brake. The facts are attributes; methods write them as text, page and JSON."""
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Sentences on where an answer would mislead, or is not known."""
+        """Warnings about answers that may mislead or are not known, a sentence each."""
         return warnings(self)
 
     @property
@@ -28,7 +28,7 @@ class Report(Facts, Result):
 
     @property
     def about(self) -> dict[str, str]:
-        """Title, date and file, as they were given, the model, and the version of spragsym."""
+        """Title, date and file as given, model, and version of spragsym."""
         return texts.about(self)
 
     @property
@@ -37,7 +37,7 @@ class Report(Facts, Result):
         return tuple(f"{verb} {what}" for verb, what in next_steps(self))
 
     def to_dict(self) -> texts.Json:
-        """The report as JSON has it; quantities in the units of the file.
+        """The report as JSON data; quantities are in the units of the file.
 
         Returns
         -------
@@ -75,12 +75,12 @@ class Report(Facts, Result):
         return "\n".join(texts.blocks(self))
 
     def to_html(self, path: str | os.PathLike[str]) -> None:
-        """Write the report as one page with its pictures (extra ``plot``).
+        """Write the report as one HTML page with pictures (extra ``plot``).
 
         Parameters
         ----------
         path : str or path
-            The file, which is written over.
+            The file, which is overwritten.
 
         Raises
         ------
@@ -103,7 +103,7 @@ class Report(Facts, Result):
         put(path, spragsym.figures.report_page(self))
 
     def as_table(self) -> Table:
-        """The rows of its text.
+        """The rows of the text as a table.
 
         Returns
         -------

@@ -9,14 +9,14 @@ from .study import Study
 
 
 def surface_levels(study: Study, found: Cycle) -> list[dict[str, str | float]]:
-    """Speeds and levels of a cycle: a row for each coordinate that is a length.
+    """Speeds and sound levels of a cycle, a row for each coordinate that is a length.
 
     Parameters
     ----------
     study : Study
         The brake, for its units.
     found : Cycle
-        A cycle of ``study.dimensionless``.
+        A cycle of the model with ``study.dimensionless``.
 
     Returns
     -------
@@ -43,12 +43,12 @@ def surface_levels(study: Study, found: Cycle) -> list[dict[str, str | float]]:
     names = found.field.model.components
     motion = found.trajectory()
     rows: list[dict[str, str | float]] = []
-    # Density of air in kg/m³ times its speed of sound in m/s, at 20 °C and 101325 Pa.
+    # Density of air in kg/m³ times the speed of sound in m/s, at 20 °C and 101325 Pa.
     impedance = 1.204 * 343.2
     for name, rate in zip(names, names[len(names) // 2 :], strict=False):
         if study.kind.coordinates[name] == "m":
             speed = one * motion.rms(0.0, of=rate)
-            # Over the references of ISO 1683, of speed in m/s and of pressure in air in Pa.
+            # Reference values of ISO 1683: speed in m/s, pressure in air in Pa.
             level, pressure = _decibels(speed / 50e-9), _decibels(impedance * speed / 20e-6)
             row = {"speed_m_per_s": speed, "speed_level_dB": level, "pressure_level_dB": pressure}
             rows.append({"of": name, **row})
@@ -56,4 +56,5 @@ def surface_levels(study: Study, found: Cycle) -> list[dict[str, str | float]]:
 
 
 def _decibels(ratio: float) -> float:
+    """Level of a ratio of amplitudes; −∞ for 0."""
     return 20 * math.log10(ratio) if ratio else -math.inf

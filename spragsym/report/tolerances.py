@@ -1,5 +1,5 @@
-"""Variation within the tolerances of a brake: the friction that works, brakes at shares, corners,
-proofs, probabilities.
+"""Variation of a brake within its tolerances: quantities at shares of their distributions, corners
+and samples of the tolerances, the certificate that nothing jumps, the probability of a jump.
 """
 
 from __future__ import annotations
@@ -25,10 +25,24 @@ from .units import Measured, Numbers
 
 @dataclass(frozen=True)
 class SamplingBudget:
-    """Numbers of samples where states are followed: ``samples`` of a probability, ``boxes`` of a
-    proof and the ``points`` at which it is refuted; of a change, ``shares`` that are sampled where
-    it is not proved, and ``many`` where not even a sample jumps; the ``most`` single quantities
-    that are the nearest are proved, each ``further`` by these shares of what is left.
+    """Numbers of samples and boxes. The defaults are for states that are followed numerically.
+
+    Attributes
+    ----------
+    samples : int
+        Samples for a probability.
+    boxes, points : int
+        Boxes for a certificate, and samples among which a counterexample is searched for.
+    boxes_of_change, points_of_change : int
+        The same for a change.
+    shares : int
+        Samples for the probability of a jump after a change without a proof.
+    many : int
+        Samples among which a counterexample is searched for if a change has no proof.
+    most : int
+        Number of changes of single quantities that are examined, the smallest first.
+    further : tuple of float
+        A change without a proof is extended by these shares of the remaining range.
     """
 
     samples: int = 2048
@@ -43,9 +57,8 @@ class SamplingBudget:
 
 
 def sampling_budget(study: Study) -> SamplingBudget:
-    """SamplingBudget for the study's model."""
-    # Where a jump is looked for without end, and so by closed forms, thousands of points in
-    # a second: more.
+    """The numbers for a study."""
+    # Closed forms, which have no upper limit of the search, take thousands of points per second.
     endless = SamplingBudget(
         samples=4096,
         boxes=20_000,
@@ -61,21 +74,21 @@ def sampling_budget(study: Study) -> SamplingBudget:
 
 
 def deciding(study: Study) -> tuple[str, ...]:
-    """The quantities that decide whether it jumps: those of the balance of forces, and of the
-    friction that works.
+    """Quantities that influence whether it jumps: those in the balance of forces, and those of the
+    friction in use.
     """
     names = {*study.kind.balanced, *friction_depends_on(study)}
     return tuple(name for name in study.quantities if name in names)
 
 
 def varied(study: Study) -> list[str]:
-    """Quantities that have a tolerance."""
+    """Quantities with a tolerance, of those that influence whether it jumps."""
     return [name for name in deciding(study) if study.quantities[name].varies]
 
 
 def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
-    """All quantities in SI, within their ranges, at shares of what is :func:`varied`, of shape (n,
-    varied).
+    """All quantities in SI, (n,) each, at cumulative probabilities ``shares`` of the :func:`varied`
+    ones, (n, varied); within their allowed ranges.
     """
     values = {name: np.full(len(shares), value) for name, value in study.values.items()}
     allowed = study.kind.ranges(study.values)
@@ -88,13 +101,13 @@ def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
 
 
 def corners(study: Study) -> FloatArray:
-    """Shares of the brake as drawn with most of what rises, and of all corners of the tolerances
-    that may occur, at its upper end only.
+    """Shares of the brake as drawn, with the loading at its upper end, and of all corners of the
+    tolerances that may occur; a loading that depends on no other quantity is at its upper end.
     """
     names, load = varied(study), study.loading.quantity
     together = study.together(names)
     found = together.corners()
-    if load in together.titles:  # it depends on no other quantity
+    if load in together.titles:  # independent of other quantities
         found = found[found[:, names.index(load)] == 1.0]
     drawn = [
         1.0 if name == load else float(study.quantities[name].cdf(study.values[name]))
@@ -104,8 +117,8 @@ def corners(study: Study) -> FloatArray:
 
 
 def samples(study: Study, number: int) -> FloatArray:
-    """Shares of Sobol' points, correlated as the quantities are."""
-    from scipy.stats import qmc  # heavy, and a refusal does not need it
+    """Shares of ``number`` Sobol' points, with the correlations of the quantities."""
+    from scipy.stats import qmc  # a slow import, which input errors do not need
 
     names = varied(study)
     if names:
@@ -116,15 +129,15 @@ def samples(study: Study, number: int) -> FloatArray:
 def ending(
     study: Study, values: Mapping[str, Any], target: float | None = None, *, coarse: bool = False
 ) -> FloatArray:
-    """1 for brakes, by their quantities in SI, that jump up to a target, or to the own value of
-    each; 0 or NaN for others.
+    """1 for brakes, given by their quantities in SI, that jump at or below a target value of the
+    loading, by default each brake's own; 0 for others, NaN where undecided.
     """
     return limit_point_passed(study.loaded(values, target), **study.along(values), coarse=coarse)
 
 
 def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
-    """Corners between which all brakes lie, with the μ₀ of the friction that works; what rises has
-    begun to.
+    """Lower and upper ends of a box of parameters that contains all brakes, with the μ₀ of the
+    friction in use and the loading above its start; and units.
     """
     low, high, units = parameter_ends(study)
     name = study.loading.name
@@ -137,22 +150,22 @@ def box(study: Study) -> tuple[Any, Any, dict[str, Unit]]:
 
 
 def splitting(study: Study) -> Splitting:
-    """The state of all brakes, followed as what rises does, in parts of their box."""
+    """The state of all brakes, followed as the loading rises, in subdivisions of their box."""
     low, high, units = box(study)
     return Splitting(low, high, study.loading.name, study.start(), units)
 
 
 def _all_works(study: Study) -> bool:
-    """Whether statics takes the friction as the parameters have it, and not a share of μ₀."""
+    """True if statics uses the parameters of the friction as they are, and not a part of μ₀."""
     return study.kind.law["at_rest"] != "full" or study.law == "friction_at_rest"
 
 
 def certificate(study: Study, *, coarse: bool = False) -> Certificate:
-    """Whether no brake within the tolerances jumps: proved, refuted by one in SI, or undecided;
-    ``coarse`` ends earlier.
+    """Certificate that no brake within the tolerances jumps: proved, refuted by a counterexample in
+    SI, or undecided. ``coarse`` uses fewer boxes and points.
 
-    Of a normal distribution that is not cut off the box holds three standard deviations on either
-    side, and nothing is said of what lies beyond.
+    Of a normal distribution without limits the box contains three standard deviations on either
+    side; nothing is proved beyond.
 
     Source: :func:`spragsym.certify` over a box of the model's parameters and of the quantities that
     are their units.
@@ -166,16 +179,16 @@ def certificate(study: Study, *, coarse: bool = False) -> Certificate:
     found = claims((low, high), "no jump", units=units, **study.along()).certificate(
         "no jump", most, refute=False
     )
-    # A part of the box where all jump need not hold a brake: the bounds of its friction may be
-    # loose.
+    # A part of the box in which all jump is no refutation: since the bounds of the friction may be
+    # wide, it may contain no brake.
     if found.outcome == "proved":
         return found
     return replace(found, outcome="undecided", counterexample=None)
 
 
 def counterexample(study: Study, number: int) -> Numbers | None:
-    """A brake within the tolerances that jumps, in SI: a corner if there is one, or one of some
-    points.
+    """A brake within the tolerances that jumps, in SI: a corner, or one of ``number`` samples; None
+    if none jumps.
     """
     for shares in (corners(study), samples(study, number)):
         values = values_at(study, shares)
@@ -186,7 +199,9 @@ def counterexample(study: Study, number: int) -> Numbers | None:
 
 
 def chance(study: Study, n: int) -> JumpProbability:
-    """Probability of a jump with the distributions of the file, what varies together included."""
+    """Probability of a jump from ``n`` samples, with the distributions and correlations of the
+    file.
+    """
     return estimated(
         study.values | {name: study.quantities[name].whole for name in varied(study)},
         lambda values: ending(study, values),
@@ -195,8 +210,8 @@ def chance(study: Study, n: int) -> JumpProbability:
 
 
 def begins_alike(study: Study, after: Numbers) -> bool:
-    """Whether the state that is followed in a changed brake is the one of the brake as drawn, not
-    one behind its end.
+    """True if the state that is followed in a changed brake is the continuation of that of the
+    brake as drawn, proved; False if it is another one, or this is not proved.
     """
     if study.of_friction:
         return True
@@ -217,15 +232,14 @@ def begins_alike(study: Study, after: Numbers) -> bool:
 
 
 def bracket(study: Study) -> Span:
-    """Bounds of the probability of a jump, by proof: what is proved to jump, and one minus what is
-    proved not to.
+    """Proved bounds of the probability of a jump: the share of brakes that are proved to jump, and
+    1 minus the share of those that are proved not to.
 
-    (0, 1) where quantities vary together, or too many vary, and where friction that works less than
-    fully is not what rises. Of the belt's speed and the law's steepness only how much of μ₀ works
-    is taken, from least to most.
+    The bounds are (0, 1) if quantities are correlated, if none or more than four vary, or if the
+    friction in use is only a part of μ₀ and the loading is another parameter. The belt's speed and
+    the steepness of the law enter by the smallest and largest part of μ₀ in use.
     """
     names = [name for name in varied(study) if name in study.kind.of_statics]
-    # Quantities with tolerances up to which their probability is bracketed by proof.
     if (
         not names
         or len(names) > 4
@@ -241,18 +255,20 @@ def bracket(study: Study) -> Span:
     laws = {side: law(*of[side]) for side in whole.free}
     (quantity, size), (least, most) = of[study.loading.name], _shares_that_work(study)
     up_to = law(quantity, size / most), law(quantity, size / least)
-    # Parts of them.
+    # Number of parts into which the boxes are divided.
     parts = 200
     below, above = measured(whole, OpenShare(whole.free, laws, up_to), parts)
     ends = [study.quantities[name] for name in names]
-    # Of a share of a distribution, where values go over its width.
+    # Rounding of a probability, relative to the ratio of a value to the width of its distribution.
     rounding = 2.0**-50
-    off = parts * rounding * max(abs(one.high) / (one.high - one.low) for one in ends)
-    return max(0.0, below - off), min(1.0, above + off)
+    error = parts * rounding * max(abs(one.high) / (one.high - one.low) for one in ends)
+    return max(0.0, below - error), min(1.0, above + error)
 
 
 def _shares_that_work(study: Study) -> Span:
-    """Bounds of the share of μ₀ that works, over all tolerances but that of μ₀."""
+    """Bounds of the ratio of the friction in use to μ₀, over all tolerances but that of μ₀; above
+    0.
+    """
     if _all_works(study):
         return 1.0, 1.0
     least, most = friction_bounds(
@@ -260,13 +276,14 @@ def _shares_that_work(study: Study) -> Span:
             {**study.quantities, str(study.kind.friction): Measured(1.0, 1.0, 1.0, "")}
         )
     )
-    # A share of the friction that is none.
-    nothing = 1e-300
-    return max(nothing, least), max(nothing, most)
+    smallest = 1e-300
+    return max(smallest, least), max(smallest, most)
 
 
 def sides(study: Study) -> dict[str, tuple[str, float]]:
-    """For each parameter and each unit the quantity that it is, and its unit in SI."""
+    """For each parameter and each unit of the box the corresponding quantity, and the factor to
+    SI.
+    """
     kind = study.kind
     return {f"{base}/{base}_0": (base, study.values[base]) for base in kind.bases} | {
         name: (quantity, study.scale(kind.units[quantity]))

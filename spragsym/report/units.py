@@ -1,5 +1,5 @@
-"""Numbers with units: read from text, checked for their dimension and range, and given back in the
-unit in which they came.
+"""Quantities with units and tolerances: read from text, with checks of dimension and range, and
+written in the unit in which they were given.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ..numerics.interval_arrays import FloatArray
 
 #: Numbers by name: quantities in SI, or coordinates.
 Numbers: TypeAlias = Mapping[str, float]
-#: SI unit of a quantity → how an engineer would write one, alone and between two ends.
+#: Examples for each SI unit: with a tolerance if usual, and as an interval.
 EXAMPLES: Mapping[str, tuple[str, str]] = {
     "kg": ("0.35 kg", "[0.3, 0.4] kg"),
     "N/m": ("180 N/mm ± 15 %", "[150, 210] N/mm"),
@@ -36,9 +36,9 @@ EXAMPLES: Mapping[str, tuple[str, str]] = {
     "N m s": ("0.01 N m s", "[0.005, 0.02] N m s"),
     "1": ("0.45 ± 10 %", "[0.3, 0.6]"),
 }
-#: Standard deviations on either side of a normal distribution's mean that its ends are.
+#: Ends of a normal distribution that is not cut off, in standard deviations from the mean.
 SIGMAS_AT_ENDS = 3.0
-#: Standard deviations that lie within its range.
+#: Ends of its numerical range, in standard deviations from the mean.
 SIGMAS_IN_ALL = 6.0
 
 
@@ -46,9 +46,9 @@ SIGMAS_IN_ALL = 6.0
 class Measured:
     """A quantity with its tolerance: value and ends in SI, and the unit in which it was given.
 
-    Without ``sd`` every value between the ends is as probable. With it the distribution is normal
-    with that standard deviation: cut off at the ends if ``cut``, and else three standard deviations
-    are the ends, beyond which lie 0.27 % of it.
+    Without ``sd`` the distribution is uniform between the ends. Otherwise it is normal with this
+    standard deviation: cut off at the ends if ``cut``; if not, the ends are at three standard
+    deviations, with a probability of 0.27 % beyond.
     """
 
     value: float
@@ -60,19 +60,19 @@ class Measured:
 
     @property
     def varies(self) -> bool:
-        """Whether it has a tolerance."""
+        """True if the quantity has a tolerance."""
         return self.high > self.low
 
     @property
     def whole(self) -> Measured:
-        """Distribution of the quantity; a normal one that is not cut off is taken to six standard
-        deviations, beyond which lie 2e-9 of it.
+        """The quantity with the ends of its whole distribution: for a normal one that is not cut
+        off at six standard deviations, with a probability of 2e-9 beyond.
         """
         low, high = (self.value + sign * SIGMAS_IN_ALL * self.sd for sign in (-1, 1))
         return self if self.cut else replace(self, low=low, high=high)
 
     def cdf(self, value: ArrayLike) -> FloatArray:
-        """The share of its distribution within its ends up to a value."""
+        """Cumulative distribution function, for the distribution restricted to its ends."""
         if not self.varies:
             return (np.asarray(value) >= self.value).astype(float)
         least, most, here = (self._below(end) for end in (self.low, self.high, np.asarray(value)))
@@ -80,8 +80,8 @@ class Measured:
         return share
 
     def ppf(self, share: object) -> FloatArray:
-        """The value below which a share of its distribution within its ends lies."""
-        from scipy.special import ndtri  # heavy, and a refusal does not need it
+        """Quantile function, the inverse of :meth:`cdf`."""
+        from scipy.special import ndtri  # a slow import, which input errors do not need
 
         least, most = self._below(self.low), self._below(self.high)
         value = least + np.asarray(share) * (most - least)
@@ -90,26 +90,28 @@ class Measured:
         )
 
     def _below(self, value: FloatArray | float) -> FloatArray | float:
-        from scipy.special import ndtr  # heavy, and a refusal does not need it
+        """Cumulative distribution of the unrestricted normal distribution, or for a uniform one the
+        value itself.
+        """
+        from scipy.special import ndtr  # a slow import, which input errors do not need
 
         return ndtr((value - self.value) / self.sd) if self.sd else value
 
     def scaled(self, value: float, share: bool) -> Measured:
-        """The tolerance about another value, as a share of it, or as it is."""
+        """Another value with this tolerance: relative to the value if ``share``, else absolute."""
         by = value / self.value if share and self.value else 1.0
         low, high = (value + by * (end - self.value) for end in (self.low, self.high))
         return Measured(value, low, high, self.unit, by * self.sd, self.cut)
 
 
 def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Measured:
-    """A quantity from text such as ``"180 N/mm ± 15 %"``, ``"[150, 210] N/mm"`` or
+    """Read a quantity from text such as ``"180 N/mm ± 15 %"``, ``"[150, 210] N/mm"`` or
     ``"180 N/mm sd 5 %"``.
 
-    It has a number and a unit, and a tolerance if there is one: an amount, a share, two ends; or a
-    standard deviation, with the ends at which the distribution is cut off if it is, as in
-    ``"180 N/mm sd 5 % in [160, 200] N/mm"``. Anything else, a tolerance that may be read in two
-    ways is a ParameterError with examples of what can be read; what is not ``allowed`` is one with
-    what is.
+    The text has a number and a unit, and optionally a tolerance: absolute, relative, as an
+    interval, or as a standard deviation, with an interval if the distribution is cut off, as in
+    ``"180 N/mm sd 5 % in [160, 200] N/mm"``. Other texts, and ambiguous tolerances, raise a
+    ParameterError with examples; values outside ``allowed`` raise one with the allowed range.
 
     >>> read("180 N/mm +- 15 %", "N/m")
     Measured(value=180000.0, low=153000.0, high=207000.0, unit='N/mm', sd=0.0, cut=True)
@@ -122,7 +124,9 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
 
 @contextmanager
 def _with_remedy(text: str, si: str, allowed: Range, example: str) -> Iterator[None]:
-    """A mistake is told with the text and, where that is the remedy, how to write one."""
+    """Context that adds the text to a ParameterError, and examples unless the value is out of
+    range.
+    """
     try:
         yield
     except ParameterError as error:
@@ -132,24 +136,24 @@ def _with_remedy(text: str, si: str, allowed: Range, example: str) -> Iterator[N
 
 
 class _OutsideError(ParameterError):
-    """A number that is read and not allowed: how to write one is no remedy."""
+    """Raised for a valid text with a value that is not allowed; examples would not help."""
 
 
 def check_words(text: str, si: str, allowed: Range = FINITE, example: str = "") -> None:
-    """Refuse what :func:`read` refuses whatever the size of its units, without pint, which takes
-    longer than all else that a mistake costs.
+    """Raise those errors of :func:`read` that do not depend on the sizes of units, without the slow
+    import of pint.
     """
     with _with_remedy(text, si, allowed, example):
         _matched(text, si)
 
 
 def remedy(si: str, allowed: Range, example: str) -> str:
-    """Text to write: examples that are read and allowed."""
+    """What to write instead: examples that are valid and allowed."""
     by_sign = {allowed.low, allowed.high} <= {0.0, math.inf, -math.inf}
     good = []
     for text in (example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))):
         with suppress(ParameterError):
-            # What its sign decides does not wait for the size of its unit.
+            # If the sign decides, the size of the unit is not needed.
             if not by_sign:
                 _read(text, si, allowed)
             elif not allowed.contains(float(_matched(text, si)[0][1])):
@@ -159,8 +163,8 @@ def remedy(si: str, allowed: Range, example: str) -> str:
 
 
 def _matched(text: str, si: str) -> tuple[re.Match[str], re.Match[str] | None]:
-    """Parts of the text of a quantity, whose units are words that are known, and of the ends at
-    which it is cut off.
+    """Match of the text of a quantity, with checked names of units, and match of the interval at
+    which its distribution is cut off, if there is one.
     """
     if len(text) > 200:
         raise ParameterError(f"{len(text)} characters are too many for a quantity")
@@ -222,25 +226,28 @@ def _read(text: str, si: str, allowed: Range) -> Measured:
 
 
 def _ends(allowed: Range, unit: str, si: str) -> str:
+    """An allowed range as text."""
     low, high = (shown_in(limit, unit, si, 6) for limit in (allowed.low, allowed.high))
     words = f"{'above' if allowed.open_low else 'at least'} {low}"
     if not math.isinf(allowed.high):
         words += f" and {'at most' if allowed.closed_high else 'below'} {high}"
-    # Of angles it says radians.
+    # The remedy for angles is in radians.
     return f"{words}: {allowed.remedy}" if allowed.remedy and si != "rad" else words
 
 
 def _between(found: re.Match[str], si: str) -> Measured:
+    """A quantity given as an interval."""
     unit, _ = _units(found)
     low, high = (_in_si(found[name], unit, si) for name in ("low", "high"))
     if low > high:
         raise ParameterError("the range begins above its end")
-    # The middle of [0.3, 0.6] is to be 0.45, not a float next to it.
+    # Computed before the conversion, so that the midpoint of [0.3, 0.6] is the float 0.45.
     middle = _in_si(f"{0.5 * (float(found['low']) + float(found['high'])):.15g}", unit, si)
     return Measured(middle, low, high, unit)
 
 
 def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
+    """A quantity given as a value, alone or with a tolerance or a standard deviation."""
     parts = {name: (part or "").strip() for name, part in found.groupdict().items()}
     off, (unit, of) = parts["off"], _units(found)
     if not unit and si != "1" and of not in ("", "%"):
@@ -281,8 +288,9 @@ def _about(found: re.Match[str], si: str, ends: Measured | None) -> Measured:
 
 
 def _in_si(number: str, unit: str, si: str) -> float:
+    """A number in a unit, converted to SI."""
     scale = factor(unit, si)
-    # 52 deg is the float nearest to it, which two roundings may miss.
+    # math.radians rounds once.
     value = math.radians(float(number)) if scale == math.pi / 180 else float(number) * scale
     if not math.isfinite(value):
         raise ParameterError("this is too large for a number")
@@ -290,7 +298,7 @@ def _in_si(number: str, unit: str, si: str) -> float:
 
 
 def plain_unit(si: str) -> str:
-    """The unit of the report where the data came as plain numbers in SI."""
+    """Unit in which a report shows quantities that were given as plain numbers in SI."""
     units = {
         "N/m": "N/mm",
         "N/m^3": "N/mm^3",
@@ -302,12 +310,12 @@ def plain_unit(si: str) -> str:
 
 
 def shown_in(value: float, unit: str, si: str, digits: int = 4) -> str:
-    """A value in SI as text in another unit: ``"180 N/mm"``."""
+    """A value in SI as text in another unit, as ``"180 N/mm"``."""
     number = f"{value / factor(unit, si):.{digits}g}"
     return f"{number}{'' if unit == '°' else ' '}{unit}".strip()
 
 
 def hertz(frequency: float, digits: int = 4) -> str:
-    """A frequency as text: in hertz, from a thousand on in kilohertz."""
+    """A frequency as text, in Hz below 1000 Hz, else in kHz."""
     kilo = frequency >= 1000.0
     return f"{frequency / 1e3:.{digits}g} kHz" if kilo else f"{frequency:.{digits}g} Hz"

@@ -227,10 +227,16 @@ def _time_and_distances(
     same_unit = np.array([[one == other for one in field.units] for other in field.units])
     angles = np.array([unit == "rad" for unit in field.units])
     stiffness, damping, acceleration = 0.0, 0.0, np.zeros(n)
-    # The modes in which the motion begins and may continue.
-    for mode in {field.initial_mode(state, constants), field.mode_at_rest(state, constants)}:
-        jacobian = field.matrix(state, constants, mode)[n:]
-        initial = np.abs(field.rates(state, constants, mode)[n:])
+    # The mode in which the motion begins, and that at rest with all contacts closed, each on the side
+    # on which it slides: a smooth friction law may be as large as exp(reach) on the other side.
+    begin, still = field.initial_mode(state, constants), field.at_rest(state[:n], constants)
+    sides = zip(
+        field.initial_mode(still, constants), field.mode_at_rest(state, constants), strict=True
+    )
+    rest = tuple(-1 if here < 0 else closed for here, closed in sides)
+    for at, mode in ((state, begin), (still, rest)):
+        jacobian = field.matrix(at, constants, mode)[n:]
+        initial = np.abs(field.rates(at, constants, mode)[n:])
         stiffness = max(stiffness, float(np.abs(jacobian[:, :n][same_unit]).max()))
         damping = max(damping, float(np.abs(jacobian[:, n:][same_unit]).max()))
         by_angle = np.abs(jacobian[:, :n][:, angles]).max(axis=1, initial=0.0)

@@ -312,13 +312,14 @@ def _located(
     error_of_value = _error(kind, one, other, length, point)
     if abs(test(point)) > 1e-2 * max(abs(test(one)), abs(test(other))):
         # The sign changes by a jump: multipliers jump at a grazing, and of several arrivals another
-        # one may become the nearest.
+        # one may become the nearest. Next to a fold they may change as much within rounding.
         if may_shorten:
             raise ConvergenceError(f"a {kind} was not located")
         if kind in SLIDING:
             return
         error_of_value = max(error_of_value, width)
-        how = "a multiplier jumps past its value there, as it does at a grazing"
+        at = "at a grazing" if point.orbit.field.borders else "within rounding next to a fold"
+        how = f"a multiplier jumps past its value there, as it does {at}"
     crossed = None
     if kind == "crossing":
         kind, crossed, how = "fold", point.tangent, "another branch of cycles crosses this one"

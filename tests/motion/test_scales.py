@@ -365,3 +365,47 @@ def test_what_is_left_of_a_length_is_none_beside_an_angle() -> None:
     found = ss.fate(p, start=(0.1, 0.0, 0.0, 0.0), t_end=1000.0)
     assert found.kind == "rest"
     assert found.time_scale == pytest.approx(4.0, rel=1e-9)
+
+
+#: A block on a belt whose speed varies, before a stop; its friction is smooth at rest.
+BEFORE_A_STOP = """'''A block on a belt before a stop.'''
+from spragsym.derive.model import Abs, Page, exp, sgn, sin
+
+page = Page("A block on a belt, before a stop.")
+m, k = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness")
+N = page.unit("N", "N", "normal force")
+mu = page.parameter("mu", "1", "friction coefficient", ">= 0", 0.3)
+V = page.parameter("V", "m/s", "mean speed of the belt", ">= 0", 1.0)
+a = page.parameter("a", "m", "amplitude of the belt", ">= 0", 0.0)
+w = page.parameter("w", "1/s", "frequency of the belt", "> 0", 0.5)
+d = page.parameter("d", "s/m", "steepness", "> 0", 30.0)
+x = page.coordinate("x", "m", "place")
+phase = page.clock(w)
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.spring(k, along=x)
+page.contact(N / k - x, lambda depth: 8 * k * depth, name="stop")
+law = lambda v: mu * (1 - exp(-d * Abs(v))) * sgn(v)
+page.friction(x, V + page.rate(a * sin(phase)), law, on=page.normal_force(N, name="belt"))
+"""
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+@pytest.mark.parametrize(
+    ("V", "a", "start"), [(1.0, 0.0, (-2.0, 0.0, 2.0)), (0.0, 2.0, (-2.0, math.pi, -1.2))]
+)
+def test_what_a_law_would_be_on_its_other_side_is_no_size(
+    backend: str, V: float, a: float, start: tuple[float, float, float]
+) -> None:
+    """exp(d |v|) there, 1e13: accelerations were measured in as much, and no event was met."""
+    pytest.importorskip(backend)
+    p = model_of(BEFORE_A_STOP, "before_a_stop").Parameters(V=V, a=a)
+    found = ss.simulate(p, start=start, t_end=8.0, backend=backend)
+
+    def field(t: float, u: Any) -> list[float]:
+        slip = V + a * 0.5 * math.cos(start[1] + 0.5 * t) - u[1]
+        rubs = 0.3 * math.copysign(-math.expm1(-30 * abs(slip)), slip)
+        return [u[1], rubs - u[0] - 8 * max(u[0] - 1, 0.0)]
+
+    end = solve_ivp(field, (0.0, 8.0), (start[0], start[2]), "DOP853", rtol=1e-10, atol=1e-11)
+    assert found.state[[0, 2], -1] == pytest.approx(end.y[:, -1], abs=1e-6)

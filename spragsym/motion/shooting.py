@@ -186,7 +186,8 @@ class Orbit:
         if self.field.lead == 0 and self.leads:
             return 0
         low, high = self.bounds
-        return int((high - low > self.options.moves * self.errors[:-1]).argmax())
+        moves = high - low > self.options.moves * self.errors[:-1]
+        return int(moves[: len(self.field.coordinates)].argmax())
 
     def with_lead(self) -> Orbit:
         """The orbit with :attr:`lead` as the leading coordinate, integrated again if it changes."""

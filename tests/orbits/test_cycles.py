@@ -342,6 +342,14 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
     assert abs(other.state[1]) > 0.05
 
 
+def test_a_cycle_that_hardly_moves_has_a_leading_coordinate() -> None:
+    """Of one of which only the speed moves by more than its error, it is a coordinate still."""
+    onsets = ss.flutter_onsets(ss.load("stick_slip").Parameters(), vary="V")
+    for amplitude in (1e-9, 1e-10, 1e-11):
+        found = ss.cycle(onset=onsets, index=1, amplitude=amplitude)
+        assert found.amplitude == pytest.approx(amplitude, rel=1e-2)
+
+
 @pytest.mark.thorough
 def test_where_a_mass_between_two_stops_ceases_to_swing_alike_and_does_so_again() -> None:
     """u(π/ω) = −u(0), and the derivative of that map by u has the eigenvalue 1. Newton's method for

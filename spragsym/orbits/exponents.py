@@ -370,14 +370,15 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         first = int(norm(flow) > options.still)
         if first:  # the flow maps its own direction to itself
             ahead[:, 0] = rate(field, flow_result.state, constants) / norm(flow)
-        order = np.arange(m)
+        order, spans = np.arange(m), m
         while True:  # directions that sticking has ended come last in QR, from then on
             next_frame, triangle = np.linalg.qr(ahead[:, order])
             sizes = np.abs(np.diag(triangle))
             lost = sizes <= options.lost * sizes.max()
-            if (lost[first:-1] <= lost[first + 1 :]).all():
+            if not lost[first:spans].any():
                 break
-            order[first:] = order[first:][np.argsort(lost[first:], kind="stable")]
+            place = first + int(lost[first:spans].argmax())
+            order, spans = np.append(np.delete(order, place), order[place]), spans - 1
         passed = (state, flow_result.state, *(each.state for each in flow_result.crossings))
         stuck = {border.place for each in passed for border in field.stays(system.mode(each))}
         if lost.sum() <= len(stuck):

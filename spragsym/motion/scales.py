@@ -227,8 +227,8 @@ def _time_and_distances(
     same_unit = np.array([[one == other for one in field.units] for other in field.units])
     angles = np.array([unit == "rad" for unit in field.units])
     stiffness, damping, acceleration = 0.0, 0.0, np.zeros(n)
-    # The mode in which the motion begins, and that at rest with all contacts closed, each on the side
-    # on which it slides: a smooth friction law may be as large as exp(reach) on the other side.
+    # The mode in which the motion begins, and that at rest with all contacts closed, on the sides
+    # on which each slides: on the other one a smooth friction law may be as large as exp(reach).
     begin, still = field.initial_mode(state, constants), field.at_rest(state[:n], constants)
     sides = zip(
         field.initial_mode(still, constants), field.mode_at_rest(state, constants), strict=True

@@ -88,7 +88,7 @@ def in_limit(item: Item, limit: LimitCase) -> Iterator[Item]:
         readings = tuple(replace(one, entry=way.forms(one.entry, it)[0]) for one in held.readings)
         yield replace(
             item,
-            held=replace(held, entries=entries, readings=readings, short=None),
+            held=replace(held, entries=entries, readings=readings),
             targets=tuple(numeric(entry, item.values) for entry in entries),
             readings=tuple(numeric(one.entry, item.values) for one in readings),
         )

@@ -242,7 +242,7 @@ class Comparison:
 
     def proved(self, tree: Node, entry: Expr) -> bool:
         """Whether a tree is the derived expression, by exact algebra."""
-        return self._is_short(tree, entry) or self._are_equal(self.exactly(tree), entry)
+        return self._are_equal(self.exactly(tree), entry)
 
     def equals(self, one: Expr, other: Expr) -> bool:
         """Whether two expressions are equal, at all samples and by exact algebra."""
@@ -257,16 +257,6 @@ class Comparison:
             return all(is_zero(sp.diff(it.expanded(gap), symbol)) for symbol in states)
         sides = it.sides if held.side == "both" else (held.side,)
         return all(self._vanishes(gap, side) for side in sides)
-
-    def _is_short(self, tree: Node, entry: Expr) -> bool:
-        """Whether a tree is the derived expression in shorthands, whatever they stand for."""
-        held = self.item.held
-        if held.short is None or entry not in (held.entries[0], -held.entries[0]):
-            return False
-        symbol_of = {value: symbol for symbol, value in held.short[1].items()}
-        known = {name: symbol_of.get(value, value) for name, value in self.names.items()}
-        entry = held.short[0] if entry == held.entries[0] else -held.short[0]
-        return is_zero(to_sympy(tree, known) - entry)
 
     def laws(self, side: str) -> dict[Symbol, Expr]:
         """What normal forces and friction coefficients are on a side of the contacts."""

@@ -13,7 +13,7 @@ from sympy import Expr, Matrix, S, Symbol
 from sympy.solvers.solveset import NonlinearError
 
 from .. import laws, linearization, mechanics, physical_checks, statics, units
-from ..algebra import Names, Row
+from ..algebra import Row
 from ..mechanics import MU, PUSHING, Mechanics, NormalForce, number, of_contact
 from ..model import Datum, Page, expression_of
 from ..motion import Motion
@@ -64,8 +64,6 @@ class Object:
     unit: Dimension | None = None
     readings: tuple[Reading, ...] = ()
     shape: tuple[int, int] | None = None
-    #: the one entry in shorthands, and what these stand for
-    short: tuple[Expr, Mapping[Symbol, Expr]] | None = None
 
     @property
     def is_value(self) -> bool:
@@ -538,10 +536,8 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
     word, _, place = name.partition(" ")
     by, values = "objects.balance_in_direction", {"matrix": D, "slope": D.diff(length), "side": b}
     if word in ("norm", "eliminated") and not place:  # 1 = bᵀ (D Dᵀ)⁻¹ b, and times det² D
-        cleared, determinant, parts = _cleared(D, b)
-        short = cleared / determinant**2 if word == "norm" else cleared
-        entry = short.subs(parts)
-        return Object((entry,), by, steady=True, short=(short, parts))
+        entry = _cleared(D, b) / (D.det() ** 2 if word == "norm" else 1)
+        return Object((entry,), by, steady=True)
     if word == "coefficient" and place.isdigit():
         coefficients = it.kept("coefficients", side, lambda: _coefficients(*in_mu))
         entry = coefficients.get(int(place), S.Zero).xreplace(it.at_rest)
@@ -558,23 +554,20 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
     return Object(entries, by, index=index, names=names, steady=True, shape=shape)
 
 
-def _cleared(D: Matrix, b: Matrix) -> tuple[Expr, Expr, Names]:
-    """|adj(D) b|² − det² D and det D in names of their entries, and what these are."""
-    matrix = Matrix(2, 2, sp.symbols("D_11 D_12 D_21 D_22"))
-    side = Matrix(sp.symbols("b_1:3"))
-    scaled, parts = matrix.adjugate() * side, dict(zip((*matrix, *side), (*D, *b), strict=True))
-    return scaled.dot(scaled) - matrix.det() ** 2, matrix.det(), parts
+def _cleared(D: Matrix, b: Matrix) -> Expr:
+    """|adj(D) b|² − det² D."""
+    scaled = D.adjugate() * b
+    return scaled.dot(scaled) - D.det() ** 2
 
 
 def _coefficients(D: Matrix, b: Matrix, length: Symbol) -> dict[int, Expr]:
     """Coefficients of |adj(D) b|² − det² D by the powers of L."""
-    entries = sp.Tuple(*D, *b)
+    cleared = _cleared(D, b)
     # Symbols for cosines and sines: related coefficients would be simplified one by one.
-    waves = {it: sp.Dummy() for it in entries.atoms(sp.cos, sp.sin)}
+    waves = {it: sp.Dummy() for it in cleared.atoms(sp.cos, sp.sin)}
     functions = {symbol: it for it, symbol in waves.items()}
-    d11, d12, d21, d22, b1, b2 = (sp.Poly(it, length) for it in entries.xreplace(waves))
-    whole = (d22 * b1 - d12 * b2) ** 2 + (d11 * b2 - d21 * b1) ** 2 - (d11 * d22 - d12 * d21) ** 2
-    return {power: value.xreplace(functions) for (power,), value in whole.terms()}
+    terms = sp.Poly(cleared.xreplace(waves), length).terms()
+    return {power: value.xreplace(functions) for (power,), value in terms}
 
 
 def balance_in_direction(it: Derivation, side: str) -> tuple[Matrix, Matrix, Symbol]:

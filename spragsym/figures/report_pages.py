@@ -47,7 +47,6 @@ from .style import (
     in_units,
     single,
     symbol,
-    write_along,
 )
 from .style import picture as content
 
@@ -144,10 +143,15 @@ def _planes(report: Facts) -> Rows:
         along = title, study.in_file(load, drawn * scale)
     meaning = first["meaning"].partition(",")[0]
     turns, varies = vary in report.folds and len(report.folds[vary]) > 0, high > low
+    path = list[Any]()
+    image = picture(
+        lambda ax: path.extend(draw_rising(ax, p, vary, (low, high), begin, (along, up)))
+    )
+    followed = f" (orange{', with its jumps' * turns})" if path else ", where it is not followed"
     yield (
-        picture(lambda ax: draw_rising(ax, p, vary, (low, high), begin, (along, up))),
-        f"{meaning[:1].upper()}{meaning[1:]} as {load} rises "
-        f"(orange{', with its jumps' * turns}); grey: all states, full where stable."
+        image,
+        f"{meaning[:1].upper()}{meaning[1:]} as {load} rises{followed}; grey: all states, full "
+        "where stable."
         + " Dots: folds, where two states meet and end." * turns
         + f" Shaded: {load} within its tolerances." * varies,
     )
@@ -239,14 +243,16 @@ def _of_motion(report: Facts, lives: Oscillation) -> Rows:
     time = report.study.scales.time
     name = report.study.kind.model.coordinates[0]
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
-    what, speed = f"rate of {name}", (f"rate of {name} in deg/s", size / time)
-    if unit == "mm":
-        what, speed = "speed along the belt", ("speed along the belt in m/s", 1e-3 * size / time)
+    frictions = report.study.kind.model.frictions
+    belt = any(one["along"] == name and one["belt"] is not None for one in frictions)
+    what = "speed along the belt" if belt and unit == "mm" else f"rate of {name}"
+    in_si, share = ("m/s", 1e-3) if unit == "mm" else ("deg/s", 1.0)
+    speed = f"{what} in {in_si}", share * size / time
     place = f"{name} in {unit}", size
     yield (
         picture(partial(draw_phase, motion, shown=(place, speed))),
-        f"The oscillation: {what} over {name}, one closed curve a cycle. "
-        "Dotted: the speed of the belt.",
+        f"The oscillation: {what} over {name}, one closed curve a cycle."
+        + " Dotted: the speed of the belt." * belt,
     )
     unit_of_rate, hertz = ("kHz", 1e-3) if lives.frequency_hz >= 1e3 else ("Hz", 1.0)
     shown = (f"frequency in {unit_of_rate}", hertz / time), (f"amplitude of {place[0]}", size)
@@ -388,5 +394,3 @@ def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes) -> 
     ax.barh(places, np.maximum(first, 0.0), color=BLUE, height=0.3)
     ax.set_yticks(places, [f"${symbol(name)}$" if name.isidentifier() else name for name in names])
     ax.set(xlabel="share of the variance of “it jumps”", xlim=(0, 1.05))
-    if names:
-        write_along(ax, "inner: alone; outer: with others", 0.98, -0.1, ha="right", color=GREY)

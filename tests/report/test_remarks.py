@@ -177,11 +177,16 @@ def test_a_model_in_which_nothing_rises_is_asked_for_its_state(
 
 @pytest.fixture
 def pages(monkeypatch: pytest.MonkeyPatch) -> Any:
-    """The pictures of a page, which are not drawn."""
+    """The pictures of a page, of which nothing is drawn but a path."""
     pytest.importorskip("matplotlib")
     from spragsym.figures import report_pages
 
-    monkeypatch.setattr(report_pages, "picture", lambda draw: "")
+    for name in ("draw_plane", "mark_brake", "draw_onset_curves", "draw_phase", "draw_shares"):
+        monkeypatch.setattr(report_pages, name, Mock())
+    for name in ("draw_harmonics", "draw_spectrum"):
+        monkeypatch.setattr(report_pages, name, Mock())
+    monkeypatch.setattr(report_pages, "draw_rising", Mock(return_value=["path"]))
+    monkeypatch.setattr(report_pages, "picture", lambda draw: draw(None) and "")
     return report_pages
 
 
@@ -209,6 +214,10 @@ def test_captions_of_the_planes(pages: Any) -> None:
     assert captions(pages._planes(never))[0].endswith("where it is shaded there are three.")
     assert len(captions(pages._planes(said_of(LOOSE, mu_lowest=math.inf)))) == 1
     assert "as F_L rises (orange" in captions(pages._planes(said_of(LOAD)))[0]
+    pages.draw_rising.return_value = []
+    assert (
+        "as F_L rises, where it is not followed; grey" in captions(pages._planes(said_of(LOAD)))[0]
+    )
 
 
 @pytest.mark.parametrize(
@@ -252,6 +261,12 @@ def test_captions_of_the_motion(pages: Any) -> None:
         "of the belt."
     )
     assert stems == "Its spectrum: x moves at multiples of 41.23 Hz alone."
+    # The friction of a pad on legs acts along x + h φ, of which a picture over x shows no belt.
+    si = {"m": 1.0, "k_c": 9.0, "a": 1.0, "mu0": 0.5, "F": 1.0, "k_x": 4.0, "k_t": 3.0, "h": 0.8}
+    legs = said_of(ss.Study(si | {"J": 0.3, "c": 1.0, "V": 5.0, "d": 1.0}, model="pad_on_legs"))
+    assert captions(pages._of_motion(legs, cycle))[0] == (
+        "The oscillation: rate of x over x, one closed curve a cycle."
+    )
     fast = dataclasses.replace(cycle, frequency_hz=2345.6)
     assert captions(pages._of_motion(said_of(SLOW), fast))[1] == (
         "Its spectrum: x moves at multiples of 2.346 kHz alone."
@@ -290,10 +305,6 @@ def test_the_caption_and_the_words_of_the_shares(
         "Which tolerance decides whether it jumps: Sobol' indices, inner bars alone, outer ones "
         "with interactions; lines: 95 % intervals."
     )
-    ax = pages.single(4.6, 3.3)[1]
-    pages.draw_shares(told.probability.sobol, ax)
-    assert ax.get_xlabel() == "share of the variance of “it jumps”"
-    assert [text.get_text() for text in ax.texts] == ["inner: alone; outer: with others"]
 
 
 def test_a_page_without_a_title_is_a_sprag_slip_report(

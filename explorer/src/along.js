@@ -4,7 +4,7 @@ import uPlot from "uplot";
 import { colours } from "./colours.js";
 import { createOverlay } from "./overlay.js";
 import { kept } from "./spans.js";
-import { inward, measured, outward } from "./units.js";
+import { beside, inward, measured, outward } from "./units.js";
 
 const COLUMNS = 161;
 /** What a picture may wait for, milliseconds. */
@@ -29,7 +29,7 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
   const plot = new uPlot({
     ...size(), legend: { show: false }, cursor: { show: false },
     scales: { x: { time: false, range: () => span() }, y: { range: () => spread() } },
-    axes: [axis(() => measured(field().symbol, field().unit), 34), axis(measured(coordinate.symbol, coordinate.unit), 52)],
+    axes: [axis(() => measured(field().symbol, field().unit), 34), axis(measured(coordinate.symbol, coordinate.unit), beside)],
     series: [{}, { paths: () => null, points: { show: false } }],
     hooks: { draw: [marks, () => draw()] },
   }, [[0, 1], [0, 1]], box);

@@ -3,7 +3,7 @@
 import FFT from "fft.js";
 import uPlot from "uplot";
 import { colours } from "./colours.js";
-import { measured } from "./units.js";
+import { beside, measured } from "./units.js";
 
 /** Samples that are kept, and the fewest that give a spectrum. */
 const SAMPLES = 2048;
@@ -37,20 +37,20 @@ export function createCharts({ trace, phase, spectrum }, coordinates, [lasting, 
   const plain = { legend: { show: false }, cursor: { show: false } };
 
   const traced = new uPlot({
-    ...plain, ...size(trace), scales: { x: { time: false, range: reach(100 * lasting) }, y: { range: reach(0.1 * first.size) } }, axes: [axis(time_name ? measured("time", time_name) : "time τ", { size: 32 }), axis(measured(names.join(", "), first.unit), { size: 50 })],
+    ...plain, ...size(trace), scales: { x: { time: false, range: reach(100 * lasting) }, y: { range: reach(0.1 * first.size) } }, axes: [axis(time_name ? measured("time", time_name) : "time τ", { size: 32 }), axis(measured(names.join(", "), first.unit), { size: beside })],
     series: [{}, ...names.map((_, i) => ({ ...LINES[i % LINES.length], stroke: () => colour[STROKES[i % STROKES.length]] }))],
     hooks: { drawAxes: [marks] },
   }, [[], ...names.map(() => [])], trace);
 
   const portrait = new uPlot({
     ...plain, ...size(phase), scales: { x: { time: false, range: () => spread(history.q[0], first.size) }, y: { range: () => spread(history.v, first.rate) } },
-    axes: [axis(measured(names[0], first.unit), { size: 32 }), axis(measured(`${names[0]}′`, first.rate_unit), { size: 50 })], series: [{}, { paths: () => null, points: { show: false } }],
+    axes: [axis(measured(names[0], first.unit), { size: 32 }), axis(measured(`${names[0]}′`, first.rate_unit), { size: beside })], series: [{}, { paths: () => null, points: { show: false } }],
     hooks: { draw: [orbit] },
   }, [[0, 1], [0, 1]], phase);
 
   const spectral = new uPlot({
     ...plain, ...size(spectrum), scales: { x: { time: false, range: () => [0, time_name ? HIGHEST / (2 * Math.PI * lasting) : HIGHEST] }, y: { range: reach(0.1 * first.size) } },
-    axes: [axis(time_name ? `frequency in ${time_name === "s" ? "Hz" : `1/${time_name}`}` : "angular frequency", { size: 32 }), axis(measured(`amplitude of ${names[0]}`, first.unit), { size: 50 })],
+    axes: [axis(time_name ? `frequency in ${time_name === "s" ? "Hz" : `1/${time_name}`}` : "angular frequency", { size: 32 }), axis(measured(`amplitude of ${names[0]}`, first.unit), { size: beside })],
     series: [{}, { stroke: () => colour.accent, width: 1.5, fill: () => colour.three }],
   }, [[], []], spectrum);
 

@@ -5,7 +5,7 @@ import { colours } from "./colours.js";
 import { written } from "./numbers.js";
 import { createOverlay } from "./overlay.js";
 import { kept, spanOf } from "./spans.js";
-import { inward, measured, outward } from "./units.js";
+import { beside, inward, measured, outward } from "./units.js";
 
 /** Shares of a span that a key moves. */
 const [ACROSS, UP] = [1 / 360, 1 / 200];
@@ -27,7 +27,7 @@ export function createPlane(box, store, axes) {
       legend: { show: false },
       cursor: { show: false },
       scales: { x: { time: false, range: () => spans[0] }, y: { range: () => spans[1] } },
-      axes: [axis(0, 34, { splits: (_, __, low, high) => (axes[0].angle ? ANGLES.filter((angle) => low <= angle && angle <= high) : undefined) ?? ticks(low, high) }), axis(1, 46)],
+      axes: [axis(0, 34, { splits: (_, __, low, high) => (axes[0].angle ? ANGLES.filter((angle) => low <= angle && angle <= high) : undefined) ?? ticks(low, high) }), axis(1, beside)],
       series: [{}, { paths: () => null, points: { show: false } }],
       hooks: { drawAxes: [shade], draw: [curves, () => store.get() && draw()] },
     },

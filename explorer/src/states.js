@@ -17,6 +17,9 @@ export const touchingIn = (about) => about.regimes.flatMap(({ touching }, regime
 /** A title, and behind it the name of a contact that has one. */
 const titled = (title, { name }) => (name ? `${title} ${name}` : title);
 
+/** The unit of a rate, if it has one. */
+const rate_unit = ({ time: [, unit] }) => unit && `1/${unit}`;
+
 /** Columns of the table: each a title and what it says of a state, `of` being what acts on it. */
 function columns(about, units) {
   const { springs } = about;
@@ -27,7 +30,7 @@ function columns(about, units) {
     ...each.map((i) => [`${numbered("θ", i, springs)} in °`, (state) => turned(state, i)]),
     ...about.coordinates.map(({ name, angle }, i) => [measured(symbolOf(name), angle ? "°" : length), (state) => written(angle ? degrees(state.q[i]) : long * state.q[i], 8)]),
     ...each.map((i) => [measured(numbered("L", i, springs), length), (state) => written(long * state.along[3 * i + 2], 7)]),
-    ["growth", (state) => written(state.rate, 3)],
+    [measured("growth", rate_unit(units)), (state) => written(state.rate / units.time[0], 3)],
     ["without damping", (state) => `<span title="${ABOUT[state.undamped]}"><i aria-hidden="true">${SIGNS[state.undamped]}</i> ${state.undamped}</span>`],
     ...(about.proved ? [["error bound", (state) => written(state.error, 2)]] : []),
     ...each.map((i) => [measured(numbered("S", i, springs), force), (_, of) => written(strong * of.tensions[i], 5)]),
@@ -88,7 +91,7 @@ export function story(now, about, fields, units) {
     return `No state ${now.found.proved ? "in contact with the belt" : "was found that the mass could keep"}: see the motion below.${jump}${more}`;
   }
   const without = state.undamped === state.stability ? "" : state.undamped === "flutter" ? "; it flutters, so the motion below swings up" : `; ${state.undamped} without damping`;
-  const grows = state.stability === "unstable" && state.undamped === "stable" ? `, small deviations grow at the rate ${written(state.rate, 2)}` : "";
+  const grows = state.stability === "unstable" && state.undamped === "stable" ? `, small deviations grow at the rate ${written(state.rate / units.time[0], 2)} ${rate_unit(units)}`.trimEnd() : "";
   const kind = `, ${state.stability}${grows}${without}`;
   const many = now.found.states.filter(({ regime }) => touchingIn(about).includes(regime)).length;
   const side = about.regimes[0].says === "contact" ? " in contact" : "";

@@ -32,3 +32,6 @@ export const inward = ({ one }, value) => value * one;
 export const outward = ({ one }, value) => value / one;
 /** What something is called, with its unit. */
 export const measured = (text, unit) => text + (unit && ` in ${unit}`);
+
+/** Room beside an axis that goes up: as much as its widest number takes. */
+export const beside = (_, numbers) => Math.max(46, 18 + 7 * Math.max(...(numbers ?? []).map((text) => text.length)));

@@ -241,6 +241,13 @@ def test_data_of_ones_own_is_typed_and_shown_in_its_units(browser: Any, tmp_path
     assert [float(cell.replace("−", "-")) for cell in cells[:count]] == pytest.approx(
         38 * eq["x"][:count], rel=1e-6
     )
+    growth = page.locator("#states th").all_inner_texts().index("growth in 1/s")
+    rates = page.locator(f"#states tr td:nth-child({growth + 1})").all_inner_texts()
+    second = math.sqrt(0.35 / 1500e3)
+    slides = p.replace(V=1.2 * second / 0.038, d=10 * 0.038 / second)
+    assert [float(rate.replace("−", "-")) for rate in rates[:count]] == pytest.approx(
+        ss.equilibria(slides)["growth"][:count] / second, rel=0.01
+    )
     page.set_viewport_size({"width": 1280, "height": 900})
     sizes = "table => [table.parentElement.scrollWidth, table.parentElement.clientWidth]"
     whole, shown = page.locator("#states").evaluate(sizes)

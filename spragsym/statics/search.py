@@ -384,7 +384,8 @@ def of_region(balance: Balance, region: FloatArray, whole: BoolArray) -> tuple[s
     ends = zip(balance.coordinates, -hull[0], hull[1], strict=True)
     places = [
         At(name, (float(low), float(high)), unit="rad" * balance.model.is_angle(name))
-        if high - low < 1e12  # a wider one is no bound, but the limit of the search
+        # A wider one about 0 is no bound, but the limit of the search.
+        if high - low < 1e12 or not low < 0 < high
         else Remark(f"any {name}")
         for name, low, high in ends
     ]

@@ -64,6 +64,7 @@ def test_nothing_holds_it_from_locking_on(lever: ss.Model) -> None:
     assert not at.complete
     low, high = at.region[0]
     assert 1e13 < low < high
+    assert any(remark.startswith("searched within phi in [1e+1") for remark in at.remarks)
 
 
 def test_it_locks_where_the_arms_are_as_friction(lever: ss.Model) -> None:

@@ -1,4 +1,4 @@
-"""Options of what is followed along a parameter or a curve."""
+"""Options of continuation along a parameter or a curve."""
 
 from __future__ import annotations
 
@@ -10,48 +10,51 @@ from ..statics.options import SearchOptions
 
 @dataclass(frozen=True)
 class ContinuationOptions(Options):
-    """Options of paths of states, of tubes that prove them, and of curves in a plane. None of them
-    decides what is true: with smaller limits more is undecided.
+    """Options of paths of states, of the tubes that prove them, and of curves in a plane.
+
+    No option decides what is true: with smaller limits more is undecided.
 
     Parameters
     ----------
     search : SearchOptions
-        Of the states and points that are looked for.
+        Options of the search for states and bifurcation points.
     first_step, least_step : float
-        First and least step of a tube, over the whole way.
+        First and least step of a tube, as a share of the whole way.
     steps, turn_steps, steep_steps : int
-        Most steps of a tube along the parameter, over a fold, and where the curve is steep.
+        Most steps of a tube along the parameter, across a fold, and where the curve is steep.
     half_width : float
         Least half-width of a tube, over the size of its coordinates.
     inflations : int
-        Times that a tube is made wider before its step is halved.
+        Times that a tube is widened before its step is reduced.
     inflation : float
-        Share of its width by which it is.
+        Share of its width by which a tube is widened.
     newton_steps, secant_steps : int
-        Steps of Newton's method in the middle of a tube, and of the secant method towards a fold.
+        Most steps of Newton's method in the middle of a tube, and of the secant method towards a
+        fold.
     segments : int
         Most segments of a tube towards a fold.
     fold_distance : float
-        Distance from a fold at which the states beside it are looked at, over its value or 1, or
-        the largest value on the way if that is less.
+        Distance from a fold at which the states beside it are computed, over its value or 1, or
+        over the largest value of the path if that is less.
     halvings : int
-        Times that a step is halved to tell branches apart, where all is to be known.
+        Times that a step is halved to match branches.
     open_steps : int
-        Steps that are left beyond which none is halved any more.
+        Unmatched steps beyond which none is halved any more.
     smoothness : float
-        How far a curve may be from the straight line between two of its points, over the ranges of
-        the parameters.
+        Largest distance of a curve from the straight line between two of its points, over the
+        ranges of the parameters.
     deviation : float
-        How far the middle between two of its points may be from that of a cubic with their
-        tangents, over their distance: beyond, they lie on different curves.
+        Largest distance of the point half-way between two points from the Hermite cubic, over
+        their distance: beyond it they lie on different curves.
     refinements : int
-        Times that points are put between all neighbours to that end.
+        Times that points are added between neighbours to make a curve smooth.
     pace, least_pace : float
-        First and least pace behind the end of a chain of points, over the ranges.
+        First and least step of pseudo-arclength continuation at the end of a chain of points, over
+        the ranges.
     paces : int
-        Paces that are tried there.
+        Most steps of it.
     turn : float
-        Cosine of the largest turn within a pace.
+        Cosine of the largest change of direction within a step.
     undamped : float
         C over K up to which an undecided state is reported as next to undamped.
 

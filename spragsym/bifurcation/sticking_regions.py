@@ -1,14 +1,14 @@
-"""Regions of states in which several frictions hold where nothing moves, of forces that are linear
-in the coordinates, where no contact opens.
+"""Regions of sticking states with several frictions, where forces are linear in the coordinates and
+no contact opens.
 
-With the coefficients μ_i = h_i μ_s,i and given normal forces N_i, the balance K q + b + S h = 0
-makes of the box of shares h_i in [−1, 1] a parallelepiped of states: each coordinate is least and
-largest at its middle less and plus the sizes of all edges along it. A column of S is μ_s,i N_i
-times that of the displacement which friction opposes; in these displacements the measure of the
-region is 2ᵐ |det(Sᵀ K⁻¹ S)| / Π μ_s,i N_i.
+With the coefficients μ_i = h_i μ_s,i and prescribed normal forces N_i, the balance K q + b + S h =
+0 maps the box of shares h_i in [−1, 1] to a parallelepiped of states. The least and the largest
+value of a coordinate are its middle minus and plus the sizes of all edges along it. A column of S
+is μ_s,i N_i times the gradient of the displacement that friction opposes. In these displacements
+the measure of the region is 2ᵐ |det(Sᵀ K⁻¹ S)| / Π μ_s,i N_i.
 
-Where no force depends on a coordinate, as on a ramp, a column of K is 0 and one friction has one
-share at all states: these form a line along that coordinate, which has no end.
+If no force depends on a coordinate, as on a ramp, a column of K is 0 and the one friction has one
+share at all states. They form a line along that coordinate, without ends.
 """
 
 from __future__ import annotations
@@ -32,13 +32,14 @@ from .sticking_sets import Touches, sets_of, solved
 
 
 class NotLinear(ModelError):
-    """Forces that are not linear in coordinates and shares of friction, or contacts that open."""
+    """Raised if forces are not linear in coordinates and shares, or if a contact opens."""
 
 
 @dataclass(frozen=True)
 class _Linear:
-    """Forces K q + b + S h of coordinates and shares, (n, n), (n,) and (n, m), and μ_s N of every
-    friction that holds, (m, 1), None where one does not press.
+    """The forces K q + b + S h of coordinates and shares, with shapes (n, n), (n,) and (n, m).
+
+    ``most`` are μ_s N of all frictions that hold, (m, 1); None if a contact does not press.
     """
 
     it: Touches
@@ -49,7 +50,10 @@ class _Linear:
 
     @classmethod
     def of(cls, p: ParameterSet, own: ParameterSet) -> _Linear:
-        """Of scalar parameters; ``own`` are those with the shares as parameters."""
+        """The linear forces of scalar parameters; ``own`` are parameters of the model with shares.
+
+        Raises NotLinear if the forces are not linear.
+        """
         key, *others = own.model.regimes
         it, shape = Touches(p.model, own, key), (1,)
         balance, n = it.balance, it.balance.n
@@ -74,8 +78,8 @@ class _Linear:
 
 
 def region(p: ParameterSet, own: ParameterSet) -> StickingStates:
-    """All states in which every friction that can hold does, of scalar parameters; a
-    :class:`NotLinear` error where forces are not linear in coordinates and shares.
+    """All sticking states of scalar parameters in which every friction that can hold does;
+    NotLinear if forces are not linear.
     """
     linear = _Linear.of(p, own)
     if linear.most is None:
@@ -101,8 +105,8 @@ def region(p: ParameterSet, own: ParameterSet) -> StickingStates:
 
 
 def line(p: ParameterSet, own: ParameterSet) -> StickingStates | None:
-    """All states in which the only friction holds, of scalar parameters, where no force depends on
-    one of the coordinates; None where each has a force that does, or forces are not linear.
+    """All sticking states with one friction, if no force depends on one of the coordinates; else
+    None.
     """
     try:
         linear = _Linear.of(p, own)
@@ -131,8 +135,9 @@ def line(p: ParameterSet, own: ParameterSet) -> StickingStates | None:
 
 
 def is_convex(p: ParameterSet) -> bool:
-    """Whether all states in which friction holds are proved to form one convex set, as where forces
-    are linear: that in which the balance and |h_i| ≤ 1 hold, both linear in coordinates and shares.
+    """Whether all sticking states are proved to form one convex set.
+
+    They do if forces are linear: the balance and |h_i| ≤ 1 are linear in coordinates and shares.
     """
     try:
         return _Linear.of(p, held(p)).most is not None

@@ -1,10 +1,8 @@
-"""Points at which a function of quantities that vary is looked at, by quasi-Monte Carlo, what of
-them is kept, and dependence.
+"""Quasi-Monte Carlo points, sums of function values over them, and dependence of the quantities.
 
-They are several independent scramblings of one Sobol' sequence; one more set of points, and
-mixtures of both, are for Sobol' indices. Of a chunk only sums are kept. Quantities depend on each
-other by a Gaussian copula: the correlations of normal scores behind whatever distributions they
-have.
+Points are several independent scramblings of one Sobol' sequence. For Sobol' indices a second set
+of points and mixtures of both are added. Of each chunk of points only sums are kept. Dependence of
+quantities is a Gaussian copula: correlations of normal scores, whatever the distributions are.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -17,8 +15,7 @@ import numpy as np
 from ..core.errors import ParameterError
 from ..models.parameters import FloatArray, Range, as_number
 
-#: Values of a function at points of the unit cube, of shape (points, variables); NaN where it has
-#: none.
+#: A function of points of the unit cube, shape (points, variables); NaN where it has no value.
 Function = Callable[[FloatArray], FloatArray]
 
 
@@ -32,7 +29,7 @@ class Chunk(NamedTuple):
 
 
 def chunks(n: int, seeds: Sequence[int]) -> list[Chunk]:
-    """``n`` points or a few more, in sequences of a power of two each, one a seed."""
+    """Chunks of at least ``n`` points: one sequence for each seed, of a power of two points."""
     each = 1 << max(int(np.ceil(np.log2(max(n / len(seeds), 2)))), 1)
     size = min(each, max(1 << 12, min(1 << 15, each // 8)))
     return [
@@ -45,11 +42,11 @@ def chunks(n: int, seeds: Sequence[int]) -> list[Chunk]:
 def sums(
     function: Function, groups: Sequence[Sequence[int]], indices: bool, together: Sequence[Chunk]
 ) -> list[list[float]]:
-    """Sums of each of some chunks: number, undecided, Σf and Σf² over both sets; then for each
-    group of variables two for its indices.
+    """For each chunk the number of values, that of NaN, Σf and Σf² over both sets, then two sums
+    for the indices of each group of variables.
     """
     sets = [_sets(groups, indices, chunk) for chunk in together]
-    # All at once: what follows states is as slow for few as for many.
+    # All points at once, since following states takes as long for few as for many.
     values = np.split(function(np.concatenate(sets)), np.cumsum([len(one) for one in sets])[:-1])
     return [
         _sums(np.reshape(one, (-1, chunk.size)), 2 if indices else 1)
@@ -58,7 +55,9 @@ def sums(
 
 
 def _sets(groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk) -> FloatArray:
-    """Points of a chunk, one set after the other."""
+    """Points of a chunk: its set and, for indices, the second set and one mixture for each
+    group.
+    """
     from scipy.stats import qmc
 
     variables = sum(map(len, groups))
@@ -77,7 +76,9 @@ def _sets(groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk) -> Float
 
 
 def _sums(values: FloatArray, own: int) -> list[float]:
-    """Sums of values by set, of which the first are the chunk's own."""
+    """Sums of the values of a chunk, shape (sets, points); the first ``own`` sets are its
+    points.
+    """
     unknown, values = np.isnan(values), np.nan_to_num(values)
     result = [
         float(own * values.shape[1]),
@@ -90,31 +91,30 @@ def _sums(values: FloatArray, own: int) -> list[float]:
     return result
 
 
-#: Pairs of quantities → how they are correlated, from −1 to 1.
+#: Correlation coefficients in [−1, 1], by pairs of quantities.
 Correlation: TypeAlias = Mapping[tuple[str, str], float]
 
-#: Eigenvalue of a correlation matrix that counts as 0.
+#: Eigenvalues of a correlation matrix down to minus this count as 0.
 _SINGULAR = 1e-12
 
 
 @dataclass(frozen=True)
 class Dependence:
-    """For each group of positions in ``names`` that are correlated among each other a factor F:
-    scores are F g.
+    """A Gaussian copula: for each group of correlated ``names``, by index, a factor F of the
+    correlation matrix.
+
+    Normal scores of the group are F g with independent g.
     """
 
     names: tuple[str, ...]
     factors: Mapping[tuple[int, ...], FloatArray]
 
     def shares(self, points: FloatArray) -> FloatArray:
-        """Points of the unit cube, of shape (n, names), as shares of distributions that are
-        correlated so.
-        """
+        """Points of the unit cube, shape (n, names), transformed to the correlated distribution."""
         from scipy.special import ndtr, ndtri
 
         result = np.array(points)
-        # The least share that has a normal score to speak of.
-        least = 2.0**-40
+        least = 2.0**-40  # normal scores stay finite
         for group, factor in self.factors.items():
             if len(group) > 1:
                 scores = ndtri(np.clip(points[:, group], least, 1 - least))
@@ -122,9 +122,7 @@ class Dependence:
         return result
 
     def corners(self) -> FloatArray:
-        """Shares of 0 and 1 that may occur together: all of them, but where some quantities decide
-        others.
-        """
+        """Corners of the unit cube that can occur: not all, if some quantities determine others."""
         parts = []
         for group, factor in self.factors.items():
             kept = factor[:, np.abs(factor).max(axis=0) > _SINGULAR**0.5]
@@ -138,7 +136,7 @@ class Dependence:
 
     @property
     def titles(self) -> tuple[str, ...]:
-        """A name for each group."""
+        """Names of the groups."""
         return tuple(", ".join(self.names[i] for i in group) for group in self.factors)
 
 

@@ -1,8 +1,9 @@
-"""A state of a model followed as one parameter moves slowly: where it goes, where it vanishes, and
-what it jumps to.
+"""Quasi-static paths: a state followed as one parameter moves slowly, where it vanishes, and where
+it jumps.
 
-All folds along the parameter are known and proved beforehand. Between two of them a step is taken
-from one value to the next only to the state that is proved to lie on the same branch: see
+All points at which states vanish (folds, borders, escapes to infinity) are found and proved
+beforehand. The values of the path and nodes beside these points form a mesh. From one node to the
+next a step goes only to the state that is proved to lie on the same branch, see
 :mod:`spragsym.bifurcation.branches`.
 """
 
@@ -44,8 +45,9 @@ from .turning_points import limit_points
 
 
 def _size(values: FloatArray, along: FloatArray) -> FloatArray:
-    """|value|, and no less than 1 or the largest on the way if that is less, unless all are 0: over
-    it room is left around values of a parameter in any units.
+    """|value|, but at least 1, or the largest value of the path if that is less.
+
+    Distances in the parameter are relative to it, so that paths in any units are alike.
     """
     largest = float(np.abs(along).max()) or 1.0
     return np.maximum(min(1.0, largest), np.abs(values))
@@ -53,20 +55,19 @@ def _size(values: FloatArray, along: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class ModelEnd(Result):
-    """Value at which a state vanishes at a fold, leaves the contact or runs to infinity."""
+    """The end of a followed state: at a fold, at the border of a contact, or at infinity."""
 
     value: float  #: of the parameter, at the fold, on the border or in the limit
-    # ``"fold"``, ``"pitchfork"``, ``"border"`` where it leaves the contact, ``"border_fold"`` where
-    # one of several contacts is lost or regained, or ``"infinity"`` where it runs there
+    #: ``"fold"``, ``"pitchfork"``, ``"border"`` (leaves the contact), ``"border_fold"`` (one of
+    #: several contacts is lost or regained) or ``"infinity"``
     kind: str
     before: Mapping[str, float]  #: coordinates there
     error: float  #: bound on the error of ``value``
-    touching: str = ""  #: contacts that touch before it, of several
-    at_border: str = ""  #: the contact that is lost or regained there, if one is
+    touching: str = ""  #: touching contacts before the end, if there are several
+    at_border: str = ""  #: the contact that is lost or regained, if one is
 
 
-#: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq,
-#: before) → slot.
+#: Chooses the state after a jump: (equilibria beyond the fold, coordinates of the fold) → slot.
 Choice = Callable[[Equilibria, Mapping[str, float]], int]
 
 
@@ -81,63 +82,65 @@ def quasi_static_path(
     options: ContinuationOptions | None = None,
     method: Method = "auto",
 ) -> Path:
-    """Follow an equilibrium in contact as a parameter moves through ``values``, up or down, with
-    its jumps.
+    """Follow an equilibrium in contact as a parameter moves through ``values``, with its jumps.
 
     Parameters
     ----------
     p : Parameters
-        Of any model, scalars; the parameter that varies is not used.
+        Of any model, scalars; the value of the parameter that varies is not used.
     vary : str
-        Its name.
+        Name of the parameter.
     values : array_like
         One axis, strictly increasing or strictly decreasing.
     start : "small", "large" or int
-        Where to begin, at the first value: the reference state, see
-        :mod:`spragsym.statics.reference_state`, or the one that ``p.following(…)`` chose; the
-        stable equilibrium of largest first coordinate, by size; or a slot of
+        The state at the first value. ``"small"`` is the reference state, see
+        :mod:`spragsym.statics.reference_state`, or the state chosen by ``p.following(…)``;
+        ``"large"`` is the stable equilibrium of largest |first coordinate|; an int is a slot of
         :func:`spragsym.equilibria`.
     after_jump : callable, optional
-        Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Without it the
-        stable one that is nearest, or the only one that is left; from infinity, where none is the
-        nearest, it goes nowhere. Whether the motion settles there
-        or on a limit cycle, :func:`spragsym.simulate` tells.
+        Chooses the equilibrium after a jump: ``(eq, before) -> slot``. By default the nearest
+        stable one, or the only one that is left; from infinity, where none is nearest, the path
+        ends. :func:`spragsym.simulate` shows whether the motion settles there or on a limit cycle.
     options : ContinuationOptions, optional
-        Tolerances and limits of what is followed, and of the search below it.
+        Tolerances and limits of the continuation, and of the search that it uses.
     method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or the
-        search.
+        A closed form if the model has one for these arguments and else the search; only the closed
+        form; or only the search.
 
     Returns
     -------
     Path
-        With the values that are reached: where the state runs to infinity, and no ``after_jump``
-        says where it goes or no state is left, the path ends, with a last entry of ``jumps`` of the
-        kind ``"infinity"``, whose ``after`` is empty and whose ``undamped_after`` is None.
+        With the values that are reached. If the state runs to infinity, and there is no
+        ``after_jump`` or no state is left, the path ends. Its last entry of ``jumps`` then has the
+        kind ``"infinity"``, an empty ``after``, and ``undamped_after`` None.
 
     Raises
     ------
     ParameterError
-        For values that do not go one way, or out of range, or a ``start`` that has no equilibrium.
+        For values that are not monotonic or out of range, or a ``start`` without an equilibrium.
     ConvergenceError
-        Where folds or equilibria are not all decided, or nothing stable is left to jump to.
+        If folds or equilibria are not all decided, or no stable state is left to jump to.
 
     Notes
     -----
     Source: article, Figures 6 and 13; all folds along the parameter, see :func:`spragsym.folds`,
     and which states lie on one branch, see :mod:`spragsym.bifurcation.branches`.
 
-    A value that lies within the ``error`` of a fold of ``folds``, or is its float where that error
-    is no more than rounding, counts as the fold itself, not passed yet: the state on it is the one
-    that arrives there, and the jump comes beyond it. If the first value is a fold, "small" and
-    "large" choose among the states there, the one in which two equilibria meet included; then the
-    path goes on with the stable one of those two, or jumps. At a pitchfork where three equilibria
-    become one that is stable each goes on as that one, and where one becomes three, two of them
-    stable, the path goes on with the one of larger x, or of whatever the mirror turns. Where it is
-    the middle one of three that is stable it ends there, and the path jumps. Of several contacts a
-    state goes on where it passes from one combination of touches into another, and jumps at a
-    border fold, see :mod:`spragsym.bifurcation.borders`; a value on a border is an error. Of states
-    that are equally small, or equally near, the one of larger coordinates is taken.
+    A value within the ``error`` of a fold of ``folds``, or equal to its float if that error is
+    rounding only, counts as the fold itself, not passed yet: the state there is the one that
+    arrives, and the jump comes after it. If the first value is a fold, "small" and "large" choose
+    among the states there, with the one in which two equilibria meet; the path goes on with the
+    stable one of those two, or jumps.
+
+    At a pitchfork where three equilibria become a stable one, each of them goes on as that one.
+    Where a stable one becomes three, of which two are stable, the path goes on with that of larger
+    x, or of the coordinate whose sign the mirror changes. Where only the middle one of three is
+    stable, it ends at the pitchfork, and the path jumps.
+
+    With several contacts, a state goes on where it passes from one combination of touching contacts
+    into another, and jumps at a border fold, see :mod:`spragsym.bifurcation.borders`; a value on a
+    border is an error. Of states that are equally small, or equally near, the one of larger
+    coordinates is taken.
 
     Examples
     --------
@@ -161,7 +164,7 @@ def quasi_static_path(
     for node in range(1, continuation.mesh.size):
         location = continuation.followed(node, location)
         if continuation.ended(node, location):
-            # No state is the nearest to infinity.
+            # From infinity no state is the nearest: only after_jump can choose.
             if continuation.far[~location] and (
                 after_jump is None or not continuation.eq.count[node]
             ):
@@ -185,11 +188,11 @@ def quasi_static_path(
 def first_end(
     p: ParameterSet, vary: str, span: Span, *, start: int | str = "small"
 ) -> ModelEnd | None:
-    """First value at which a state that is followed from the first value of a span to the last one
-    vanishes; None if it does not.
+    """The first end of the state that is followed over a span of the parameter; None if it does not
+    end.
 
-    Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it
-    is not asked.
+    Arguments and errors are those of :func:`quasi_static_path`. Whether there is a state beyond the
+    end is not asked.
     """
     continuation = QuasiStaticContinuation(p, vary, np.array(span))
     location = continuation.begin(start)
@@ -239,23 +242,23 @@ def border_ends(
 
 
 def _widened(allowed: Range, span: Span) -> FloatArray:
-    """A range that ends a little beyond the ends of the domain that it holds."""
+    """The span, extended a little where it ends at an end of the allowed range."""
     low, high = span
-    room = 1e-3 * (high - low)
+    margin = 1e-3 * (high - low)
     ends = [
-        low - room if low == allowed.low else low,
-        high + room if high == allowed.high else high,
+        low - margin if low == allowed.low else low,
+        high + margin if high == allowed.high else high,
     ]
     return np.array([ends])
 
 
 class QuasiStaticContinuation:
-    """Values and the nodes beside each fold, the equilibria at all of them, and which of two
-    neighbours lie on one branch.
+    """A mesh of values of one parameter, the equilibria at its nodes, and which of them lie on one
+    branch.
 
-    A place is a slot of the equilibria at a node, or ``~number`` of the point at which a state has
-    vanished: where that is a fold and the node itself, the path goes on from the state in which two
-    meet.
+    A location of the followed state is the slot of an equilibrium at a node, or ``~number`` for the
+    point of that number at which the state has vanished. If such a point is a fold and the node
+    itself, the path may go on from the state in which two equilibria meet.
     """
 
     def __init__(
@@ -267,17 +270,17 @@ class QuasiStaticContinuation:
     ) -> None:
         self.options = options or ContinuationOptions()
         self.search = self.options.asked
-        #: Of every combination of contacts that touch, by the names of these, its balance.
+        #: The balance of every combination of touching contacts, by their names.
         self.balances = {one.touching: one for one in balances_of(p.model, options=self.search)}
         self.p, self.vary, self.balance = p, vary, next(iter(self.balances.values()))
         p.model.require_parameter(vary)
         try:
             ends = self._ends(along, self.options.fold_distance)
-        except ConvergenceError:  # of what lies beyond the values nothing is asked
+        except ConvergenceError:  # points beyond the values do not matter
             ends = self._ends(along, 1e-6)
         every = self._turns_within(along, ends)
-        #: Points at which states vanish, and those at which they pass from one combination of
-        #: contacts that touch into another.
+        #: Points at which states vanish, and points at which they pass from one combination of
+        #: touching contacts into another.
         self.turns = every.select(every.kind != "passes")
         self.passes = every.select(every.kind == "passes")
         self.at, self.kinds = self.turns[vary], self.turns.kind
@@ -287,7 +290,7 @@ class QuasiStaticContinuation:
         self.far = np.char.startswith(self.kinds.astype(str), "infinity")
         self.mesh = self._mesh(along)
         self.eq = self._with_meetings(self._equilibria(self.mesh))
-        #: All pairs of slots of a step on one branch, not only those that tubes join at once.
+        #: All pairs of slots of one step, while ``joined`` has those found without halving steps.
         self._links = functools.cache(self._linked)
         self.joined = self._in_combinations()
 
@@ -296,8 +299,9 @@ class QuasiStaticContinuation:
         return equilibria(self.p.replace(**{self.vary: values}), options=self.search)
 
     def _in_combinations(self, only: int | None = None) -> list[dict[int, int]]:
-        """Pairs of slots on one branch for each step, or for the one that is asked for, in which no
-        contact is lost or regained.
+        """Pairs of slots on one branch in which no contact is lost or regained, for each step.
+
+        With ``only``, the number of one step, all pairs of that step.
         """
         found = list[dict[int, int]]()
         options = replace(self.options, halvings=0) if only is None else self.options
@@ -312,8 +316,8 @@ class QuasiStaticContinuation:
         return found
 
     def _linked(self, step: int) -> dict[int, int]:
-        """All pairs of slots of a step on one branch, those that pass from one combination of
-        contacts into another included.
+        """All pairs of slots of a step on one branch, with states that pass from one combination of
+        touching contacts into another.
         """
         (found,) = self._in_combinations(step)
         low, high = sorted(self.mesh[step : step + 2])
@@ -323,8 +327,9 @@ class QuasiStaticContinuation:
         if not len(passed):
             return found
         ends = self.turns.select((self.at >= low) & (self.at <= high))
-        gone = [slot for slot in range(int(self.eq.count[step])) if slot not in found]
-        begun = [slot for slot in range(int(self.eq.count[step + 1])) if slot not in found.values()]
+        before, after = (range(int(count)) for count in self.eq.count[step : step + 2])
+        gone = [slot for slot in before if slot not in found]
+        begun = [slot for slot in after if slot not in found.values()]
         if len(passed) > 1 or len(ends) or len(gone) != 1 or len(begun) != 1:
             raise ConvergenceError(
                 f"which states pass between {self.vary} = {low:.17g} and {high:.17g}, where a "
@@ -333,51 +338,45 @@ class QuasiStaticContinuation:
         return found | {gone[0]: begun[0]}
 
     def _balance(self, node: int, slot: int) -> Balance:
-        """The balance of the combination of contacts that touch in a state."""
+        """The balance of the combination of touching contacts in a state."""
         if len(self.balances) == 1:
             return self.balance
         return self.balances[str(self.eq["touching"][node, slot])]
 
     def _with_meetings(self, eq: Equilibria) -> Equilibria:
-        """States along the path with those at values where states meet and the digits do not
+        """The equilibria with nodes decided that lie on points where states meet and digits do not
         decide.
 
-        Of a pitchfork it is the state in which three meet; the one in which two meet at a fold
-        stands in no slot. That no other is there is known once all states beside the value are
-        joined to those on it.
+        At a pitchfork the state in which three meet is added; the state in which two meet at a fold
+        has no slot. That there is no other state follows once all states beside the node are joined
+        to those on it.
         """
         for node in np.flatnonzero(~eq.decided).tolist():
             here = np.flatnonzero((self.at == self.mesh[node]) & ~self.far)
             states = self.q[:, here].T
-            room = self.options.fold_distance * scale_of(states)
+            distance = self.options.fold_distance * scale_of(states)
             boxes = [box for box in eq.undecided if box.index == (node,)]
-            near = np.array(
-                [
-                    ((states - box.low <= room) & (box.high - states <= room)).all(axis=-1)
-                    for box in boxes
-                ]
-            )
+            inside = [
+                (states - box.low <= distance) & (box.high - states <= distance) for box in boxes
+            ]
+            near = np.array([mask.all(axis=-1) for mask in inside])
             if not near.any(axis=-1).all():
                 continue
             eq = as_decided(eq, node)
             for number in here.tolist():
                 if self.kinds[number] == "pitchfork" and near[:, here == number].any():
-                    eq = with_state(
-                        eq,
-                        node,
-                        self._place(number),
-                        self._stability_met(number),
-                        float(self.turns.error[number]),
-                    )
+                    place, stability = self._place(number), self._stability_met(number)
+                    error = float(self.turns.error[number])
+                    eq = with_state(eq, node, place, stability, error)
         return eq
 
     def _ends(self, along: FloatArray, beyond: float) -> list[Points]:
-        """Values at which states vanish: folds, and where they leave the contact. Those on the ends
-        are inside of what is searched.
+        """All points at which states vanish or pass, along the values and a little beyond both
+        ends.
         """
-        allowed, room = self.p.ranges[self.vary], beyond * _size(along, along)
-        low = max(float((along - room).min()), allowed.low)
-        high = min(float((along + room).max()), allowed.high)
+        allowed, margin = self.p.ranges[self.vary], beyond * _size(along, along)
+        low = max(float((along - margin).min()), allowed.low)
+        high = min(float((along + margin).max()), allowed.high)
         found = folds(self.p, self.vary, between={self.vary: (low, high)}, options=self.search)
         if not found.decided:
             text = "folds with {} are not all decided; ss.folds lists the boxes, and a path needs "
@@ -386,10 +385,11 @@ class QuasiStaticContinuation:
         return [found, *border_ends(self.p, self.vary, (low, high), found, options=self.search)]
 
     def _turns_within(self, along: FloatArray, ends: list[Points]) -> Points:
-        """Values on the way at which states vanish: one value for those that coincide within their
-        errors, and the value asked for there.
+        """The points within the range of the values, with values that coincide within their errors
+        made equal.
 
-        Twins by a mirror coincide, and each search rounds in its own way.
+        Twins by a mirror coincide, but each search rounds differently. A point that coincides with
+        a value of the path gets that value.
         """
 
         def every(name: str) -> NDArray[Any]:
@@ -401,8 +401,8 @@ class QuasiStaticContinuation:
         begins = np.diff(at[order], prepend=-np.inf) > wide[order] + np.roll(wide[order], 1)
         at[order] = at[order][np.maximum.accumulate(np.where(begins, np.arange(at.size), 0))]
         off = np.abs(at[:, None] - along)
-        # One whose error is no more than rounding has other floats than its own on one side of it,
-        # unless it can't be told from 0.
+        # A point whose error is rounding only coincides with its own float alone, unless it may
+        # be 0.
         own = (error <= EPS) & (np.abs(at) > wide)
         at = np.where(off.min(axis=1) <= np.where(own, 0.0, wide), along[off.argmin(axis=1)], at)
         first, *others = ends
@@ -419,31 +419,31 @@ class QuasiStaticContinuation:
         return found.select((at >= along.min()) & (at <= along.max()))
 
     def _mesh(self, along: FloatArray) -> FloatArray:
-        """The values in their order, with a node on each side of each fold."""
+        """The values in their order, with a node on each side of each point."""
         at = np.concatenate([self.at, self.passes[self.vary]])
         values, size = np.concatenate([along, at]), _size(at, along)
         apart = np.abs(values - at[:, None])
-        # Between a fold and what is nearer than that no node has room: those beside the fold are
-        # farther off than both.
-        nearest = np.where(apart > 4 * EPS * size[:, None], apart, np.inf).min(
-            axis=1, initial=np.inf
-        )
-        room = np.minimum(self.options.fold_distance * size, 0.25 * nearest)
-        beside = np.concatenate([at - room, at + room])
-        # Between floats next to each other there is no other.
+        # No node fits between a point and a value this near: nodes are then beyond both.
+        apart = np.where(apart > 4 * EPS * size[:, None], apart, np.inf)
+        nearest = apart.min(axis=1, initial=np.inf)
+        distance = np.minimum(self.options.fold_distance * size, 0.25 * nearest)
+        beside = np.concatenate([at - distance, at + distance])
+        # A node equal to a value, for lack of floats in between, is none.
         new = (along.min() < beside) & (beside < along.max()) & ~np.isin(beside, values)
         mesh = np.sort(np.concatenate([along, beside[new]]))
         return mesh if along[-1] > along[0] else mesh[::-1]
 
     def _require_decided(self, node: int) -> None:
-        """Of nodes behind the end of a state nothing is asked."""
+        """Raise ConvergenceError unless the equilibria at a node are decided; called for reached
+        nodes only.
+        """
         if not self.eq.decided[node]:
             text = "equilibria at {} are not all decided; leave that value out, or end before it"
             at = At(self.vary, (float(self.mesh[node]),))
             raise ConvergenceError(Remark(text, at))
 
     def begin(self, start: int | str) -> int:
-        """The slot at the first value."""
+        """The location at the first value."""
         self._require_decided(0)
         count = int(self.eq.count[0])
         if not isinstance(start, str):
@@ -466,19 +466,16 @@ class QuasiStaticContinuation:
         ] or list(range(count))
         met = self._met(0)
         if met and (self.mesh.size == 1 or count == len(self._links(0))):
-            # The float of the fold lies just beyond the states that meet there.
+            # Two states meet in a fold at the first value, and its float is just beyond both.
             firm = [
                 ~number for number in met if self._stability_met(number) == EquilibriumType.STABLE
             ]
             stable = [*firm, *stable] or [~number for number in met]
         if not stable:
             allowed, first = self.p.ranges[self.vary], float(self.mesh[0])
-            at_end = first == allowed.reached(allowed.low)
-            at = (
-                f"the lower end of {self.vary}"
-                if at_end
-                else f"the first value, {self.vary} = {first!r},"
-            )
+            at = f"the first value, {self.vary} = {first!r},"
+            if first == allowed.reached(allowed.low):
+                at = f"the lower end of {self.vary}"
             raise ParameterError(
                 f"{at} has no equilibrium in contact; begin where there is one: at folds they "
                 "begin and end"
@@ -492,13 +489,13 @@ class QuasiStaticContinuation:
         return stable[int(chosen_state(here, list(states), error, every, self.p.followed))]
 
     def _met(self, node: int) -> list[int]:
-        """Numbers of the folds and borders that a node is equal to."""
+        """Numbers of the folds and borders at a node."""
         return np.flatnonzero(
             (self.at == self.mesh[node]) & (self.kinds != "pitchfork") & ~self.far
         ).tolist()
 
     def _stability_met(self, number: int) -> int:
-        """Stability of states met on the way: where one λ is 0 the others decide."""
+        """Type of the state at the point of that number; one λ is 0, and the others decide."""
         given = columns(
             self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters
         )
@@ -506,7 +503,7 @@ class QuasiStaticContinuation:
         return with_a_zero(Balance(self.p.model, contact), self.q[:, [number]], given)
 
     def followed(self, node: int, location: int) -> int:
-        """The place at a node of the state that was in one at the node before."""
+        """The location at a node of the state that had this location at the node before."""
         self._require_decided(node)
         if location in self.joined[node - 1]:
             return self.joined[node - 1][location]
@@ -518,31 +515,27 @@ class QuasiStaticContinuation:
         return ~(self._ending(node - 1, location, node) if number is None else number)
 
     def vanishing(self, node: int, slot: int, goal: int) -> int:
-        """The number of the point at which a state vanishes on its way to the node before or
-        behind, if it does.
-        """
+        """The number of the point at which a state vanishes on its way to a neighbouring node."""
         number = self._limit_point(node, slot, goal)
         return self._ending(node, slot, goal) if number is None else number
 
     def moved(self, node: int, slot: int, goal: int) -> FloatArray:
-        """By how much a state moves on its way to another node, angles as they go on."""
+        """The displacement of a state from its node to another; periodic angles are continuous."""
         tubes, start = self._standing(self._balance(node, slot), node, slot)
-        there = tubes.followed(start, self.mesh[[goal]])
-        if not there.sure[0] or there.v[0] != self.mesh[goal]:
+        reached = tubes.followed(start, self.mesh[[goal]])
+        if not reached.sure[0] or reached.v[0] != self.mesh[goal]:
             raise ConvergenceError(
                 f"how the state moves from {self.vary} = {self.mesh[node]:.17g} on is not proved"
             )
-        return (there.z - start.z)[:-1, 0]
+        return (reached.z - start.z)[:-1, 0]
 
     def ended(self, node: int, location: int) -> bool:
-        """Whether a state has vanished on the way to a node, or at a point there from which it does
-        not go on.
-        """
+        """Whether a state has vanished before a node, and does not go on from a fold at it."""
         return location < 0 and ~location not in self._met(node)
 
     def _begun(self, node: int, location: int) -> int:
-        """The stable one of the two states that begin at a fold, at the node behind it; the fold if
-        they lie before it.
+        """The stable one of the two states that begin at a fold, at the next node; the location of
+        the fold if they lie on its other side.
         """
         links = self._links(node - 1)
         begun = [slot for slot in range(int(self.eq.count[node])) if slot not in links.values()]
@@ -554,15 +547,15 @@ class QuasiStaticContinuation:
         )
 
     def _candidates(self, node: int, other: int) -> IntArray:
-        """Numbers of the points at which states may vanish between two nodes, or on them."""
+        """Numbers of the points between two nodes, or on them, at which states may vanish."""
         low, high = sorted((self.mesh[node], self.mesh[other]))
         return np.flatnonzero((self.at >= low - self.error) & (self.at <= high + self.error))
 
     def _limit_point(self, node: int, slot: int, goal: int) -> int | None:
-        """The fold at which a state is proved to turn back on its way to another node, of several
-        points where it may end.
+        """The number of the fold at which a state is proved to turn back on its way to another
+        node.
 
-        None if nothing is proved, or there are no two such points.
+        None if that is not proved, or if there is only one candidate point.
         """
         points = self._candidates(node, goal)
         here = points[self.kinds[points] == "fold"]
@@ -570,33 +563,33 @@ class QuasiStaticContinuation:
             return None
         tubes, start = self._standing(self._balance(node, slot), node, slot)
         if here.size > 1 and (self.at[here] == self.mesh[node]).all():
-            # The float of the folds is one at which two states are left, too near to each other for
-            # a tube.
+            # At the float of the folds two states still exist, too near to each other for a tube.
             near = clearly_nearest(start.z[: tubes.n], self.q[:, here])[0]
             return int(here[near]) if near >= 0 else None
         forward = 1 if self.mesh[goal] > self.mesh[node] else -1
         found = limit_points(tubes, start, forward)
         if not found.sure[0]:
             return None
-        away = np.abs(np.vstack([self.q, self.at])[:, here] - found.z) / scale_of(found.z)
-        away = away.max(axis=0)
-        nearest = int(away.argmin())
-        return int(here[nearest]) if away[nearest] <= 1e-6 else None
+        distance = np.abs(np.vstack([self.q, self.at])[:, here] - found.z) / scale_of(found.z)
+        distance = distance.max(axis=0)
+        nearest = int(distance.argmin())
+        return int(here[nearest]) if distance[nearest] <= 1e-6 else None
 
     def _standing(self, balance: Balance, node: int, slot: int) -> tuple[Tubes, Place]:
-        """A tube's beginning at a state."""
+        """Tubes along the parameter, and their place at a state."""
         given = given_column(self.p, balance.parameters, (self.vary,))
         tubes = Tubes.of_points(balance, self.vary, given, options=self.options)
         *q, _, error = self.state(node, slot)
         return tubes, tubes.place(np.array([*q, self.mesh[node]])[:, None], error=error)
 
     def _place(self, number: int, names: Sequence[str] = ()) -> dict[str, float]:
-        """Coordinates of a point at which states vanish, or what else is named, by name."""
+        """Coordinates, or other named columns, of the point of that number, by name."""
         return {name: float(self.turns[name][number]) for name in names or self.balance.coordinates}
 
     def _ending(self, node: int, location: int, goal: int) -> int:
-        """The number of the point at which a state vanishes on its way from a node to the next
-        one.
+        """The number of the point at which a state vanishes on its way from a node to the next one.
+
+        Raises ConvergenceError if several points are possible.
         """
         here = self._candidates(node, goal)
         if here.size == 1:
@@ -604,23 +597,19 @@ class QuasiStaticContinuation:
         own = self._balance(node, location).extended()
         for number in here[np.char.startswith(self.kinds[here].astype(str), "border")].tolist():
             tubes, start = self._standing(own, node, location)
-            there = tubes.followed(start, self.at[[number]])
-            away = np.abs(self.q[:, [number]] - there.z[: tubes.n])
-            if (
-                there.sure[0]
-                and there.v[0] == self.at[number]
-                and (away <= there.radius[: tubes.n]).all()
-            ):
+            end = tubes.followed(start, self.at[[number]])
+            same = np.abs(self.q[:, [number]] - end.z[: tubes.n]) <= end.radius[: tubes.n]
+            if end.sure[0] and end.v[0] == self.at[number] and same.all():
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
         q = np.array([self.state(node, location)[:-2]]).T
-        if others.size > 1 and self.far[others].all():  # of states that run opposite ways
-            away = self.q[:, others]
-            others = others[(np.isnan(away) | (np.sign(q) == np.sign(away))).all(axis=0)]
+        if others.size > 1 and self.far[others].all():  # several escapes: those in its direction
+            infinite = self.q[:, others]
+            others = others[(np.isnan(infinite) | (np.sign(q) == np.sign(infinite))).all(axis=0)]
         elif others.size > 1 and not self.far[others].any():
             near = clearly_nearest(q, self.q[:, others])
             others = others[near[near >= 0]]
-        if others.size == 1:  # at folds the state would be known to turn
+        if others.size == 1:  # at a fold it would be proved to turn back
             return int(others[0])
         ends = f"{self.vary} = {float(self.mesh[node]):.17g} and {float(self.mesh[goal]):.17g}"
         raise ConvergenceError(
@@ -629,7 +618,7 @@ class QuasiStaticContinuation:
         )
 
     def state(self, node: int, slot: int) -> list[float]:
-        """Coordinates, type by (27), and a bound on the error."""
+        """Coordinates, type by (27), and a bound on the error at a location."""
         if slot < 0:
             return [
                 *self._place(~slot).values(),
@@ -641,11 +630,11 @@ class QuasiStaticContinuation:
 
     @property
     def contact_columns(self) -> tuple[str, ...]:
-        """The column that says which contacts touch, of a model with several."""
+        """Name of the column of touching contacts, if the model has several combinations."""
         return (own_name(self.p.model, "touching"),) if self.p.model.has_regimes else ()
 
     def touching(self, node: int, slot: int) -> str:
-        """Names of the contacts that touch in a state, of a model with several."""
+        """Names of the touching contacts at a location; empty if the model has one combination."""
         if not self.contact_columns:
             return ""
         if slot < 0:
@@ -653,7 +642,7 @@ class QuasiStaticContinuation:
         return str(self.eq.touching[node, slot])
 
     def jump(self, node: int, number: int, choose: Choice | None) -> tuple[int, Jump]:
-        """The slot behind the fold that ends the branch."""
+        """The jump from the point of that number, and the slot at the node where it arrives."""
         end = self.end(number)
         before = end.before
         eq = self._equilibria(float(self.mesh[node]))
@@ -684,29 +673,26 @@ class QuasiStaticContinuation:
                     f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to "
                     f"{count - 1}"
                 )
-        behind = {name: float(eq.coordinates[name][slot]) for name in before}
-        at_end = self._equilibria(end.value)
-        there, nearest = (
-            (at_end, int(nearest_state(at_end, behind)))
-            if at_end.decided and at_end.count
-            else (eq, slot)
-        )
-        after = {name: float(there[name][nearest]) for name in there.state_columns}
-        whole = self._place(number, there.state_columns)
+        beyond = {name: float(eq.coordinates[name][slot]) for name in before}
         kind = EquilibriumType(int(eq.undamped[slot]))
-        # Another search may list the states at the node in another order.
-        return int(nearest_state(self.eq, behind)[node]), Jump(
-            end.value, end.kind, whole, after, kind, end.error, end.touching
-        )
+        # The state after the jump at the value of the end itself, if its equilibria are decided.
+        at_end = self._equilibria(end.value)
+        if at_end.decided and at_end.count:
+            eq, slot = at_end, int(nearest_state(at_end, beyond))
+        after = {name: float(eq[name][slot]) for name in eq.state_columns}
+        state = self._place(number, eq.state_columns)
+        found = Jump(end.value, end.kind, state, after, kind, end.error, end.touching)
+        # Two searches at the node may list its states in different orders.
+        return int(nearest_state(self.eq, beyond)[node]), found
 
     def escape(self, number: int) -> Jump:
-        """The last event of a path whose state runs to infinity."""
+        """The last jump of a path whose state runs to infinity, without a state after it."""
         end = self.end(number)
         state = self._place(number, self.eq.state_columns)
         return Jump(end.value, end.kind, state, {}, None, end.error, end.touching)
 
     def end(self, number: int) -> ModelEnd:
-        """A point at which states vanish, as a result."""
+        """The point of that number, as the end of a state."""
         value = float(self.at[number])
         kind = "infinity" if self.far[number] else str(self.kinds[number])
         touching, at_border = "", label_of(self.p.model.contacts[0])

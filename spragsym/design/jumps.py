@@ -1,5 +1,5 @@
-"""Jump values of any model: where the followed state ends as a parameter moves, and their
-gradients; many points at once.
+"""Jump values: where the followed state ends as one parameter moves, and their gradients; many
+points at once, for any model.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def first_limit_points(
     until: float | None = None,
     method: Method = "auto",
 ) -> Ends:
-    """First end of the followed state of each point, and the state there; arguments as of
+    """The first end of the followed state of each point, and the state there; arguments as for
     :func:`jump_value`.
     """
     return Followed(p, p.model.rising(vary, 0.0)[0], direction, begin, until).ends()
@@ -66,48 +66,47 @@ def jump_value(
     until: float | None = None,
     method: Method = "auto",
 ) -> float | FloatArray:
-    """First value at which the followed state ends as one parameter moves: the reference state
-    jumps there.
+    """The first value at which the followed state ends as one parameter moves: it jumps there.
 
     Parameters
     ----------
     p : Parameters
         Of any model and shape. Of ``theta0`` and ``mu0`` the one that varies is not used, and may
-        be left out.
+        be missing.
     vary : str, optional
-        What moves, ``mu0`` unless told otherwise: ``mu0`` and ``theta0`` from the lower end of
-        their range, where it has one, others from the value in ``p``.
+        The parameter that moves, by default ``mu0``. ``mu0`` and ``theta0`` move from the lower end
+        of their range, if it is finite, others from the value in ``p``.
     direction : {"up", "down"}
-        Which way; ``mu0`` and ``theta0`` rise.
+        Direction of the move; ``mu0`` and ``theta0`` rise.
     begin, until : float, optional
-        From where to where instead. Without ``until`` to the end of the range; where that has no
-        end up to 10 times the larger of its base value and its own, 10 at least, of the article's
-        model without end.
+        First and last value. The default of ``until`` is the end of the range. If that is infinite,
+        it is 10 times the larger of the base value and the own value, at least 10; for the
+        article's model there is no limit.
     method : {"auto", "closed", "search"}
-        A closed form if the model brings one for these arguments, the closed form only, or tubes
-        around curves of states.
+        A closed form if the model has one for these arguments, else tubes around curves of states;
+        only the closed form; or only tubes.
 
     Returns
     -------
     float or ndarray
-        Of the shape of the parameters that are used; NaN where the state is proved to go on, up to
-        a fold that lies within its error of ``until``, if there is one.
+        Of the shape of the parameters that are used; NaN where the state is proved to go on to
+        ``until``. A fold within its error of ``until`` may be missed.
 
     Raises
     ------
     ParameterError
-        For a parameter that the model does not have, a direction or an end that it can't take.
+        For an unknown parameter, or a direction or an end that is not possible.
     ConvergenceError
-        For a single point of which this is not decided; in an array such a point is NaN, with an
+        If a single point is not decided. In an array such a point is NaN, with an
         :class:`~spragsym.core.errors.UndecidedWarning`.
 
     Notes
     -----
-    Source: tubes around curves of states up to the fold, and through it, see
-    :mod:`spragsym.bifurcation.turning_points`, from the reference state at the first value, see
-    :mod:`spragsym.statics.reference_state`. What tubes don't decide is followed between all folds
-    that are found by search, see :func:`spragsym.bifurcation.paths.first_end`; an end there may
-    also be where the state leaves the contact. Of the article's model: f = f′ = 0, see
+    Source: tubes around curves of states from the reference state at the first value, see
+    :mod:`spragsym.statics.reference_state`, up to the fold and across it, see
+    :mod:`spragsym.bifurcation.turning_points`. Points that tubes do not decide are followed between
+    all folds that a search finds, see :func:`spragsym.bifurcation.paths.first_end`; the end may
+    then also be one where the state leaves the contact. The article's model: f = f′ = 0, see
     :mod:`spragsym.kang_nam.jump_values`.
 
     Examples
@@ -158,9 +157,9 @@ def jump_gradient(
 
     Notes
     -----
-    Source: F = 0, w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp = −(w · ∂F/∂p)/(w ·
-    ∂F/∂v). Where a contact is lost or regained, its gap is one more row of F. At a cusp digits are
-    lost, and beyond it there is no jump.
+    Source: F = 0 and w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp =
+    −(w · ∂F/∂p)/(w · ∂F/∂v). Where a contact is lost or regained, its gap is one more row of F.
+    Near a cusp digits are lost, and beyond it there is no jump.
 
     Examples
     --------
@@ -187,11 +186,11 @@ def limit_point_passed(
     coarse: bool = False,
     method: Method = "auto",
 ) -> FloatArray:
-    """1 where the state has ended as ``vary`` rises to its value in ``p``, 0 where not, NaN where
-    that is not known.
+    """1 where the followed state has ended as ``vary`` rises to its value in ``p``, 0 where it has
+    not, NaN where that is unknown.
 
-    It rises from ``begin``, one value for all points or one for each; the lower end of its range
-    where left out. A ``coarse`` answer is NaN beside cusps too, which take longest.
+    ``vary`` rises from ``begin``, one value for all points or one for each; by default the lower
+    end of its range. A ``coarse`` answer is NaN beside cusps too, where an answer takes longest.
 
     Examples
     --------
@@ -204,7 +203,7 @@ def limit_point_passed(
 
 
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
-    """dv/dp by name at the folds, borders and infinities at which the states of points end."""
+    """Derivatives dv/dp of the values at which states end, by parameter; NaN without an end."""
     balances, shape, size = balances_of(p.model), found.value.shape, found.value.size
     names, contact = list(balances[0].parameters), np.full(size, -1)
     states = found.state.reshape(balances[0].n, -1).copy()
@@ -255,8 +254,8 @@ def _slopes(
 
 
 def _along(K: FloatArray, moved: FloatArray, own: int) -> FloatArray:
-    """dv/dp from the slopes of equations by their unknowns, and by parameters, the ``own`` one of
-    which is v; shape (P, N).
+    """dv/dp from the derivatives of equations by their unknowns, and by parameters (``moved``), of
+    which number ``own`` is v; shape (P, N).
     """
     w = np.linalg.svd(np.nan_to_num(K))[0][:, :, -1]
     along = np.einsum("Ni,Nij->jN", w, moved)
@@ -266,9 +265,7 @@ def _along(K: FloatArray, moved: FloatArray, own: int) -> FloatArray:
 
 
 def no_state_to_follow(p: ParameterSet, vary: str) -> str:
-    """Why no state of one point can be followed from its value of ``vary``: none is in contact
-    there; empty where one is, or is not known not to be.
-    """
+    """A text if it is proved that no state is in contact at one point, else an empty one."""
     eq = equilibria(p)
     if eq.count.any() or not (eq.decided & eq.whole).all():
         return ""
@@ -279,7 +276,7 @@ def no_state_to_follow(p: ParameterSet, vary: str) -> str:
 
 
 class Followed:
-    """States of many points, followed as one parameter moves, up or down, from where to where: see
+    """States of many points, followed as one parameter moves; arguments as for
     :func:`jump_value`.
     """
 
@@ -308,8 +305,7 @@ class Followed:
             begin = allowed.reached(allowed.low)
         if begin is not None:
             p = p.replace(**{vary: as_numbers("begin", begin, allowed)})
-        # Where the parameter that moves is the only one of several values, its ends alone say of
-        # how many points it is.
+        # If only the moving parameter would be an array, ``until`` alone gives the shape.
         self.shape = np.broadcast_shapes(p.shape, () if until is None else np.shape(until))
         self.balances = balances_of(model)
         self.balance = self.balances[0]
@@ -337,22 +333,21 @@ class Followed:
         coarse: bool = False,
         of_state: tuple[FloatArray, FloatArray] | None = None,
     ) -> FloatArray:
-        """1 where the state of a point has ended, 0 where it has not, NaN where tubes don't decide
-        it, in haste beside cusps too.
+        """1 where the state of a point has ended, 0 where it has not, NaN where tubes do not
+        decide.
 
-        The state is the reference state, or that of which ``of_state`` has about the coordinates
-        and the room around these in which it is the only one, shape (n, M).
-
-        Tubes over a coordinate pass a fold without coming near to it. Where they decide nothing and
-        a state is left, the fold itself is asked for.
+        The state is the reference state. With ``of_state``, approximate coordinates and a radius,
+        both of shape (n, M), it is the only state within that radius. Tubes with a coordinate as
+        the pivot pass a fold without computing it. Where they do not decide, the fold is computed,
+        unless the answer may be ``coarse``.
         """
         found = np.full(self.begin.size, np.nan)
         for rows, tubes, start, goal in self._parts() if of_state is None else self._of(*of_state):
             safe, top, _ = passed(tubes, start, goal)
             ended = np.where(start.sure & (safe >= goal), 0.0, np.where(top <= goal, 1.0, np.nan))
             left = np.flatnonzero(np.isnan(ended) & start.sure)
-            # Where no state is left at the end of the way, proved, the one that is followed may
-            # have run to infinity.
+            # If it is proved that no state exists at the goal, the followed one has ended, perhaps
+            # at infinity.
             eq = equilibria(self._points(rows[left]).replace(**{self.vary: goal[left]}))
             ended[left[eq.decided & eq.whole & (eq.count == 0)]] = 1.0
             left = np.flatnonzero(np.isnan(ended))
@@ -362,11 +357,12 @@ class Followed:
         return found.reshape(self.shape)
 
     def _blocks(self) -> list[IntArray]:
+        """Indices of all points in blocks."""
         size, block = self.begin.size, 8192  # points at a time
         return np.split(np.arange(size), range(block, size, block))
 
     def ends(self) -> Ends:
-        """End of the state of each point."""
+        """The end of the state of each point."""
         n, size, others = self.balance.n, self.begin.size, dict[int, ModelEnd]()
         z, error, reasons = np.empty((n + 1, size)), np.empty(size), dict[int, str]()
         combination = np.zeros(size, dtype=int)
@@ -414,7 +410,7 @@ class Followed:
         return ModelEnd(value, kind, before, float(error), balance.touching, label)
 
     def _points(self, rows: IndexArray) -> ParameterSet:
-        """Some points, or one, as parameters that follow the state that was chosen."""
+        """Some points, or one, as parameters with the chosen followed state."""
         return set_of(
             self.model,
             dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)),
@@ -422,8 +418,8 @@ class Followed:
         )
 
     def _parts(self) -> Iterator[tuple[IntArray, Tubes, Place, FloatArray]]:
-        """Points of one combination of contacts, the reference states from which they are followed,
-        where these are known, and up to where.
+        """For points of one combination of touching contacts: their indices, tubes, places of the
+        reference states and goals; a place is not sure if the state is not known.
         """
         for rows in self._blocks():
             eq = equilibria(self._points(rows))
@@ -451,14 +447,14 @@ class Followed:
                     yield rows[mine], tubes, start, self.until[rows[mine]]
 
     def _of(
-        self, there: FloatArray, room: FloatArray
+        self, states: FloatArray, radius: FloatArray
     ) -> Iterator[tuple[IntArray, Tubes, Place, FloatArray]]:
-        """The same for known states, each the only one in a room about some coordinates."""
+        """:meth:`_parts` for known states, each the only one within a radius of its coordinates."""
         for rows in self._blocks():
             tubes = Tubes.of_points(self.balance, self.vary, self.fixed[:, rows])
-            start = tubes.place(np.vstack([there[:, rows], self.begin[rows]]))
-            away = np.abs(start.z[:-1] - there[:, rows]) + start.held[:-1]
-            start.sure[:] &= (away * ROUNDED_UP <= room[:, rows]).all(axis=0)
+            start = tubes.place(np.vstack([states[:, rows], self.begin[rows]]))
+            distance = np.abs(start.z[:-1] - states[:, rows]) + start.held[:-1]
+            start.sure[:] &= (distance * ROUNDED_UP <= radius[:, rows]).all(axis=0)
             yield rows, tubes, start, self.until[rows]
 
     def _by_tubes(
@@ -533,11 +529,11 @@ class _TubeVerdict(ByColumn):
 
 @dataclass(frozen=True, eq=False)
 class JumpGradient(Named):
-    """A jump value and its derivatives by the parameters, each of the shape of the points; NaN
+    """Jump values and their derivatives by the parameters, each of the shape of the points; NaN
     where nothing jumps.
 
-    The derivative by the parameter that varies is 0: where it jumps does not depend on where it
-    started. Each derivative is an attribute under the name of its parameter.
+    Each derivative is an attribute by the name of its parameter. That by the moving parameter is 0,
+    since the jump value does not depend on the value in ``p``.
     """
 
     _held = "slopes"
@@ -575,14 +571,13 @@ class JumpGradient(Named):
 
 @dataclass(frozen=True)
 class Ends:
-    """Ends of the states of many points: the value, NaN where they don't, a bound on its error, and
-    the coordinates at a fold.
+    """Ends of the states of many points: values, NaN where a state does not end, with error bounds.
 
-    ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of
-    which points, by their position in ``value.flat``, nothing is known, and why; ``until`` how far
-    ends were looked for, infinite if everywhere; ``combination`` is the number, among those of
-    :func:`spragsym.statics.search.balances_of`, of the contacts that touch; ``others`` has the ends
-    that are no folds, by position.
+    ``value``, ``error`` and ``until``, the limit up to which an end was sought, have the shape of
+    the points. ``state`` are coordinates at folds, (n, …). ``reasons`` says, by the index in
+    ``value.flat``, why a point is not decided. ``combination`` is the index of the touching
+    contacts among :func:`spragsym.statics.search.balances_of`. ``others`` are the ends that are no
+    folds, by index.
     """
 
     value: FloatArray
@@ -594,13 +589,13 @@ class Ends:
     others: Mapping[int, ModelEnd] = field(default_factory=dict)
 
     def kind(self, position: int = 0) -> str:
-        """What the state of a point ends at, if it does."""
+        """The kind of the end of one point."""
         end = self.others.get(position)
         return "fold" if end is None else end.kind
 
 
 class EndVerb(NamedTuple):
-    """What a state does where it ends, in three forms of the verb."""
+    """Three forms of the verb for what a state does at its end."""
 
     does: str
     do: str
@@ -608,7 +603,7 @@ class EndVerb(NamedTuple):
 
 
 def verb_of(kind: str | None) -> EndVerb:
-    """The verb of a ``kind`` of :class:`ModelEnd`; of a fold, and of no end at all, to jump."""
+    """The verb for a ``kind`` of :class:`ModelEnd`; that of a fold, or of no end, is to jump."""
     if kind == "border":
         return EndVerb("leaves the contact", "leave the contact", "has left the contact")
     if kind == "infinity":
@@ -617,8 +612,8 @@ def verb_of(kind: str | None) -> EndVerb:
 
 
 def require_known(found: Ends) -> Ends:
-    """The values themselves; an error if nothing is known of a single point, a warning if nothing
-    is known of some of many.
+    """The ends themselves; raises ConvergenceError if a single point is not decided, and warns if
+    points of an array are not.
     """
     for reason in found.reasons.values():
         if not found.value.shape:

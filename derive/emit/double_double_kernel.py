@@ -14,10 +14,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from .definitions import SPELLED, Definition
-from .language import FLAG, REAL, KernelError, Source, parse
+from .language import KernelError, Source, parse
 from .routines import items, places
 
-WIDE = "Wide"
 #: An expression and its kind.
 Typed = tuple[ast.expr, str]
 
@@ -58,15 +57,15 @@ class _Program:
 
     def widest(self, kind: str) -> str:
         """A record of the kernel with a double-double for every number; other kinds as they are."""
-        if kind in self.kernel.records and f"{WIDE}{kind}" not in self.fields:
-            return self.record(kind, (WIDE,) * len(self.fields[kind]))
-        return f"{WIDE}{kind}" if kind in self.kernel.records else kind
+        if kind in self.kernel.records and f"Wide{kind}" not in self.fields:
+            return self.record(kind, ("Wide",) * len(self.fields[kind]))
+        return f"Wide{kind}" if kind in self.kernel.records else kind
 
     def record(self, name: str, kinds: tuple[str, ...]) -> str:
         """The record whose fields have these kinds; written where it is new."""
-        if not any(kind.startswith(WIDE) for kind in kinds):
+        if not any(kind.startswith("Wide") for kind in kinds):
             return name
-        wide = f"{WIDE}{name}"
+        wide = f"Wide{name}"
         fields = dict(zip(self.fields[name], kinds, strict=True))
         self.define(wide, f"{name} in double-double arithmetic.", fields)
         if self.fields[wide] != fields:
@@ -75,8 +74,8 @@ class _Program:
 
     def several(self, number: int) -> str:
         """The record of ``number`` double-doubles, which generated algebra returns."""
-        name = f"{WIDE}s{number}"
-        self.define(name, f"{number} double-doubles.", {f"value{i}": WIDE for i in range(number)})
+        name = f"Wides{number}"
+        self.define(name, f"{number} double-doubles.", {f"value{i}": "Wide" for i in range(number)})
         return name
 
     def define(self, name: str, summary: str, fields: dict[str, str]) -> None:
@@ -89,7 +88,7 @@ class _Program:
     def call(self, name: str, kinds: tuple[str, ...]) -> tuple[str, str]:
         """The function for arguments of these kinds, and the kind of its result."""
         routine = self.kernel.routines[name]
-        if not any(kind.startswith(WIDE) for kind in kinds):
+        if not any(kind.startswith("Wide") for kind in kinds):
             return name, routine.returns
         if name not in self.functions:
             given = dict(zip((argument for argument, _ in routine.arguments), kinds, strict=True))
@@ -103,7 +102,7 @@ class _Program:
         """The function of generated algebra on double-doubles, and the kind of its result."""
         if name not in self.functions:
             function = self.algebra[name]
-            given = {SPELLED.get(argument, argument): WIDE for argument in function.arguments}
+            given = {SPELLED.get(argument, argument): "Wide" for argument in function.arguments}
             self.write(name, function.summary, given, function.tree(SPELLED).body)
         return f"wide_{name}", self.functions[name][1]
 
@@ -138,7 +137,7 @@ class _Writer:
             case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call() as value):
                 # Results of generated algebra: double-doubles, if one is among what it is given.
                 called, kind = self.expression(value)
-                self.kinds |= dict.fromkeys(places(target), REAL if kind == REAL else WIDE)
+                self.kinds |= dict.fromkeys(places(target), "Real" if kind == "Real" else "Wide")
                 return ast.Assign([ast.Tuple(items(target))], called)
             case ast.For(target=target, iter=count, body=body):
                 return ast.For(target, count, [self.statement(statement) for statement in body], [])
@@ -155,7 +154,7 @@ class _Writer:
 
     def assigned(self, name: str, value: ast.expr, kind: str) -> ast.expr:
         earlier = self.kinds.setdefault(name, kind)
-        if earlier == WIDE:
+        if earlier == "Wide":
             return self.wide(value, kind)
         if earlier != kind:
             raise KernelError(f"{name} is a {earlier} and then a {kind}")
@@ -163,16 +162,16 @@ class _Writer:
 
     def wide(self, value: ast.expr, kind: str) -> ast.expr:
         """A number as a double-double; a flag as it is."""
-        if kind not in (WIDE, REAL, FLAG):
+        if kind not in ("Wide", "Real", "Flag"):
             raise KernelError(f"{ast.unparse(value)} is no number")
-        return _call("paired", value, ast.Constant(0.0)) if kind == REAL else value
+        return _call("paired", value, ast.Constant(0.0)) if kind == "Real" else value
 
     def expression(self, node: ast.expr) -> Typed:
         match node:
             case ast.Constant(value=(int() | float()) as value):
-                return ast.Constant(float(value)), REAL
+                return ast.Constant(float(value)), "Real"
             case ast.Name(id=name):
-                return node, self.kinds.get(name, REAL)
+                return node, self.kinds.get(name, "Real")
             case ast.Attribute(value=value, attr=attribute):
                 of, kind = self.expression(value)
                 return ast.Attribute(of, attribute, ast.Load()), self.program.fields[kind][
@@ -182,17 +181,17 @@ class _Writer:
                 value, kind = self.expression(operand)
                 return self.negative(value, kind), kind
             case ast.UnaryOp(op=ast.Invert() as op, operand=operand):
-                return ast.UnaryOp(op, self.expression(operand)[0]), FLAG
+                return ast.UnaryOp(op, self.expression(operand)[0]), "Flag"
             case ast.BinOp(left=left, op=op, right=right):
                 return self.binary(self.expression(left), op, self.expression(right))
             case ast.Compare(left=left, ops=[op], comparators=[right]):
-                return self.compared(self.expression(left), op, self.expression(right)), FLAG
+                return self.compared(self.expression(left), op, self.expression(right)), "Flag"
             case ast.Call(func=ast.Name(id=name), args=args):
                 return self.called(name, [self.expression(argument) for argument in args])
         raise KernelError(f"{ast.unparse(node)} is not in the kernel's language")
 
     def negative(self, value: ast.expr, kind: str) -> ast.expr:
-        return _call("dd_negative", value) if kind == WIDE else ast.UnaryOp(ast.USub(), value)
+        return _call("dd_negative", value) if kind == "Wide" else ast.UnaryOp(ast.USub(), value)
 
     def leading(self, value: ast.expr) -> ast.expr:
         """The leading double, by a call: not every language lets one take a field of a call's
@@ -203,7 +202,7 @@ class _Writer:
 
     def binary(self, left: Typed, op: ast.operator, right: Typed) -> Typed:
         (one, kind), (other, other_kind) = left, right
-        if WIDE not in (kind, other_kind):
+        if "Wide" not in (kind, other_kind):
             return ast.BinOp(one, op, other), kind
         if isinstance(op, ast.Sub):
             op, right = ast.Add(), (self.negative(other, other_kind), other_kind)
@@ -212,21 +211,21 @@ class _Writer:
         if not name:
             raise KernelError(f"{ast.unparse(one)} and {ast.unparse(other)} have no such operation")
         if isinstance(op, ast.Div):
-            if kind == WIDE and (power := _power_of_two(other)):
-                return _call("dd_scaled", one, ast.Constant(1.0 / power)), WIDE
-            return _call(name, self.wide(*left), self.wide(*right)), WIDE
-        (one, _), (other, kind) = (left, right) if kind == WIDE else (right, left)
-        if kind != WIDE:
+            if kind == "Wide" and (power := _power_of_two(other)):
+                return _call("dd_scaled", one, ast.Constant(1.0 / power)), "Wide"
+            return _call(name, self.wide(*left), self.wide(*right)), "Wide"
+        (one, _), (other, kind) = (left, right) if kind == "Wide" else (right, left)
+        if kind != "Wide":
             name = (
                 "dd_scaled"
                 if isinstance(op, ast.Mult) and _power_of_two(other)
                 else f"{name}_double"
             )
-        return _call(name, one, other), WIDE
+        return _call(name, one, other), "Wide"
 
     def compared(self, left: Typed, op: ast.cmpop, right: Typed) -> ast.expr:
         (one, kind), (other, other_kind) = left, right
-        if WIDE not in (kind, other_kind):
+        if "Wide" not in (kind, other_kind):
             return ast.Compare(one, [op], [other])
         if (
             isinstance(other, ast.Constant) and other.value == 0.0
@@ -244,9 +243,9 @@ class _Writer:
     def called(self, name: str, typed: list[Typed]) -> Typed:
         kinds = tuple(kind for _, kind in typed)
         values = [value for value, _ in typed]
-        wide = WIDE in kinds
+        wide = "Wide" in kinds
         if name == "rough":
-            return (self.leading(values[0]) if wide else values[0]), REAL
+            return (self.leading(values[0]) if wide else values[0]), "Real"
         if name in self.program.kernel.records:
             record = self.program.record(name, kinds)
             return _call(record, *values), record
@@ -254,7 +253,7 @@ class _Writer:
             function, returned = self.program.call(name, kinds)
             return _call(function, *values), returned
         if not wide:
-            return _call(name, *values), kinds[1] if name == "where" else REAL
+            return _call(name, *values), kinds[1] if name == "where" else "Real"
         routines = {
             "maximum": "dd_larger",
             "minimum": "dd_smaller",
@@ -263,7 +262,7 @@ class _Writer:
             "where": "dd_where",
         }
         function, returned = (
-            (routines[name], WIDE) if name in routines else self.program.algebra_call(name)
+            (routines[name], "Wide") if name in routines else self.program.algebra_call(name)
         )
         return _call(function, *(self.wide(*it) for it in typed)), returned
 

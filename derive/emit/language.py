@@ -19,8 +19,6 @@ Real: TypeAlias = Any
 #: True or false, or an array of such.
 Flag: TypeAlias = Any
 
-REAL, FLAG = "Real", "Flag"
-
 
 def _primitive(name: str) -> Callable[..., Any]:
     def unbound(*_: Any) -> NoReturn:
@@ -199,23 +197,25 @@ class Kinds:
         """The kind of an expression, given that of the names in it."""
         match expression:
             case ast.Constant():
-                return REAL
+                return "Real"
             case ast.Name(id=name):
-                return names.get(name, REAL)
+                return names.get(name, "Real")
             case ast.Attribute(value=value, attr=attribute):
                 return dict(self.source.records[self.of(value, names)].fields)[attribute]
             case ast.Compare():
-                return FLAG
+                return "Flag"
             case ast.BinOp(op=ast.BitAnd() | ast.BitOr()) | ast.UnaryOp(op=ast.Invert()):
-                return FLAG
+                return "Flag"
             case ast.BinOp() | ast.UnaryOp():
-                return REAL
+                return "Real"
             case ast.Call(func=ast.Name(id="where"), args=[_, yes, _]):
                 return self.of(yes, names)
             case ast.Call(func=ast.Name(id=name)):
                 if name in self.source.records:
                     return name
-                return self.source.routines[name].returns if name in self.source.routines else REAL
+                return (
+                    self.source.routines[name].returns if name in self.source.routines else "Real"
+                )
         raise KernelError(
             f"line {expression.lineno}: {ast.unparse(expression)} is not in the kernel's language"
         )

@@ -38,10 +38,9 @@ COUNT_P, COUNT_Q, COUNT_E1 = derived(3)
 #: A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings
 #: covers.
 SMALLEST_PARAMETER = 1e-250
-#: Between these, numbers are far enough from underflow and overflow for the exact products of
-#: double-double arithmetic.
+#: From this on, and up to 1e50, numbers are far enough from underflow and overflow for the exact
+#: products of double-double arithmetic.
 SMALLEST_WIDE = 1e-50
-LARGEST_WIDE = 1e50
 #: The unit roundoff of double-double arithmetic, 2^-102: sixteen units of 2^-106, of which its
 #: operations lose 15 at most.
 WIDE_ROUNDOFF = 1.9721522630525295e-31
@@ -190,7 +189,7 @@ def pressed(point: Point) -> Real:
 
 def tame(parameter: Real) -> Flag:
     """Whether a parameter is 0 or far from underflow and overflow."""
-    return (parameter < LARGEST_WIDE) & ((parameter > SMALLEST_WIDE) | (parameter <= 0.0))
+    return (parameter < 1e50) & ((parameter > SMALLEST_WIDE) | (parameter <= 0.0))
 
 
 def moderate(point: Point) -> Flag:

@@ -6,13 +6,10 @@ from dataclasses import replace
 
 from .tree import ZERO, Equation, Node, Unread, minus, nodes
 
-#: What a sign ± or ∓ is before a term, as the name of a call.
-PLUS_MINUS, MINUS_PLUS = "pm", "mp"
-
 
 def has_sign(tree: Node) -> bool:
     """Whether ± or ∓ stands in a tree."""
-    return any(one.value in (PLUS_MINUS, MINUS_PLUS) for one in nodes(tree) if one.kind == "call")
+    return any(one.value in ("pm", "mp") for one in nodes(tree) if one.kind == "call")
 
 
 def without_signs(equation: Equation) -> Equation:
@@ -38,20 +35,20 @@ def _one_step(left: Node, tree: Node) -> tuple[Node, Node]:
     inside = [one for one in tree.args if has_sign(one)]
     others = tuple(one for one in tree.args if not has_sign(one))
     match tree.kind:
-        case "call" if tree.value in (PLUS_MINUS, MINUS_PLUS):
+        case "call" if tree.value in ("pm", "mp"):
             (size,) = tree.args
             if not has_sign(size) or size.value == "sqrt":
                 return _square(left, tree.at), _square(size, size.at)
         case "add" if len(inside) == 1:
             return Node("add", (left, *map(minus, others)), at=tree.at), inside[0]
-        case "add" if [one.value for one in inside].count(PLUS_MINUS) == 1:
+        case "add" if [one.value for one in inside].count("pm") == 1:
             # a ± b ∓ c is a ± (b − c).
-            if all(one.value == MINUS_PLUS for one in inside if one.value != PLUS_MINUS):
+            if all(one.value == "mp" for one in inside if one.value != "pm"):
                 signed = tuple(
-                    one.args[0] if one.value == PLUS_MINUS else minus(one.args[0]) for one in inside
+                    one.args[0] if one.value == "pm" else minus(one.args[0]) for one in inside
                 )
                 size = Node("add", signed, at=tree.at)
-                one_sign = Node("call", (size,), PLUS_MINUS, tree.at)
+                one_sign = Node("call", (size,), "pm", tree.at)
                 return left, replace(tree, args=(*others, one_sign))
         case "neg":
             return minus(left), inside[0]

@@ -511,9 +511,9 @@ INLINE double cube_root(double x) {
 
 /* A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers. */
 #define SMALLEST_PARAMETER 1e-250
-/* Between these, numbers are far enough from underflow and overflow for the exact products of double-double arithmetic. */
+/* From this on, and up to 1e50, numbers are far enough from underflow and overflow for the exact products of double-double
+ * arithmetic. */
 #define SMALLEST_WIDE 1e-50
-#define LARGEST_WIDE 1e+50
 /* The unit roundoff of double-double arithmetic, 2^-102: sixteen units of 2^-106, of which its operations lose 15 at most. */
 #define WIDE_ROUNDOFF 1.9721522630525295e-31
 #define COUNT_P 22.0
@@ -857,7 +857,7 @@ INLINE int sound(Point point) {
 }
 
 /* Whether a parameter is 0 or far from underflow and overflow. */
-INLINE int tame(double parameter) { return (parameter < LARGEST_WIDE) & ((parameter > SMALLEST_WIDE) | (parameter <= 0.0)); }
+INLINE int tame(double parameter) { return (parameter < 1e+50) & ((parameter > SMALLEST_WIDE) | (parameter <= 0.0)); }
 
 /* f of the point: coefficients and sizes over the largest coefficient. */
 INLINE LineBalance balance(Point point) {

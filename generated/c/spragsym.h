@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "f26637d0d6eaad35"
+#define SPRAGSYM_SOURCE "9f9916f98cb4dcc2"
 
 /** What became of a call. */
 typedef enum {

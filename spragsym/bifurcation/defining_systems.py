@@ -442,20 +442,23 @@ def no_damping(along: int) -> Condition:
 #: The slope of the friction law in steady sliding is 0, so that nothing damps if dampers do not.
 #: Boxes where the slope is proved to be nonzero are excluded, however small it is.
 NO_SLOPE = Condition(lambda at: at.slopes_of_friction(), excluded=lambda at: at.slope_has_a_sign())
-#: Codimension-two points by their names in MatCont, with the numbers that vanish there, from the
-#: coefficients of the characteristic polynomial, the lowest first. BT: two roots λ are 0. ZH: one
-#: root is 0, and two others have the sum 0. HH, of two coordinates: two pairs with the sum 0.
-KINDS: Mapping[str, Callable[[Sequence[Any]], Sequence[Any]]] = {
-    "BT": lambda a: a[:2],
-    "ZH": lambda a: (a[0], hurwitz(a[1:])),
-    "HH": lambda a: a[1::2],
-}
 
 
 @cache
 def of_kind(kind: str, along: int | None) -> Condition:
-    """The condition of one of the :data:`KINDS`; ``along`` is that of :func:`_characteristic`."""
-    return Condition(lambda at: KINDS[kind](_characteristic(along, at)))
+    """The condition of a codimension-two point by its name in MatCont; ``along`` is that of
+    :func:`_characteristic`.
+
+    BT: two roots λ are 0. ZH: one root is 0, and two others have the sum 0. HH, of two coordinates:
+    two pairs with the sum 0.
+    """
+    # What vanishes there, from the coefficients of the polynomial, the lowest first.
+    vanishing: Mapping[str, Callable[[Sequence[Any]], Sequence[Any]]] = {
+        "BT": lambda a: a[:2],
+        "ZH": lambda a: (a[0], hurwitz(a[1:])),
+        "HH": lambda a: a[1::2],
+    }
+    return Condition(lambda at: vanishing[kind](_characteristic(along, at)))
 
 
 def change(K: Matrix, column: int, block: Block = None) -> Number:

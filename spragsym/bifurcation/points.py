@@ -50,7 +50,7 @@ from ..results.points import Points
 from ..statics import stability
 from ..statics.balance import NEGLIGIBLE, Balance
 from ..statics.forces import SEARCHED_ANGLE, Evaluation, Values, as_intervals
-from ..statics.namespaces import SCALED, XP, NoChart, Scaled
+from ..statics.namespaces import XP, NoChart, Scaled, ScaledFunctions
 from ..statics.precise_balance import on_contact_side, reduced_by_turns
 from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
@@ -487,7 +487,7 @@ class _AtInfinity(OfFamily, WithoutTapes):
         }
         periodic = self.balance.periodic
         coordinates = [Scaled(part, int(i not in periodic), w) for i, part in enumerate(u)]
-        return self.balance.at(coordinates, scaled, xp=SCALED)
+        return self.balance.at(coordinates, scaled, xp=ScaledFunctions())
 
     def conditions(self, at: Evaluation, unknowns: Sequence[Any]) -> Sequence[Any]:
         """G, |u|² − 1 and, at limit points, the determinant."""

@@ -48,7 +48,7 @@ from ..results import BifurcationSet, Curve, Points
 from . import kernel
 from .cusps import cusps
 from .folds import folds
-from .kernel import FIXED, Fixed
+from .kernel import Fixed
 from .parameters import RANGES, Parameters
 
 
@@ -75,7 +75,7 @@ def bifurcation_set(
     # Fewest directions.
     least = 2000
     n = max(least, as_count("n", least if n is None else n, 2))
-    fixed = Fixed(*p.scalars(*FIXED))
+    fixed = Fixed(*p.scalars(*Fixed._fields))
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
     # Where κ over the larger of σ and 1 + β is below this, float64 loses curves: they are
     # refused.

@@ -28,7 +28,7 @@ from .folds import (
     unfolded,
     within,
 )
-from .kernel import FIXED
+from .kernel import Fixed
 from .parameters import Parameters
 
 
@@ -47,7 +47,7 @@ def cusps(
     """
     if vary is not None and tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
-    exact, plane = tuple(map(Fraction, p.scalars(*FIXED))), ("theta0", "mu0")
+    exact, plane = tuple(map(Fraction, p.scalars(*Fixed._fields))), ("theta0", "mu0")
     found = with_enough_bits(
         20, lambda bits: [point.row(*plane) for point in proved_cusps(exact, bits)], "cusps"
     )
@@ -64,7 +64,7 @@ def precise_cusps(
     """
     if tuple(vary) != ("theta0", "mu0"):
         raise NotInClosedForm
-    exact = tuple(given[name] for name in FIXED)
+    exact = tuple(given[name] for name in Fixed._fields)
     found = with_enough_bits(
         digits, lambda bits: [_cusp(point, digits) for point in proved_cusps(exact, bits)], "cusps"
     )

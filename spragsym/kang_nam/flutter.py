@@ -44,7 +44,7 @@ from ..results import Result
 from . import kernel
 from .bifurcation_sets import CurveCondition, curves
 from .folds import SurfacePoint, cosines_of, listed, within
-from .kernel import FIXED, Fixed
+from .kernel import Fixed
 from .only import of_article
 from .parameters import Parameters
 
@@ -67,7 +67,7 @@ def flutter_onsets(
     """
     if vary not in (None, "theta0") or damping is not False:
         raise NotInClosedForm
-    exact = Elimination(*map(Fraction, p.scalars("mu0", *FIXED)))
+    exact = Elimination(*map(Fraction, p.scalars("mu0", *Fixed._fields)))
 
     def attempt(bits: int) -> list[tuple[tuple[float, ...], Onset]]:
         return sorted(
@@ -83,7 +83,7 @@ def flutter_onsets(
     )
     theta, L = np.array([row[1:3] for row in rows]).reshape(-1, 2).T
     # ω² of the two modes that meet is half the trace of K, which has no friction.
-    trace, *_ = kernel.invariants(*kernel.cos_sin(theta), L, 0.0, *p.scalars(*FIXED[1:]), 1)
+    trace, *_ = kernel.invariants(*kernel.cos_sin(theta), L, 0.0, *p.scalars(*Fixed._fields[1:]), 1)
     omega = np.sqrt(0.5 * trace)
     more = {"omega": omega, "branch": branch, "count": count, "side": side.astype(np.int8)}
     points = listed(p, ("theta0",), np.full(len(rows), "flutter"), rows)
@@ -152,7 +152,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     True
     """
     as_count("n", n, 2)
-    fixed = Fixed(*p.scalars(*FIXED))
+    fixed = Fixed(*p.scalars(*Fixed._fields))
     found = []
     # Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus
     # that at least.

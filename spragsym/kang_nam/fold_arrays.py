@@ -160,7 +160,7 @@ def _kept(
     """Candidates in contact with the value in its range, with ``signs`` of their side and of where
     they are upper ones; a sign that is needed and open makes the point undecided.
     """
-    L, _, y = kernel.state_of(*angles, *(here[name] for name in kernel.FIXED))
+    L, _, y = kernel.state_of(*angles, *(here[name] for name in kernel.Fixed._fields))
     tests = [value.sign(), L.sign(), -y.sign(), angles[3].sign(), inside]
     out = functools.reduce(np.logical_or, [test < 0 for test in tests])
     vague = functools.reduce(np.logical_or, [test == 0 for test in (*tests, *signs)]) & ~out

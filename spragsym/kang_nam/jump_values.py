@@ -91,7 +91,8 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool 
         at = given | {vary: value[here]}
         with np.errstate(invalid="ignore"):
             angles = *kernel.cos_sin(theta), *kernel.cos_sin(at["theta0"])
-            state[:, here] = kernel.state_of(*angles, *(at[name] for name in kernel.FIXED))[1:]
+            fixed = (at[name] for name in kernel.Fixed._fields)
+            state[:, here] = kernel.state_of(*angles, *fixed)[1:]
     end = RANGES[vary].high if forward > 0 else RANGES[vary].low
     errors, until = np.full(shape, fold_arrays.LARGEST_ERROR), np.full(shape, end)
     return Ends(value.reshape(shape), errors, state.reshape(2, *shape), failures, until)

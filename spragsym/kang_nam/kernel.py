@@ -80,7 +80,3 @@ class Fixed(NamedTuple):
     alpha: float
     sigma: float
     beta: float
-
-
-#: Their names.
-FIXED = Fixed._fields

@@ -15,7 +15,7 @@ from ..results import CriticalLoad
 from . import kernel
 from .cusps import proved_cusps
 from .folds import Angles, SurfacePoint, in_contact, lines_and_sextic, unfolded, with_multiplicity
-from .kernel import FIXED
+from .kernel import Fixed
 from .parameters import Parameters
 
 
@@ -39,7 +39,7 @@ def critical_friction(
     """
     if vary not in (None, "mu0") or over not in (None, "theta0") or p.followed is not None:
         raise NotInClosedForm
-    columns = np.broadcast_arrays(*(p[name] for name in FIXED))
+    columns = np.broadcast_arrays(*(p[name] for name in Fixed._fields))
     return CriticalLoad(
         "mu0", "theta0", *np.vectorize(_lowest, otypes=[float, float, str, float])(*columns)
     )[()]  # numbers of one point

@@ -21,7 +21,7 @@ from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_numbers
 from ..numerics.interval_arrays import Int8Array, quiet
 from ..results import EquilibriumType, Result
 from . import kernel
-from .kernel import FIXED
+from .kernel import Fixed
 from .only import of_article
 from .parameters import NAMES, RANGES, Parameters
 
@@ -81,7 +81,7 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     reference = as_numbers("theta0", theta0, RANGES["theta0"])
     try:
         direction, reference, *fixed = np.broadcast_arrays(
-            direction, reference, *(p[name] for name in FIXED)
+            direction, reference, *(p[name] for name in Fixed._fields)
         )
     except ValueError as error:
         raise ParameterError(

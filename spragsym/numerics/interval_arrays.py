@@ -39,15 +39,11 @@ Shape: TypeAlias = tuple[int, ...]
 #: Context in which NumPy gives infinities and NaN without a warning.
 quiet = partial(np.errstate, all="ignore")
 
-#: Twice the unit roundoff.
-EPS = 2.0**-52
+#: Twice the unit roundoff, as an array, which NumPy accepts in a third of the time for a float.
+EPS = np.array(2.0**-52)
 #: More than half the distance between subnormal numbers, and so large that products with it are
 #: normal, hence fast.
-TINY = 2.0**-1000
-#: EPS as an array, which NumPy accepts in a third of the time for a float.
-_UNIT = np.array(EPS)
-#: TINY as an array.
-_TINY = np.array(TINY)
+TINY = np.array(2.0**-1000)
 #: Bound of the relative error of NumPy's exp, log, tanh and arctan, in EPS; NumPy's own tests allow
 #: 4.
 FUNCTION_ULPS = 8
@@ -58,8 +54,8 @@ def rounded_outward(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
     ``ulps`` × 2⁻⁵²; the default covers one rounding to nearest.
     """
     out = np.abs(ends)
-    out *= _UNIT if ulps == 1.0 else ulps * EPS
-    out += _TINY
+    out *= EPS if ulps == 1.0 else ulps * EPS
+    out += TINY
     out += ends
     return out
 

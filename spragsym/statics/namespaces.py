@@ -137,7 +137,7 @@ class Scaled(Arithmetic):
         return Scaled(self.value**power, self.order * power, self.w)
 
 
-class _ScaledFunctions:
+class ScaledFunctions:
     """The namespace ``xp`` for :class:`Scaled` numbers."""
 
     pi = XP.pi
@@ -163,10 +163,6 @@ class _ScaledFunctions:
             if isinstance(value, Scaled)
             else function(value)
         )
-
-
-#: ``xp`` at infinity.
-SCALED: Any = _ScaledFunctions()
 
 
 class Parity(Arithmetic):

@@ -6,8 +6,8 @@ in [−1, 1]² replace the directions. Far away, the linear forces of the spring
 others, so that the balance bounds the coordinates.
 
 A torsion spring of a line of length l acts across the line with the force k_t φ/l, |φ| ≤ π. If l is
-at least :data:`LEVER_LENGTH`, this force is bounded too. Otherwise the mass is near the anchor. The
-region is the hull of both cases.
+at least 1, the scale of length, this force is bounded too. Otherwise the mass is near the anchor.
+The region is the hull of both cases.
 
 A gap that is an expression has both signs over a wide box. A hardening contact law would there give
 a large force of the wrong sign, for depths that no state in contact has. So the depth is cut off at
@@ -51,8 +51,6 @@ from .systems import linear
 
 #: Coordinates are searched up to this size; a smaller bound counts as proved.
 FARTHEST = 1e60
-#: Length of a torsion spring's line that separates the cases, in units of the scale of length.
-LEVER_LENGTH = 1.0
 
 
 def region(
@@ -326,14 +324,14 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
     """
     directions = [Intervals(np.ones((2, count))) for _ in range(3 * balance.springs)]
     for index in range(balance.springs):
-        shortest = LEVER_LENGTH if index in balance.torsions else 0.0
+        shortest = 1.0 if index in balance.torsions else 0.0
         directions[3 * index + 2] = Intervals.between(np.full(count, shortest), FARTHEST)
     return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in balance.torsions]
 
 
 def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
-    """Hull of the points where a torsion spring's line is shorter than :data:`LEVER_LENGTH`;
-    infinite where that is not known.
+    """Hull of the points where a torsion spring's line is shorter than 1; infinite where that is
+    not known.
     """
     balance = at.balance
     hull = np.full(ends.shape, -np.inf)
@@ -346,7 +344,7 @@ def _near_anchors(at: Evaluation, ends: FloatArray) -> FloatArray:
         q = [0] * balance.n
         anchor = replace(at, q=q).anchors[spring]
         for index, end in zip(places, anchor, strict=True):
-            hull[:, index] = np.maximum(hull[:, index], rounded_outward(end.ends + LEVER_LENGTH))
+            hull[:, index] = np.maximum(hull[:, index], rounded_outward(end.ends + 1.0))
     return np.minimum(hull, balance.border[:, :, None])
 
 

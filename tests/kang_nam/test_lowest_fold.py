@@ -9,7 +9,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.derive.kang_nam import lowest_fold as derived
-from spragsym.kang_nam.kernel import FIXED
+from spragsym.kang_nam.kernel import Fixed
 from tests.oracles import lowest_fold
 from tests.oracles.families import random_fixed
 
@@ -82,7 +82,9 @@ def test_the_state_ends_nowhere_where_the_spring_leans_backward() -> None:
     """θ₀ ≥ π/2: no friction makes the reference state jump, and cusps there are not counted."""
     rng = np.random.default_rng(29)
     sets = [random_fixed(rng) for _ in range(40)]
-    values = {name: np.array([float(getattr(p, name)) for p in sets])[:, None] for name in FIXED}
+    values = {
+        name: np.array([float(getattr(p, name)) for p in sets])[:, None] for name in Fixed._fields
+    }
     angles = np.append(np.pi / 2, np.linspace(1.58, 3.14, 25))
     assert np.isnan(ss.jump_value(ss.Parameters(theta0=angles, **values))).all()
 

@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 
 import spragsym as ss
-from spragsym.kang_nam.kernel import FIXED
+from spragsym.kang_nam.kernel import Fixed
 
 #: Angles of the first scan, of each refinement about its least value, and how many of those there
 #: are.
@@ -88,7 +88,7 @@ def in_digits(p: ss.Parameters, digits: int = 50, times: int = 2 * TIMES) -> tup
     a scan finds the least jump.
     """
     found = ss.critical_friction(p)
-    values = p.scalars(*FIXED)
+    values = p.scalars(*Fixed._fields)
     friction, angle = scanned(p, times)
     path = ss.quasi_static_path(p.replace(theta0=angle), "mu0", [0.0, friction])
     with mpmath.workdps(digits + 10):

@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping
 
 from ...expressions import Strength, Syntax, number
-from ...language import FLAG, REAL, Kinds, Record, Routine
+from ...language import Kinds, Record, Routine
 from ...routines import Printer, places
 from .layout import broken, comment, definition
 
@@ -25,7 +25,7 @@ def structure(record: Record) -> str:
 
 def declared(kind: str) -> str:
     """The type of a kind."""
-    return {REAL: "double", FLAG: "int"}.get(kind) or kind
+    return {"Real": "double", "Flag": "int"}.get(kind) or kind
 
 
 def routine(it: Routine, kinds: Kinds, prefix: str) -> str:
@@ -97,7 +97,7 @@ class _CPrinter(Printer):
             ]
         else:
             fields = [f"{results}[{index}]" for index in range(len(names))]
-            kind = REAL
+            kind = "Real"
             passed = ", ".join([*map(self.expressions.print, called.args), results])
             lines = [f"double {results}[{len(names)}];", f"{function}({passed});"]
         self.names |= dict.fromkeys(names, kind)

@@ -13,7 +13,6 @@ that nothing but this contact supports: no branch goes on.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -22,7 +21,6 @@ from numpy.typing import NDArray
 from ..core.errors import ConvergenceError
 from ..models.model import Touching, label_of
 from ..numerics.arithmetic import determinant
-from ..numerics.certified_roots import in_order
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -84,34 +82,6 @@ def met_by(points: Points, balance: Balance) -> BoolArray:
     own = {*balance.touching.split(", ")} & labels
     names = [({*touching.split(", ")} & labels, {at}) for touching, at in every]
     return np.array([own in (names, names - at) for names, at in names], dtype=bool)
-
-
-def joined(parts: Sequence[Points]) -> Points:
-    """Points of several combinations of contacts as one result, sorted by the parameters that
-    vary.
-    """
-    first, *others = parts
-    if not others:
-        return first
-    names = (*first.vary, *first.parameters.model.coordinates)
-    values = {
-        name: np.concatenate([part._values[name] for part in parts]) for name in first._values
-    }
-    error = np.concatenate([part.error for part in parts])
-    order = in_order(
-        np.array([values[name] for name in names]), error, np.zeros(error.size, dtype=int)
-    )
-    region = np.stack([part.region for part in parts])
-    return replace(
-        first,
-        kind=np.concatenate([part.kind for part in parts])[order],
-        error=error[order],
-        region=np.stack([region[:, :, 0].min(axis=0), region[:, :, 1].max(axis=0)], axis=-1),
-        whole=all(part.whole for part in parts),
-        undecided=np.concatenate([part.undecided for part in parts]),
-        remarks=tuple(dict.fromkeys(remark for part in parts for remark in part.remarks)),
-        _values={name: column[order] for name, column in values.items()},
-    )
 
 
 def kinds_of_borders(family: Family, ends: FloatArray, other: Balance) -> NDArray[np.str_]:

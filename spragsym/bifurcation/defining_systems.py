@@ -197,7 +197,9 @@ def ranges(p: ParameterSet, vary: Sequence[str], between: Ranges) -> FloatArray:
         model.require_parameter(name)
     given, rows = as_ranges("between", between, {name: model.any_of(name) for name in vary}), []
     for name in vary:
-        own, far = _ends(model, name), _far(p, name)
+        own = _ends(model, name)
+        # It replaces an infinite end.
+        far = 10.0 * max(1.0, abs(model.base.get(name, 0.0)), largest(p, name))
         finite = [end if math.isfinite(end) else math.copysign(far, end) for end in own]
         ends = given.get(name, finite)
         if ends[0] < own[0] or ends[1] > own[1]:
@@ -210,13 +212,6 @@ def ranges(p: ParameterSet, vary: Sequence[str], between: Ranges) -> FloatArray:
             )
         rows.append(ends)
     return np.array(rows, dtype=float).reshape(-1, 2)
-
-
-def _far(p: ParameterSet, name: str) -> float:
-    """End that replaces an infinite one: ten times the largest of 1, the base value and the own
-    value.
-    """
-    return 10.0 * max(1.0, abs(p.model.base.get(name, 0.0)), largest(p, name))
 
 
 def _ends(model: Model, name: str) -> tuple[float, float]:

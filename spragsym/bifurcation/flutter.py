@@ -47,7 +47,6 @@ from ..statics.stability import (
     is_damped,
     slope_over,
 )
-from .borders import joined as together
 from .defining_systems import (
     FLUTTER,
     HOPF,
@@ -61,7 +60,7 @@ from .defining_systems import (
     undamped_mode,
     within_block,
 )
-from .points import Found, all_of, arranged, matrices, merged, nothing, of_ends, search
+from .points import Found, all_of, arranged, matrices, merged, nothing, of_ends, search, together
 
 if TYPE_CHECKING:
     from .normal_forms import Coefficient, NormalForm

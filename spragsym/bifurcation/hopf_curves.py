@@ -26,7 +26,6 @@ from ..results import Curve, Points, Result
 from ..statics import stability
 from ..statics.stability import slope_over
 from .bifurcation_sets import FoldCurves, on_lines
-from .borders import joined
 from .defining_systems import (
     FOLD,
     NO_SLOPE,
@@ -49,7 +48,7 @@ from .flutter import (
 )
 from .normal_forms import Coefficient, NormalForm, coefficients
 from .options import ContinuationOptions
-from .points import Found, all_of, arranged, matrices, nothing, search, which
+from .points import Found, all_of, arranged, matrices, nothing, search, together, which
 
 #: Reason why a point has no normal form.
 UNPROVED = "no generic Hopf point is proved there"
@@ -190,7 +189,7 @@ def _joined(first: OnsetCurves, others: Sequence[OnsetCurves]) -> OnsetCurves:
         first,
         damping=any(part.damping for part in parts),
         curves=tuple(curve for part in parts for curve in part.curves),
-        points=joined([part.points for part in parts]),
+        points=together([part.points for part in parts]),
         changes={
             name: np.concatenate([part.changes[name] for part in parts]) for name in first.changes
         },

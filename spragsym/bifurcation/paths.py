@@ -33,12 +33,11 @@ from ..statics.search import balances_of, columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, combination_of, one_each, with_state
 from .borders import combination, met_by
-from .borders import joined as together
 from .branches import clearly_nearest, linked
 from .defining_systems import Family, given_column, touch
 from .folds import folds
 from .options import ContinuationOptions
-from .points import escapes, isolated, which
+from .points import escapes, isolated, together, which
 from .singularities import ended
 from .tubes import Place, Tubes
 from .turning_points import limit_points

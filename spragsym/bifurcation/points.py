@@ -208,6 +208,34 @@ def which(balance: Balance, size: int) -> dict[str, Any]:
     return {touching: np.full(size, balance.touching), at_border: np.full(size, label)}
 
 
+def together(parts: Sequence[Points]) -> Points:
+    """Points of several combinations of contacts as one result, sorted by the parameters that
+    vary.
+    """
+    first, *others = parts
+    if not others:
+        return first
+    names = (*first.vary, *first.parameters.model.coordinates)
+    values = {
+        name: np.concatenate([part._values[name] for part in parts]) for name in first._values
+    }
+    error = np.concatenate([part.error for part in parts])
+    order = in_order(
+        np.array([values[name] for name in names]), error, np.zeros(error.size, dtype=int)
+    )
+    region = np.stack([part.region for part in parts])
+    return replace(
+        first,
+        kind=np.concatenate([part.kind for part in parts])[order],
+        error=error[order],
+        region=np.stack([region[:, :, 0].min(axis=0), region[:, :, 1].max(axis=0)], axis=-1),
+        whole=all(part.whole for part in parts),
+        undecided=np.concatenate([part.undecided for part in parts]),
+        remarks=tuple(dict.fromkeys(remark for part in parts for remark in part.remarks)),
+        _values={name: column[order] for name, column in values.items()},
+    )
+
+
 def listed(
     family: Family, undecided: FloatArray, why: str | None = None
 ) -> tuple[FloatArray, tuple[str, ...]]:

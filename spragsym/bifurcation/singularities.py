@@ -62,7 +62,7 @@ from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.stability import with_a_zero
-from .borders import at_borders, at_point, borders, joined
+from .borders import at_borders, at_point, borders
 from .defining_systems import (
     FOLD,
     Augmented,
@@ -74,7 +74,7 @@ from .defining_systems import (
     change,
     cusp,
 )
-from .points import Found, all_of, arranged, of_ends, search, vanishes
+from .points import Found, all_of, arranged, of_ends, search, together, vanishes
 
 
 def folds_of(
@@ -88,7 +88,10 @@ def folds_of(
     touching contacts; arguments as for :func:`spragsym.folds`.
     """
     families = Family.every(p, (vary,), between, within, options)
-    return replace(joined([*map(_folds_in, families), *borders(families)]), _ended=ended)
+    parts = [*map(_folds_in, families)]
+    if len(families) > 1:
+        parts += borders(families)
+    return replace(together(parts), _ended=ended)
 
 
 def _folds_in(family: Family) -> Points:
@@ -118,7 +121,7 @@ def cusps_of(
 ) -> Points:
     """All cusps in the plane of two parameters; arguments as for :func:`spragsym.cusps`."""
     families = Family.every(p, vary, between, within, options)
-    return joined([arranged(family, isolated(family), "cusp") for family in families])
+    return together([arranged(family, isolated(family), "cusp") for family in families])
 
 
 @dataclass(frozen=True)

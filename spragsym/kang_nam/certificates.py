@@ -23,7 +23,7 @@ from ..models.parameters import FloatArray, ParameterSet
 from ..models.quantities import Unit, checked_units
 from ..numerics.affine import Affine, Rounded, cosine_and_sine, sides
 from ..numerics.columns import ByColumn
-from ..numerics.interval_arrays import BoolArray, quiet
+from ..numerics.interval_arrays import HALF_TURN, BoolArray, quiet
 from ..results import EquilibriumType
 from . import kernel
 from .jump_values import first_jumps, point_at, require_usual, with_and_without_friction
@@ -101,8 +101,6 @@ class ClosedClaim(Claim):
 
 
 _MU0 = NAMES.index("mu0")
-#: A little more than π, beyond which no direction is in contact.
-_ALL = math.pi + 1e-15
 
 
 # -----------------------------------------------------------------------------------------------
@@ -126,7 +124,8 @@ def _at_all_states(boxes: ParameterBoxes, slope_sign: int) -> Proved:
         flutter = kernel.invariants(ground.c, ground.s, ground.length(), mu0, *springs, 1)[2]
         return done | (flutter.sign() > 0), (value, slope, flutter)
 
-    return covered(boxes, constant(0.0, boxes), constant(_ALL, boxes), test)
+    # Beyond π no direction is in contact.
+    return covered(boxes, constant(0.0, boxes), constant(HALF_TURN, boxes), test)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -265,7 +264,7 @@ def _is_small(
     if left.size:
         some = boxes[left]
         below = _alone(some, constant(0.0, some), lowest[left])
-        result[left] = below & _alone(some, start[left], constant(_ALL, some))
+        result[left] = below & _alone(some, start[left], constant(HALF_TURN, some))
     return result, np.abs(reach.terms[:-1])
 
 

@@ -474,7 +474,11 @@ class ParameterSet(Values):
 
     def __repr__(self) -> str:
         given = self._values
-        words = ", ".join(f"{n}={_plain(value)}" for n, value in given.items() if value is not None)
+        words = ", ".join(
+            f"{name}={repr(value.item()) if value.ndim == 0 else f'array{value.shape}'}"
+            for name, value in given.items()
+            if value is not None
+        )
         text = f"{type(self).__name__}({words})"
         chosen = ", ".join(f"{name}={value!r}" for name, value in (self.followed or {}).items())
         return f"{text}.following({chosen})" if chosen else text
@@ -486,7 +490,3 @@ def set_of(
     """A set of parameters of a model, with the coordinates of the followed state, or None."""
     p = model.Parameters(**values)
     return p if followed is None else p.following(**followed)
-
-
-def _plain(value: FloatArray) -> str:
-    return repr(value.item()) if value.ndim == 0 else f"array{value.shape}"

@@ -9,13 +9,10 @@ interval, Arb ball, expression.
 from collections.abc import Callable
 from functools import wraps
 from types import FunctionType
-from typing import Any, ParamSpec, TypeVar
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-
-_P = ParamSpec("_P")
-_R = TypeVar("_R")
 
 
 def broadcasting(module: dict[str, Any]) -> list[str]:
@@ -35,9 +32,9 @@ def broadcasting(module: dict[str, Any]) -> list[str]:
     return list(functions)
 
 
-def _shaped(function: Callable[_P, _R]) -> Callable[_P, _R]:
+def _shaped(function: Callable[..., object]) -> Callable[..., object]:
     @wraps(function)
-    def shaped(*args: _P.args, **kwargs: _P.kwargs) -> _R:
+    def shaped(*args: Any, **kwargs: Any) -> object:
         numbers = [*args, *(value for name, value in kwargs.items() if name != "xp")]
         if not function.__kwdefaults__:  # it needs no namespace
             kwargs.pop("xp", None)
@@ -45,11 +42,8 @@ def _shaped(function: Callable[_P, _R]) -> Callable[_P, _R]:
         arrays = [value for value in numbers if isinstance(value, np.ndarray)]
         if arrays:
             shape = np.broadcast_shapes(*(value.shape for value in arrays))
-            result = _fill(result, shape, np.result_type(*arrays))
-        else:
-            result = _typed(result, numbers)
-        shared: _R = result
-        return shared
+            return _fill(result, shape, np.result_type(*arrays))
+        return _typed(result, numbers)
 
     shaped.__doc__ = _documentation(function)
     return shaped

@@ -222,7 +222,9 @@ class Touches:
         K = balance.jacobian(Intervals(some.ends), parameters)
         by = Intervals(np.stack([solved(K, stacked(one, shape)).ends for one in along], axis=2))
         for k in np.flatnonzero(self.either).tolist():
-            by.ends[:, :, k] = (by[:, k] * _sign(self.pulls(some)[k])).ends
+            pull = self.pulls(some)[k]
+            sign = Intervals.between(np.sign(pull.low), np.sign(pull.high))
+            by.ends[:, :, k] = (by[:, k] * sign).ends
         moved = balance.state(jets.variables(q, 1), parameters)
         ends = np.zeros((2, len(self.out), len(self.rows), *shape))
         for g, gap in enumerate(moved.gaps()):
@@ -260,11 +262,6 @@ class Touches:
 def _led(some: Patches, ways: IntArray) -> tuple[FloatArray, FloatArray]:
     """Cells reduced to the ends of shares to which ``ways`` lead."""
     return np.where(ways > 0, some.high, some.low), np.where(ways < 0, some.low, some.high)
-
-
-def _sign(values: Intervals) -> Intervals:
-    """Signs of intervals; [−1, 1] for one that holds 0."""
-    return Intervals.between(np.sign(values.low), np.sign(values.high))
 
 
 def solved(K: Intervals, right: Intervals) -> Intervals:

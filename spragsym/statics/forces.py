@@ -355,7 +355,7 @@ class Evaluation:
         each = zip(turned, stiffnesses, springs, self.at_rest, sides, strict=True)
         return [
             Intervals(np.zeros((2, *self.shape)))
-            if _is_none(k)
+            if is_zero(k) or (isinstance(k, Intervals) and k.is_nothing())
             else turning(value, steps[spring], rest, self.shape, side)
             for value, k, spring, rest, side in each
         ]
@@ -490,11 +490,6 @@ class Evaluation:
     def mirrored(self) -> Sequence[Any]:
         """The mirror image of the state."""
         return self.call("mirror", self.q, kind="statics")
-
-
-def _is_none(stiffness: Number) -> bool:
-    """Whether a stiffness is the constant 0 in all boxes."""
-    return is_zero(stiffness) or (isinstance(stiffness, Intervals) and stiffness.is_nothing())
 
 
 def direction(dx: Number, dy: Number, shape: Shape) -> tuple[Any, Any, Any]:

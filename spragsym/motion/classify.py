@@ -177,27 +177,28 @@ def spectrum_at_rest(
 
 
 def rest_near(problem: Problem, position: FloatArray) -> Equilibrium | None:
-    """The equilibrium in contact found by Newton's method from a position, (n,), with the friction
-    μ(V); None if there is none.
+    """The equilibrium found by Newton's method from a position, (n,), with the friction μ(V): the
+    nearer of that in contact and that in the mode of the position; None if there is none.
 
     If friction holds the mass at the position, as on a belt at rest, it is the nearest of the
     equilibria in which friction holds.
     """
     field, constants = problem.field, problem.constants
     at_rest = [*position.tolist(), *np.zeros(len(position))]
-    mode = field.initial_mode(at_rest, constants)
-    if not field.stays(mode):
-        mode = field.mode_at_rest(at_rest, constants)
-    try:
-        state = equilibrium_near(field, constants, position, mode)
-    except ConvergenceError:
+    here, found = field.initial_mode(at_rest, constants), list[tuple[float, FloatArray, Mode]]()
+    sliding = here if field.stays(here) else field.mode_at_rest(at_rest, constants)
+    for mode in dict.fromkeys((sliding, here)):
+        with suppress(ConvergenceError):
+            state = equilibrium_near(field, constants, position, mode)
+            if all(
+                border.sign(mode) * border.level(state, constants, mode) >= 0
+                for border in field.borders
+                if border.kink
+            ):
+                found.append((magnitude(state[: len(position)] - position), state, mode))
+    if not found:
         return None
-    if any(
-        border.sign(mode) * border.level(state, constants, mode) < 0
-        for border in field.borders
-        if border.kink
-    ):
-        return None
+    _, state, mode = min(found, key=lambda one: one[0])
     return Equilibrium(
         state, *spectrum_at_rest(field, constants, state, mode), len(field.stays(mode))
     )

@@ -48,7 +48,10 @@ class Regime(IntEnum):
     LIMIT_CYCLE = 2
     """Is on a cycle that attracts it."""
     LIFT_OFF = 3
-    """Has no contact with the belt, and too little energy ever to return to it."""
+    """Has no contact with the belt, and too little energy ever to return to it: of the article's
+    model, whose energy has such wells in closed form. Of others, an equilibrium if a damper brings
+    the motion to rest there, else unsettled.
+    """
     UNSETTLED = 4
     """None of these, and does not visibly approach one: a long transient, quasi-periodic or
     irregular.

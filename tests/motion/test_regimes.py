@@ -139,3 +139,16 @@ def test_beside_an_equilibrium_that_repels_nothing_rests() -> None:
     # 4.9e-6 by the eigenvalues of the 4 x 4 linearization, in x the share of that mode
     early = rms_sweep(p, **BELT, x0=eq.x[2], y0=eq.y[2] + 1e-4, t_end=1e5, transient=9.99e4)
     assert beside[1].spread > 1.4 * early.spread
+
+
+def test_a_motion_that_a_damper_brings_to_rest_above_the_belt_rests_there() -> None:
+    """The forces of both springs and the preload by hand: they are balanced where it rests."""
+    p = ss.load("damped").Parameters(theta0=np.radians(100), kappa=0.001, V=0.5, d=10.0)
+    found = ss.simulate(p, start=(0.04, 1.966, 0.0, 0.0), t_end=2000.0).outcome(1500.0)
+    assert found.regime == Regime.EQUILIBRIUM
+    strut = np.array([np.cos(p.theta0), np.sin(p.theta0)]) - found.rest
+    pull = p.sigma * (1 - 1 / np.hypot(*strut)) * strut
+    np.testing.assert_allclose(pull, [p.alpha * found.rest[0], p.kappa], atol=1e-12)
+    assert found.rest[1] > 1
+    # The slowest deviation decays at half of a damping of 0.01 along the belt.
+    assert found.rate == pytest.approx(0.005, rel=1e-3)

@@ -25,7 +25,7 @@ numbers is 0; each is enclosed over the fold's box.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -162,6 +162,13 @@ class Mirror:
             out[j] = parts[j] - sign * partner_sign * parts[i]
         return out
 
+    def parts(self, q: Sequence[Any]) -> list[Any]:
+        """Means and half differences of coordinates."""
+        found = self.along(q)
+        for j, (i, _) in self.partners.items():
+            found[i], found[j] = found[i] * 0.5, found[j] * 0.5
+        return found
+
     def state(self, parts: Sequence[Any]) -> list[Any]:
         """Coordinates from means and half differences."""
         return self.along(parts, -1)
@@ -210,10 +217,7 @@ def only_fold(family: Family, box: FloatArray, mirror: Mirror) -> bool:
         wide = wide + 0.25 * width_of(wide) + 1e-9
         sides = Intervals(wide[:, :, None])
         slopes = matrix(mirror.slopes(balance.state(sides, parameters)), (1,)).middle[:, :, 0]
-        transformed = mirror.along(list(sides))
-        for j, (i, _) in mirror.partners.items():
-            transformed[i], transformed[j] = transformed[i] * 0.5, transformed[j] * 0.5
-        wide = stacked(transformed, (1,)).ends[:, :, 0]
+        wide = stacked(mirror.parts(list(sides)), (1,)).ends[:, :, 0]
     if not np.isfinite(slopes).all():
         return False
     *whole, span = exact_ends(np.concatenate([wide, box[:, -1:]], axis=1))
@@ -378,26 +382,23 @@ def told_apart(family: Family, found: Found, column: int) -> Roots:
 
 def cusp_off_mirrors(family: Family, column: int = 0, block: Block = None) -> Condition:
     """The condition of a cusp, with boxes excluded around mirrors that change the sign of one
-    coordinate.
+    coordinate, or of one half difference.
 
     Cusps there are possible only where pitchforks are degenerate.
     """
     n = family.balance.n
-    mirrors = [one for one in _mirrors(family) if len(one.odd) == 1 and not one.partners]
+    mirrors = [one for one in _mirrors(family) if len(one.odd) == 1]
 
     def images(at: Evaluation) -> list[Intervals]:
         return [stacked(mirror.image(at.q, at.values), at.shape) for mirror in mirrors]
 
-    def changes(at: Evaluation, q: Iterable[Any], order: int) -> list[Any]:
-        K = replace(at, q=variables(list(q), order)).slopes
-        return [change(K, number) for number in range(n)]
-
     def excluded(at: Evaluation) -> BoolArray:
-        q, numbers = at.box.ends, [constant(value) for value in changes(at, at.q, 1)]
+        K = replace(at, q=variables(list(at.q), 1)).slopes
+        numbers = [constant(change(K, number)) for number in range(n)]
         for mirror, image in zip(mirrors, images(at), strict=True):
-            (odd,) = mirror.odd
-            both = Intervals(np.maximum(q, image.ends))
-            numbers.append(gradient(changes(at, both, 2)[odd], n)[odd])
+            (odd,), both = mirror.odd, Intervals(np.maximum(at.box.ends, image.ends))
+            q = mirror.state(variables(mirror.parts(list(both)), 2))
+            numbers.append(gradient(change(mirror.slopes(replace(at, q=q)), odd), n)[odd])
         return ~np.logical_and.reduce(stacked(numbers, at.shape).holds_zero())
 
     def abandoned(at: Evaluation) -> BoolArray:

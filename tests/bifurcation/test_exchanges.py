@@ -117,3 +117,36 @@ def test_blocks_are_twins_where_masses_of_their_statics_agree() -> None:
     assert exchanges[0]["where"] == [[["beta", 1.0], ["kappa", 1.0]]]
     disc = ss.load("disc_between_pads").about["exchanges"]
     assert disc[0] == {"places": [0, 1], "signs": [-1, -1], "contacts": [1, 0], "where": [[]]}
+
+
+#: Two equal masses that snap, a x + x³ = F each, tied to one another.
+SNAPPING_TWINS = '''r"""A page of the tests."""
+from spragsym.derive.model import Page
+page = Page("Two equal masses that snap, tied to one another.")
+m, k, s = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness"), page.unit("s", "m", "size")
+F = page.parameter("F", "N", "load of each", "real", 0.1)
+a = page.parameter("a", "1", "stiffness at 0 over k", "real", 0.2)
+t = page.parameter("t", "N/m", "tie", "> 0", 0.2)
+x, z = page.coordinate("x", "m", "first"), page.coordinate("z", "m", "second")
+page.kinetic(m * (page.rate(x)**2 + page.rate(z)**2) / 2)
+page.potential(t * (x - z)**2 / 2)
+for one in (x, z):
+    page.potential(k * (a * one**2 / 2 + one**4 / s**2 / 4) - F * one)
+'''
+
+
+@pytest.mark.thorough
+def test_all_cusps_of_twins_beside_a_curve_of_their_pitchforks() -> None:
+    """Where both snap as one, F = a = 0; and where they have parted, z = −x, and snap as one from
+    there: a + 3 x² = 0 and x² = −a − 2 t.
+    """
+    t = 0.2
+    p = model_of(SNAPPING_TWINS, "snapping_twins").Parameters(t=t)
+    found = ss.cusps(p, ("F", "a"), between={"F": (-0.5, 0.5), "a": (-1.0, 0.5)})
+    assert found.decided
+    apart = np.sqrt(t)
+    expected = [(-3 * t, -apart, apart), (-3 * t, apart, -apart), (0.0, 0.0, 0.0)]
+    states = np.array([found["a"], found.x, found.z])
+    states = states[:, np.lexsort((states[1], np.round(states[0], 9)))].T
+    np.testing.assert_allclose(states, expected, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found.F, 0.0, rtol=0, atol=1e-12)

@@ -650,7 +650,7 @@ class Tubes(ByColumn):
         dz/ds.
         """
         slopes = self.over(tube)
-        solved, _ = self._solved(slopes, slopes.rows[:, self.pivot], by_s)
+        solved, _ = self._solved(slopes, slopes.rows[:, self.pivot], by_s, tube.z)
         return np.where(solved, np.sign(by_s[-1]), 0.0)
 
     def bends(self, tube: Place, by_s: FloatArray) -> FloatArray:
@@ -663,7 +663,7 @@ class Tubes(ByColumn):
         if self.free or self.balance.factors:
             return np.zeros(tube.sure.size)
         slopes = self.over(tube)
-        _, off = self._solved(slopes, slopes.rows[:, self.pivot], by_s)
+        _, off = self._solved(slopes, slopes.rows[:, self.pivot], by_s, tube.z)
         wide, about = np.zeros(by_s.shape), np.zeros(by_s.shape)
         wide[self.others] = off
         by_z = Intervals(ends_around(by_s, wide + np.spacing(np.abs(by_s) + wide)))
@@ -681,22 +681,23 @@ class Tubes(ByColumn):
             )
             inverse = contractors.inverse(slopes.rows[:, self.others].middle)
             about[self.others] = -np.einsum("ijN,jN->iN", inverse, bent.middle)
-            solved, _ = self._solved(slopes, bent, about)
+            solved, _ = self._solved(slopes, bent, about, tube.z)
         return np.where(solved, np.sign(about[-1]), 0.0)
 
     def _solved(
-        self, slopes: Slopes, starts: Intervals | Affine, about: FloatArray
+        self, slopes: Slopes, starts: Intervals | Affine, about: FloatArray, z: FloatArray
     ) -> tuple[BoolArray, FloatArray]:
         """Whether the last component of x is proved to have the sign of ``about``, and error bounds
         of x.
 
         x solves slopes · x + starts = 0; its component of the pivot is 0. ``about`` approximates x.
-        A bound is infinite where nothing is proved.
+        A bound is infinite where nothing is proved. The states are near z, whose components may be
+        of very different sizes.
         """
         about = about.copy()
         about[self.pivot] = 0.0
-        size = np.abs(about[-1])
-        reach = np.tile(0.1 * size + 1e-12, (self.n, 1))
+        size, units = np.abs(about[-1]), sizes_of(z, 1.0)
+        reach = (0.1 * size + 1e-12) * (units / units[-1])[self.others]
         off = np.full(reach.shape, np.inf)
         with quiet():
             residual = slopes.image(about, starts)

@@ -1,4 +1,4 @@
-"""The same physics in units of length 10⁶ times as large or as small: the same answers."""
+"""The same physics in units of length 10⁹ times as large or as small: the same answers."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -48,7 +48,7 @@ page.contact(y, lambda depth: k * depth)
 page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0)
 """
 )
-UNITS = [1.0, 1e-6, 1e6]
+UNITS = [1.0, 1e-9, 1e-6, 1e6, 1e9]
 #: Powers of a length in the parameters.
 POWERS = {"V": 1, "F": 1, "L": 1, "c": -2, "e": -4, "d": -1}
 

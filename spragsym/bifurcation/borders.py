@@ -13,7 +13,6 @@ that nothing but this contact supports: no branch goes on.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,37 +28,49 @@ from ..numerics.interval_arrays import (
     ends_around,
     quiet,
     scale_of,
+    spans_of,
 )
 from ..results import EquilibriumType
 from ..results.points import Ended, Points
 from ..statics import stability
 from ..statics.balance import Balance
-from ..statics.forces import as_intervals, filled
-from .defining_systems import Augmented, Family, touch
+from ..statics.forces import as_intervals
+from ..statics.search import balances_of
+from .border_states import (
+    about_border,
+    among,
+    at_once,
+    combinations_of,
+    is_singular,
+)
+from .defining_systems import Family, touch
 from .points import arranged, search
 
 
-def borders(families: Sequence[Family]) -> list[Points]:
+def borders(families: Sequence[Family], leaving: bool = False) -> list[Points]:
     """Border points along one parameter of each contact between two of these combinations of
-    contacts that touch.
+    contacts that touch; or ``leaving`` all of them, behind which nothing touches any more.
     """
-    found = []
+    found = list[Points]()
     for family in families:
-        for contact, other in passages(families, family):
+        for contact, other in passages(families, family, leaving):
             near = family.beyond(contact)
-            there = search(near, touch(contact))
-            found.append(arranged(near, there, kinds_of_borders(near, there.roots.ends, other)))
+            there, more = at_once(families, near, contact, search(near, touch(contact)))
+            kinds = "border" if leaving else kinds_of_borders(near, there.roots.ends, other)
+            found += [arranged(near, there, kinds), *more]
     return found
 
 
-def passages(families: Sequence[Family], family: Family) -> Iterator[tuple[int, Balance]]:
-    """Contacts of a combination by whose loss it becomes that of another one of these families, and
-    its balance.
+def passages(
+    families: Sequence[Family], family: Family, leaving: bool = False
+) -> Iterator[tuple[int, Balance]]:
+    """Contacts of a combination by whose loss it becomes that of another one of these families, or
+    ``leaving`` them of none, and its balance.
     """
     balance, combinations = family.balance, [one.balance.pushing for one in families]
     for contact in balance.opens:
         other = balance.across(contact)
-        if balance.pushing[contact] and other.pushing in combinations:
+        if balance.pushing[contact] and (other.pushing in combinations) != leaving:
             yield contact, other
 
 
@@ -80,8 +91,8 @@ def met_by(points: Points, balance: Balance) -> BoolArray:
     every = zip(points.touching, points.at_border, strict=True)
     labels = {label_of(entry) for entry in balance.model.contacts}
     own = {*balance.touching.split(", ")} & labels
-    names = [({*touching.split(", ")} & labels, {at}) for touching, at in every]
-    return np.array([own in (names, names - at) for names, at in names], dtype=bool)
+    names = [({*touching.split(", ")} & labels, {*at.split(", ")}) for touching, at in every]
+    return np.array([names - at <= own <= names for names, at in names], dtype=bool)
 
 
 def kinds_of_borders(family: Family, ends: FloatArray, other: Balance) -> NDArray[np.str_]:
@@ -89,7 +100,7 @@ def kinds_of_borders(family: Family, ends: FloatArray, other: Balance) -> NDArra
     :class:`spragsym.results.Points`.
     """
     closed, open_ = (_signs(balance, family, ends) for balance in (family.balance, other))
-    alone = bool((open_ == 0).any()) and _is_singular(other, family)
+    alone = bool((open_ == 0).any()) and is_singular(other, family)
     return np.select(
         [closed * open_ > 0, (closed * open_ < 0) | ((closed != 0) & alone)],
         ["passes", "border_fold"],
@@ -104,44 +115,6 @@ def _signs(balance: Balance, family: Family, ends: FloatArray) -> Int8Array:
         over = Intervals.between(family.at(-ends[0, n:]), family.at(ends[1, n:]))
         at = balance.state(Intervals(ends[:, :n]), balance.prepared(over))
         return as_intervals(determinant(at.slopes), shape).signs.astype(np.int8)
-
-
-def _is_singular(balance: Balance, family: Family) -> bool:
-    """Whether det K is 0 for all states and all parameters but those that are 0 here.
-
-    In exact numbers, at rational places that are drawn, of directions and friction coefficients
-    too. It is no proof: a polynomial that is not 0 everywhere has all these places of so many
-    digits as roots with next to no probability (Schwartz and Zippel).
-    """
-    rng = np.random.default_rng(0)
-    still = zip(balance.parameters, family.given[:, 0].tolist(), strict=True)
-    zero = {name for name, value in still if value == 0 and name not in balance.angles}
-
-    def drawn() -> Fraction:
-        # Largest numerator and denominator of these numbers.
-        largest = 2**30
-        return Fraction(*map(int, rng.integers(1, largest, 2)))
-
-    def circle() -> list[Fraction]:
-        t = drawn()
-        return [(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)]
-
-    # Places with rational numbers at which a determinant that is 0 everywhere is 0.
-    for _ in range(12):
-        values = {name: 0 if name in zero else drawn() for name in balance.codes}
-        for pair in balance.angles.values():
-            values |= dict(zip(pair, circle(), strict=True))
-        q, mus = [drawn() for _ in balance.coordinates], [drawn() for _ in balance.rubbing]
-        lines = [part for _ in range(balance.springs) for part in (*circle(), drawn())]
-        first = [*q, *lines, *(drawn() for _ in balance.torsions)]
-        at = balance.at(q, values, xp=None)
-        try:
-            K = at.call("forces_jacobian", first, *mus, *balance.pushing, kind="statics")
-        except AttributeError:  # of a law that is no algebra
-            return False
-        if determinant(K) != 0:
-            return False
-    return True
 
 
 def at_point(points: Points, row: int) -> tuple[Family, FloatArray, FloatArray]:
@@ -164,36 +137,30 @@ def at_borders(points: Points, found: Ended) -> None:
 
 
 def _at_border(points: Points, row: int) -> tuple[str, str]:
-    """Outcome of one border fold: which of its states is stable, and in which direction both
+    """Outcome of one border fold: which of its states is stable, and in which direction they
     vanish.
     """
-    family, z, ends = at_point(points, row)
-    closed, contacts = family.balance, points.parameters.model.contacts
-    number = [*map(label_of, contacts)].index(points.at_border[row])
-    with quiet():
-        system = Augmented(family, touch(number))
-        slopes = system.jacobian(Intervals(ends), system.fixed(1))
-        opens = int(as_intervals(determinant([*map(list, slopes)]), (1,)).signs[0])
-    opens *= int(_signs(closed, family, ends)[0])
-    if not opens:
-        raise ConvergenceError("whether the gap opens with the parameter is not known")
-    when, open_ = "up" if opens > 0 else "down", closed.across(number)
-    if not _signs(open_, family, ends)[0] and _is_singular(open_, family):
-        return "", when  # no branch goes on
-    given, moved, stable = family.at(z[-1:, None]), list[float](), list[bool]()
-    for balance in (closed, open_):
-        values = balance.floats(given)
-        at = balance.at(list(z[:-1, None]), values, xp=np)
-        K = filled(at.stiffness(), (1,))[:, :, 0]
-        pushed = filled(balance.by_parameters(at, points.vary), (1,))[:, 0, 0]
-        moved.append(-opens * float(-np.linalg.solve(K, pushed)[0]))
-        code, proved, _ = stability.classified(balance, z[:-1, None], given, ends[:, :-1])
+    family, _, hull = at_point(points, row)
+    balances = combinations_of(family.balance)
+    kind, found, span = about_border(
+        family, hull, among(balances, balances_of(family.balance.model))
+    )
+    if kind != "border_fold":
+        raise ConvergenceError("which states end there is not known")
+    side = int(found.states[1].any())
+    given, firsts, stable = family.at(spans_of(span.ends)[..., side][None]), [], []
+    for number in np.flatnonzero(found.states[side]).tolist():
+        ends = found.roots[side, number]
+        states = Intervals(ends).middle
+        code, proved, _ = stability.classified(balances[number], states, given, ends)
         stable.append(bool(proved[0]) and code[0] == EquilibriumType.STABLE)
-    if not any(stable):
+        firsts.append(spans_of(ends)[0, 0])
+    when = ("down", "up")[1 - side]
+    if len(stable) == 1 or not any(stable):  # no branch goes on, or none that is followed
         return "", when
-    first, second = moved if stable[0] else moved[::-1]
-    # Rates at which two states go apart that are no more apart than this, relatively, are
-    # alike.
-    if abs(first - second) <= 1e-9 * max(abs(first), abs(second)):
-        raise ConvergenceError("which state is the lower one is not known")
-    return "lower" if first < second else "upper", when
+    low, high = firsts.pop(stable.index(True))
+    if all(high < other for other, _ in firsts):
+        return "lower", when
+    if all(low > other for _, other in firsts):
+        return "upper", when
+    raise ConvergenceError("whether the state is the lowest or the highest one is not known")

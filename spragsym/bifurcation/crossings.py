@@ -1,11 +1,9 @@
-"""States that are followed across the borders of contacts, by tubes, for many points at once.
+"""States that are followed across the borders of contacts, for many points at once.
 
-A branch of states with a contact closed meets one with it open where the gap is 0. Short tubes of
-both about there, in which the gap may have either sign, lie in one box. Where det K and det K₀ have
-one sign in all of it, the gaps of both branches have one sign, too, since the forces of the two
-differ by a multiple of the gap: at each value just one of the two is a state, and the state goes
-on. Where the signs differ, both are states on one side only, and the state ends, see
-:mod:`spragsym.bifurcation.borders`; it ends, too, where nothing touches any more.
+A branch of states meets others where gaps are 0, with these contacts open or closed. In a box about
+there each combination of contacts has one state for every value, whatever the signs of its gaps
+are; which of them are states before the border and behind it tells whether the state goes on, see
+:mod:`spragsym.bifurcation.border_states`.
 """
 
 from __future__ import annotations
@@ -17,34 +15,36 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..numerics import contractors
-from ..numerics.arithmetic import determinant
-from ..numerics.certified_roots import stepped
+from ..numerics.certified_roots import relative_error, stepped
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
     IntArray,
     Intervals,
-    ends_around,
     quiet,
 )
-from ..statics.forces import as_intervals
-from ..statics.precise_balance import on_side
 from ..statics.search import balances_of
-from .borders import kinds_of_borders
+from .border_states import (
+    BorderStates,
+    among,
+    both_sides,
+    combinations_of,
+)
 from .defining_systems import Augmented, Family, touch
-from .tubes import Place, Tubes, sizes_of
+from .tubes import Place, Tubes
 
 
 @dataclass(frozen=True)
 class Crossed:
-    """States that have come to the border of a contact: their numbers, the border points z = (q,
-    v), shape (n + 1, N), and errors of v; of those that pass it the places behind it, and tubes.
+    """States that have come to the borders of contacts: their numbers, the border points z = (q,
+    v), shape (n + 1, N), and errors of v; which contacts, shape (contacts that open, N); of those
+    that pass it the places behind it, and tubes.
 
     The ``kind`` is that of :class:`spragsym.bifurcation.paths.ModelEnd`.
     """
 
     rows: IntArray
-    contact: int
+    near: BoolArray
     kind: str
     z: FloatArray
     error: FloatArray
@@ -57,50 +57,51 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
     proved that they pass it or end there.
     """
     balance, left = tubes.balance, np.flatnonzero(here.sure & (here.v != goal))
-    combinations = [one.pushing for one in balances_of(balance.model)]
-    # How far the tubes about the border go, over the way that is left: the wider of them first.
-    tries = itertools.product((2.0**-10, 2.0**-16), balance.opens)
+    every = combinations_of(balance)
+    own, mine = among(every, balances_of(balance.model)), int(among(every, [balance]).argmax())
+    # How far the ranges about the border go, over the way that is left: the wider of them first, as
+    # tubes, whose boxes may not meet it, come to it in ever smaller steps.
+    tries = itertools.product((2.0**-5, 2.0**-10, 2.0**-16), balance.opens)
     away = set[int]()
     for share, contact in tries if left.size else ():
         if contact in away:
             continue
         some, at, way = tubes[left], here[left], (goal - here.v)[left]
-        near = replace(some, balance=balance.extended(contact))
-        family = Family(None, near.balance, (tubes.vary,), near.fixed, np.zeros((1, 2)))
-        system, given = Augmented(family, touch(contact)), near.bounds(Intervals.point(at.v))
-        z = _border(system, given, at.z, tubes.options.newton_steps)
-        room, ahead = share * np.abs(way), (z[-1] - at.v) * np.sign(way)
+        family = Family(None, balance.extended(), (tubes.vary,), some.fixed, np.zeros((1, 2)))
+        z = _border(family, contact, at.z, tubes.options.newton_steps)
+        room, forward = share * np.abs(way), np.sign(way)
+        ahead = (z[-1] - at.v) * forward
         met = (ahead >= 0) & (ahead < np.abs(way))
         if not met.any():
             away.add(contact)
             continue
-        first = np.where(ahead > room, z[-1] - room * np.sign(way), at.v)
-        last = z[-1] + np.sign(way) * np.minimum(room, np.abs(way) - ahead)
-        at = some.followed(at, np.where(met, first, at.v))
-        good, end, tube = near.segment(at, _moved(at, np.where(met, last, at.v)))
-        good &= met & (at.v == first)
-        beyond, box = replace(some, balance=balance.across(contact)), tube.box().ends
-        there, over, passes = end, good.copy(), np.zeros_like(good)
-        if beyond.balance.pushing in combinations:
-            back = replace(near, balance=near.balance.across(contact))
-            there = beyond.place(end.z)
-            also, _, behind = back.segment(there, _moved(there, first))
-            both = np.maximum(box, behind.box().ends)
-            passes = good & also & (kinds_of_borders(family, both, back.balance) == "passes")
-            over = good & (kinds_of_borders(family, box, back.balance) == "border_fold")
-        wide = ends_around(z, tubes.options.half_width * sizes_of(z, 1.0))
-        step, alone = _enclosed(system, given, wide, box)
-        error = contractors.distance(step, z)[-1]
-        arrived = end.box()
-        bounds = near.bounds(arrived[-1])
-        over &= alone & on_side(beyond.balance, bounds, arrived.ends[:, :-1])[0]
-        end_kind = "border_fold" if beyond.balance.pushing in combinations else "border"
-        for kind, rows in (("passes", np.flatnonzero(passes)), (end_kind, np.flatnonzero(over))):
-            if rows.size:
-                yield Crossed(
-                    left[rows], contact, kind, z[:, rows], error[rows], there[rows], beyond[rows]
-                )
-        left = left[~(passes | over)]
+        first = np.where(met & (ahead > room), z[-1] - room * forward, at.v)
+        last = z[-1] + forward * np.minimum(room, np.abs(way) - ahead)
+        at = some.followed(at, first)
+        rows = np.flatnonzero(met & at.sure & (at.v == first))
+        if not rows.size:
+            continue
+        some, at, z = some[rows], at[rows], z[:, rows]
+        family = replace(family, given=some.fixed)
+        # As far beyond the border as it lies before it.
+        q = np.maximum(at.box().ends[:, :-1], Intervals.point(2 * z - at.z).ends[:, :-1])
+        ends = np.array([first[rows], last[rows]])
+        found = both_sides(family, q, ends)
+        kinds = found.kinds(own)
+        error = _distances(family, own, found, z, ends)
+        # Other borders than those at the point, some share of the range away, are not among these.
+        kinds[~(found.states[0, mine] & (error <= 1e-6 * np.abs(ends[1] - ends[0])))] = ""
+        behind = np.where(kinds == "passes", found.states[1].argmax(axis=0), mine)
+        for kind, number in sorted({*zip(kinds.tolist(), behind.tolist(), strict=True)}):
+            if not kind:
+                continue
+            picked = np.flatnonzero((kinds == kind) & (behind == number))
+            beyond, roots = replace(some[picked], balance=every[number]), found.roots[1, number]
+            there = np.vstack([Intervals(roots).middle, ends[1]])[:, picked]
+            place = beyond.place(there, error=relative_error(roots[..., picked], there[:-1]))
+            about = left[rows[picked]], found.near[:, picked], kind, z[:, picked], error[picked]
+            yield Crossed(*about, place, beyond)
+        left = np.delete(left, rows[kinds != ""])
 
 
 def followed_across(tubes: Tubes, here: Place, goal: FloatArray) -> tuple[Tubes, Place]:
@@ -114,27 +115,37 @@ def followed_across(tubes: Tubes, here: Place, goal: FloatArray) -> tuple[Tubes,
     return tubes, here
 
 
-def _moved(place: Place, v: FloatArray) -> FloatArray:
-    """The middle of a place with other values of the parameter that varies."""
-    return np.vstack([place.z[:-1], v])
-
-
-def _border(system: Augmented, given: Intervals, z: FloatArray, steps: int) -> FloatArray:
-    """About the border point that is the next one to z, by Newton's method."""
+def _border(family: Family, contact: int, z: FloatArray, steps: int) -> FloatArray:
+    """About the border point of a contact that is the next one to z, by Newton's method."""
+    system = Augmented(family, touch(contact))
+    given = system.prepared_at(family.begin)
     with quiet():
         for _ in range(steps):
             z = Intervals(stepped(system, Intervals.point(z).ends, given).ends).middle
     return z
 
 
-def _enclosed(
-    system: Augmented, given: Intervals, wide: FloatArray, box: FloatArray
-) -> tuple[FloatArray, BoolArray]:
-    """Boxes around border points from small ones, and where it is proved that there is
-    one, and no other in a box.
+def _distances(
+    family: Family, own: BoolArray, found: BorderStates, z: FloatArray, ends: FloatArray
+) -> FloatArray:
+    """How far along the parameter the border points of the states of combinations, its ``own``, may
+    be from z; infinite where not each is proved to be the only one in the box.
     """
-    with quiet():
-        step = stepped(system, wide, given).ends
-        slopes = system.jacobian(Intervals(np.maximum(box, wide)), given)
-    regular = as_intervals(determinant([*map(list, slopes)]), wide.shape[2:]).signs != 0
-    return step, regular & contractors.inside(step, wide)
+    out, low, high = np.zeros(z.shape[1]), ends.min(axis=0), ends.max(axis=0)
+    box = np.concatenate([found.box, Intervals.between(low, high).ends[:, None]], axis=1)
+    each = combinations_of(family.balance)
+    for number, row in itertools.product(np.flatnonzero(own).tolist(), range(len(found.near))):
+        asked = found.meets[number] & found.regular[number] & found.near[row]
+        if not asked.any():
+            continue
+        contact = family.balance.opens[row]
+        system = Augmented(replace(family, balance=each[number].extended()), touch(contact))
+        given = system.prepared_at(family.begin)
+        with quiet():
+            there = stepped(system, box, given).ends
+            alone = contractors.inside(there, box)
+            for _ in range(3):  # each doubles the number of digits
+                there = np.fmin(stepped(system, there, given).ends, there)
+        off = np.where(alone, contractors.distance(there, z)[-1], np.inf)
+        out = np.maximum(out, np.where(asked, off, 0.0))
+    return out

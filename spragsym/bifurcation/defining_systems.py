@@ -127,11 +127,11 @@ class Family:
         balances = balances_of(p.model, within, options)
         return [cls.of(p, vary, between, within, balance) for balance in balances]
 
-    def beyond(self, contact: int | None = None) -> Self:
-        """The same family with states a little beyond the border of a contact accepted; without
-        one, of the border that the balance is extended beyond already, or of all.
+    def beyond(self, *contacts: int) -> Self:
+        """The same family with states a little beyond the borders of contacts accepted; without
+        any, of the borders that the balance is extended beyond already, or of all.
         """
-        return replace(self, balance=self.balance.extended(contact))
+        return replace(self, balance=self.balance.extended(*contacts))
 
     def fixed(self, name: str, values: float | FloatArray) -> Self:
         """The family with one of its varying parameters fixed, at one value or at many."""

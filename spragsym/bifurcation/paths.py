@@ -32,12 +32,12 @@ from ..statics.reference_state import chosen_state, least_slot, nearest_state
 from ..statics.search import balances_of, columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, combination_of, one_each, with_state
-from .borders import combination, met_by
+from .borders import borders, combination, met_by
 from .branches import clearly_nearest, linked
-from .defining_systems import Family, given_column, touch
+from .defining_systems import Family, given_column
 from .folds import folds
 from .options import ContinuationOptions
-from .points import escapes, isolated, together, which
+from .points import escapes, together, which
 from .singularities import ended
 from .tubes import Place, Tubes
 from .turning_points import limit_points
@@ -216,23 +216,16 @@ def border_ends(
     if they do, beside the folds ``turns``.
     """
     families, found = Family.every(p, (vary,), {vary: span}, None, options), list[Points]()
-    combinations = [family.balance.pushing for family in families]
-    for family in families:
-        balance = family.balance
-        for contact in balance.opens:
-            if balance.pushing[contact] and balance.across(contact).pushing not in combinations:
-                at_border = isolated(family.beyond(contact), touch(contact), "border")
-                if not at_border.decided:
-                    # A search does not tell a root on an end of its range, as a load from 0 has it
-                    # where a domain ends.
-                    wide = replace(family.beyond(contact), spans=_widened(p.ranges[vary], span))
-                    at_border = isolated(wide, touch(contact), "border")
-                if not at_border.decided:
-                    raise ConvergenceError(
-                        f"whether equilibria leave the contact along {vary} is not decided; "
-                        "shorten the range"
-                    )
-                found.append(at_border)
+    # A search does not tell a root on an end of its range, as a load from 0 has it where a domain
+    # ends.
+    for ends in (np.array([span]), _widened(p.ranges[vary], span)):
+        found = borders([replace(family, spans=ends) for family in families], leaving=True)
+        if all(points.decided for points in found):
+            break
+    else:
+        raise ConvergenceError(
+            f"whether equilibria leave the contact along {vary} is not decided; shorten the range"
+        )
     if not (
         turns.whole and np.isfinite(turns.region).all()
     ):  # states run to infinity only where nothing bounds them

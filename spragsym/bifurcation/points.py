@@ -203,8 +203,7 @@ def which(balance: Balance, size: int) -> dict[str, Any]:
     if not balance.model.has_regimes:
         return {}
     touching, at_border = (own_name(balance.model, name) for name in ("touching", "at_border"))
-    near = balance.beyond
-    label = "" if near is None else label_of(balance.model.contacts[near])
+    label = ", ".join(label_of(balance.model.contacts[k]) for k in balance.beyond)
     return {touching: np.full(size, balance.touching), at_border: np.full(size, label)}
 
 

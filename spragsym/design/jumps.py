@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..bifurcation.crossings import crossed
 from ..bifurcation.defining_systems import Augmented, Family, ranges, touch
@@ -148,7 +149,8 @@ def jump_gradient(
     Returns
     -------
     JumpGradient
-        NaN where the state goes on or ends at a pitchfork.
+        NaN where the state goes on, ends at a pitchfork, or loses contacts at once that it does not
+        lose at once beside these parameters.
 
     Raises
     ------
@@ -205,19 +207,25 @@ def limit_point_passed(
 def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
     """Derivatives dv/dp of the values at which states end, by parameter; NaN without an end."""
     balances, shape, size = balances_of(p.model), found.value.shape, found.value.size
-    names, contact = list(balances[0].parameters), np.full(size, -1)
+    names, met = list(balances[0].parameters), dict[int, tuple[int, ...]]()
     states = found.state.reshape(balances[0].n, -1).copy()
     columns = (found.value if name == vary else p[name] for name in names)
     given = np.stack([np.broadcast_to(column, shape).reshape(-1) for column in columns])
     for i, end in found.others.items():
         if end.kind in ("border", "border_fold"):
-            contact[i] = [*map(label_of, p.model.contacts)].index(end.at_border)
+            labels = [*map(label_of, p.model.contacts)]
+            met[i] = tuple(map(labels.index, end.at_border.split(", ")))
             states[:, i] = [end.before[name] for name in balances[0].coordinates]
     slopes = np.full((len(names), size), np.nan)
-    kinds = np.stack([np.broadcast_to(found.combination, shape).reshape(-1), contact])
-    for number, border in np.unique(kinds, axis=1).T.tolist():
-        rows = np.flatnonzero((kinds == [[number], [border]]).all(axis=0))
-        slopes[:, rows] = _slopes(balances[number], vary, border, states[:, rows], given[:, rows])
+    groups = dict[tuple[int, tuple[int, ...]], list[int]]()
+    for i, number in enumerate(np.broadcast_to(found.combination, shape).ravel().tolist()):
+        groups.setdefault((number, met.get(i, (-1,))), []).append(i)
+    for (number, borders), rows in groups.items():
+        some = balances[number], vary, states[:, rows], given[:, rows]
+        first, *others = (_slopes(border, *some) for border in borders)
+        # Of contacts that open at once but here the first one to do so is another on each side.
+        alike = [np.isclose(first, one, 1e-6, 1e-9).all(axis=0) for one in others]
+        slopes[:, rows] = np.where(np.logical_and.reduce(alike), first, np.nan)
     # Without an end, whatever the forces depend on.
     slopes[:, np.isnan(states).any(axis=0)] = np.nan
     for i, end in found.others.items():
@@ -230,7 +238,7 @@ def slopes_of(p: ParameterSet, vary: str, found: Ends) -> dict[str, FloatArray]:
 
 
 def _slopes(
-    balance: Balance, vary: str, border: int, states: FloatArray, given: FloatArray
+    border: int, balance: Balance, vary: str, states: FloatArray, given: FloatArray
 ) -> FloatArray:
     """dv/dp by parameter at folds, or where the gap of a contact is 0, whose number is not
     negative.
@@ -369,10 +377,10 @@ class Followed:
         for rows, tubes, start, goal in self._parts():
             proved = self._by_tubes(tubes, start, goal)
             z[:, rows], error[rows], combination[rows] = proved.z, proved.error, proved.combination
-            for i, contact in zip(rows.tolist(), proved.border.tolist(), strict=True):
-                if contact >= 0:
-                    others[i] = self._at_border(z[:, i], error[i], combination[i], contact)
-                    z[:n, i] = np.nan
+            for column in np.flatnonzero(proved.border != ""):
+                i = int(rows[column])
+                others[i] = self._at_border(proved, int(column))
+                z[:n, i] = np.nan
             for i in rows[~proved.decided].tolist():
                 span = float(self.begin[i]), float(self.until[i])
                 none = no_state_to_follow(self._points(i), self.vary)
@@ -399,15 +407,14 @@ class Followed:
         )
         return Ends(z[n, ...], error, z[:n], reasons, until, combination, others)
 
-    def _at_border(self, z: FloatArray, error: float, combination: int, contact: int) -> ModelEnd:
-        """The end at the border of a contact."""
-        balance = self.balances[combination]
-        beyond = balance.across(contact).pushing
-        kind = "border_fold" if beyond in [one.pushing for one in self.balances] else "border"
-        *q, value = z.tolist()
+    def _at_border(self, proved: _TubeVerdict, column: int) -> ModelEnd:
+        """The end at the borders of contacts."""
+        balance, near = self.balances[int(proved.combination[column])], proved.near[:, column]
+        *q, value = proved.z[:, column].tolist()
         before = dict(zip(balance.coordinates, q, strict=True))
-        label = label_of(self.model.contacts[contact])
-        return ModelEnd(value, kind, before, float(error), balance.touching, label)
+        met = (self.model.contacts[k] for k in np.compress(near, balance.opens))
+        names, kind = ", ".join(map(label_of, met)), str(proved.border[column])
+        return ModelEnd(value, kind, before, float(proved.error[column]), balance.touching, names)
 
     def _points(self, rows: IndexArray) -> ParameterSet:
         """Some points, or one, as parameters with the chosen followed state."""
@@ -474,7 +481,8 @@ class Followed:
             np.full(start.z.shape, np.nan),
             np.zeros(size),
             np.full(size, number_of(self.balances, tubes.balance.touching)),
-            np.full(size, -1),
+            np.full(size, "", dtype="<U11"),
+            np.zeros((len(tubes.balance.opens), size), dtype=bool),
         )
         # With large steps first: tubes over a coordinate, which pass the fold, go on from there.
         for least in (2.0**-8, *[None] * rounds):
@@ -493,7 +501,8 @@ class Followed:
                     )
                 else:
                     out.z[:, rows], out.error[rows] = part.z, part.error
-                    out.decided[rows], out.border[rows] = True, part.contact
+                    out.decided[rows], out.border[rows] = True, part.kind
+                    out.near[:, rows] = part.near
             left, at = left[~beyond], at[~beyond]
             fold = limit_points(tubes[left], at, forward)
             # What turns back beyond the goal has come to it.
@@ -516,15 +525,17 @@ class Followed:
 @dataclass(frozen=True)
 class _TubeVerdict(ByColumn):
     """Points of which it is told whether there is an end before the goal, the ends, shape (n + 1,
-    N) or NaN, errors, and the numbers of the combination of contacts that touch there, and of the
-    contact that is lost or regained; −1 where none is.
+    N) or NaN, errors, and the numbers of the combination of contacts that touch there; the kind of
+    a ``border`` that is met, if one is, and which contacts are ``near``, shape (contacts that open,
+    N).
     """
 
     decided: BoolArray
     z: FloatArray
     error: FloatArray
     combination: IntArray
-    border: IntArray
+    border: NDArray[np.str_]
+    near: BoolArray
 
 
 @dataclass(frozen=True, eq=False)

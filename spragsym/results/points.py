@@ -67,13 +67,14 @@ class Points(OfStates, Rows):
         ``"pitchfork"``: one becomes three, or three become one, all of them in one point, in a
         system that is its own mirror image. ``"cusp"``: two folds meet; along one parameter three
         equilibria meet, and one is left on both sides. ``"touch"``: two meet, and there are as many
-        on both sides. Of several contacts ``"passes"``: one of them loses or regains contact, and
-        the state goes on; ``"border_fold"``: there two states, or one, end; ``"border"``: which of
-        these is not known. ``"hopf"``, ``"flutter"`` and ``"detected"`` are onsets, see
+        on both sides. Of several contacts ``"passes"``: one of them, or some at once, lose or
+        regain contact, and the state goes on; ``"border_fold"``: there two states, or one, end, or
+        more where several do at once; ``"border"``: which of these is not known. ``"hopf"``,
+        ``"flutter"`` and ``"detected"`` are onsets, see
         :class:`spragsym.results.Onsets`.
     touching, at_border : ndarray of str
         Of a model with several contacts: those that touch, as ``"front, rear"``, and the one of
-        them whose gap is 0 at a border point, empty at others.
+        them whose gap is 0 at a border point, or those that are met at once; empty at others.
     error : ndarray
         Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary, in closed
         forms of theta and L too.

@@ -57,20 +57,20 @@ class Balance(Forces, StateSystem):
             label_of(entry) for k, (entry, one) in enumerate(entries) if bool(one) != (k == contact)
         )
         return Balance(self.model, touching, self.law, self.options).extended(
-            self.beyond, self.slack
+            *self.beyond, slack=self.slack
         )
 
-    def extended(self, contact: int | None = None, slack: float = 1e-3) -> Balance:
-        """The same balance, where states up to ``slack`` beyond a contact's border are accepted
-        too.
+    def extended(self, *contacts: int, slack: float = 1e-3) -> Balance:
+        """The same balance, where states up to ``slack`` beyond the borders of contacts are
+        accepted too.
 
-        States on the border are then in the interior. Without ``contact``, the border is the one
-        that this balance is extended beyond already, or else that of every contact.
+        States on these borders are then in the interior. Without contacts, the borders are those
+        that this balance is extended beyond already, or else those of every contact.
         """
         other = Balance(self.model, self.contact, self.law, self.options)
-        other.beyond = self.beyond if contact is None else contact
+        other.beyond = contacts or self.beyond
         other.slack, other.border = slack, other.border + slack
-        other.slacks = [slack if other.beyond in (None, k) else 0.0 for k in other.opens]
+        other.slacks = [slack if k in (other.beyond or other.opens) else 0.0 for k in other.opens]
         return other
 
     @property

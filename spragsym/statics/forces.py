@@ -106,10 +106,10 @@ class Forces:
         #: these, whether it touches.
         self.opens = [k for k, entry in enumerate(model.contacts) if entry["border"]]
         self.closed = [bool(self.pushing[k]) for k in self.opens]
-        #: States up to ``slack`` beyond a border are accepted: of contact number ``beyond``, or of
-        #: all contacts where that is None. ``slacks`` are the values by contact.
+        #: States up to ``slack`` beyond a border are accepted: of the contacts ``beyond``, by their
+        #: numbers, or of all where there are none. ``slacks`` are the values by contact.
         self.slack, self.slacks = 0.0, [0.0] * len(self.opens)
-        self.beyond: int | None = None
+        self.beyond: tuple[int, ...] = ()
         #: Whether states on the border of an open contact are excluded, since another combination
         #: of contacts has them.
         self.apart = False

@@ -1,5 +1,7 @@
 """Border points of several contacts, where one of them only just touches, against closed forms."""
 
+import math
+
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -9,7 +11,7 @@ from spragsym.bifurcation.crossings import crossed
 from spragsym.bifurcation.defining_systems import given_column
 from spragsym.bifurcation.tubes import Tubes
 from spragsym.statics.search import balances_of
-from tests.oracles.contact_pages import BLOCKS, JAMMING, PAD, SPRUNG, balanced, pad
+from tests.oracles.contact_pages import BLOCKS, HEAD, JAMMING, PAD, SPRUNG, balanced, pad
 from tests.oracles.user_pages import model_of
 
 pytest.importorskip("sympy")
@@ -194,3 +196,103 @@ def test_the_stiffness_of_a_stop_does_not_move_where_it_is_touched() -> None:
     assert (found.complete, len(found)) == (True, 0)
     passes = ss.folds(p, "mu", between={"mu": (1.0, 3.0)})
     assert (passes.kind.tolist(), passes["mu"][0]) == (["passes"], pytest.approx(2.0, rel=1e-12))
+
+
+#: Three masses, tied to one another, that the same load pushes to stops of their own; a fourth one
+#: stays on its seat.
+AT_ONCE = '''r"""A page of the tests."""
+from spragsym.derive.model import Page
+page = Page("Masses that come to their stops at once.")
+m, k = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness")
+a = page.unit("a", "m", "length")
+P = page.parameter("P", "N", "load", "real", 0.3)
+t = page.parameter("t", "N/m", "ties", ">= 0", 0.2)
+g = page.parameter("g", "m", "gap of the stops", ">= 0", 0.1)
+x, y, z, w = (page.coordinate(name, "m", f"of the mass {name}") for name in "xyzw")
+page.kinetic(m * sum(page.rate(one)**2 for one in (x, y, z, w)) / 2)
+page.force(-k * a, along=w)
+page.contact(w, lambda depth: k * depth, name="seat")
+for number, (one, other) in enumerate(((x, y), (y, z), (z, x)), 1):
+    page.spring(k, along=one)
+    page.spring(t, along=one - other)
+    page.force(P, along=one)
+    page.contact(g - one, lambda depth, number=number: number * k * depth, name=f"stop_{one}")
+'''
+
+
+@pytest.mark.thorough
+def test_three_stops_that_are_met_at_once_are_one_point() -> None:
+    """At P = k g, inside of the range and at either end of it."""
+    stops, g = "stop_x, stop_y, stop_z", 0.237
+    p = model_of(AT_ONCE, "stops_at_once").Parameters(g=g)
+    for ends in ((0.2, 0.3), (g, 0.3), (0.2, g)):
+        found = ss.folds(p, "P", between={"P": ends})
+        assert found.complete
+        assert (found.kind.tolist(), found.at_border.tolist()) == (["passes"], [stops])
+        assert found.touching.tolist() == [f"seat, {stops}"]
+        np.testing.assert_allclose([found.P, found.x, found.y, found.z], g, rtol=1e-12)
+    assert math.isnan(ss.jump_value(p, "P", direction="down", until=-0.1))
+
+
+#: Two equal shoes, coupled to one another, that friction presses onto the drum, and a mass on its
+#: seat.
+BOTH_LOCK = (
+    HEAD
+    + """
+P = page.parameter("P", "N", "load of each shoe", "real", 0.0)
+k = page.parameter("k", "N m", "spring of each", "> 0", 0.3)
+t = page.parameter("t", "N m", "between them", ">= 0", 0.1)
+b = page.parameter("b", "m", "arm of the normal force", "> 0", 0.7)
+c = page.parameter("c", "m", "arm of friction", "> 0", 0.9)
+phi = page.coordinate("phi", "rad", "turning of one shoe")
+psi = page.coordinate("psi", "rad", "turning of the other one")
+w = page.coordinate("w", "m", "of the mass")
+page.kinetic(m * a**2 * (page.rate(phi)**2 + page.rate(psi)**2) / 2 + m * page.rate(w)**2 / 2)
+page.spring(t, along=phi - psi)
+page.force(-k_c * a, along=w)
+page.contact(w, lambda depth: k_c * depth, name="seat")
+for name, shoe in (("one", phi), ("other", psi)):
+    page.spring(k, along=shoe)
+    page.force(P * a, along=shoe)
+    page.friction(
+        c * shoe, V, law, at_rest=mu0, on=page.contact(-b * shoe, lambda depth: k_c * depth, name=name)
+    )
+"""
+)
+
+
+@pytest.mark.thorough
+def test_two_shoes_that_lock_at_once_end_and_those_that_do_not_pass() -> None:
+    """K = k + b² − μ b c of a shoe on the drum. Where it is negative and softer than the tie, both
+    lock together, and no state of one shoe alone is beside them.
+    """
+    model = model_of(BOTH_LOCK, "both_lock")
+    locks = (0.3 + 0.49) / 0.63
+    for mu, t, states in ((0.9 * locks, 0.1, (1, 1)), (1.1 * locks, 0.01, (4, 0))):
+        p = model.Parameters(mu0=mu, t=t)
+        found = ss.folds(p, "P", between={"P": (-1.0, 1.0)})
+        assert found.complete
+        assert tuple(int(ss.count(p.replace(P=P))) for P in (-0.01, 0.01)) == states
+        assert (found.at_border.tolist(), abs(found.P[0]) <= 1e-12) == (["one, other"], True)
+        if states == (1, 1):
+            assert found.kind.tolist() == ["passes"]
+            for along in (np.array([-0.1, -0.02, 0.05]), np.array([0.05, -0.02, -0.1])):
+                path = ss.quasi_static_path(p, "P", along)
+                assert not path.jumps
+                K = 0.3 + np.where(along > 0, 0.49 - mu * 0.63, 0.0)
+                np.testing.assert_allclose([path.phi, path.psi], [along / K] * 2, rtol=1e-12)
+        else:
+            assert found.kind.tolist() == ["border_fold"]
+            assert (found.ends[0], found.when[0]) == ("lower", "up")
+            assert abs(ss.jump_value(p, "P", begin=-0.1, until=0.1)) <= 1e-12
+
+
+@pytest.mark.thorough
+def test_two_borders_near_to_one_another_are_two() -> None:
+    """A shoe with next to no play jams at P = 0, and comes free just below it."""
+    p = model_of(JAMMING, "jamming_shoe").Parameters(b=0.7, c=0.9, k=0.3, l=1.5, g=1e-4, mu0=1.5)
+    K = float(p.k + p.b**2 - p.mu0 * p.b * p.c)
+    up = ss.jump_value(p, "P", begin=-0.04, until=0.04)
+    down = ss.jump_value(p, "P", direction="down", begin=0.04, until=-0.04)
+    assert abs(up) <= 1e-12
+    assert down == pytest.approx(K * 1e-4 / 1.5, rel=1e-9)

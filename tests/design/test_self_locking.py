@@ -119,11 +119,35 @@ def test_as_many_lock_as_have_a_larger_friction(duplex: ss.Model) -> None:
 
 
 @pytest.mark.thorough
-def test_an_end_that_is_not_decided_is_not_that_the_state_goes_on(duplex: ss.Model) -> None:
-    """Both shoes leave the drum at once, where their play is F/k_r = 5."""
+def test_as_many_leave_the_drum_as_have_a_larger_play(duplex: ss.Model) -> None:
+    """Both shoes leave it at once, where their play is F/k_r = 5."""
     given = {**duplex.base, "g": (1.0, 9.0)}
     found = ss.jump_probability(given, model=duplex, vary="g", begin=0.0, n=4096, rng=1)
     assert found.low <= 0.5 <= found.high
+    assert found.undecided == 0
+
+
+@pytest.mark.thorough
+def test_both_shoes_leave_the_drum_at_once(duplex: ss.Model) -> None:
+    """At F = k_r g, in either direction of a parameter, and not before it."""
+    for k_r, g in ((0.02, 0.01), (0.05, 0.3)):
+        p, lost = duplex.Parameters(k_r=k_r, g=g, F=3 * k_r * g), k_r * g
+        for vary, direction, value in (("F", "down", lost), ("g", "up", 3 * g)):
+            around = 0.5 * value, 2 * value
+            folds = ss.folds(p, vary, between={vary: around})
+            assert (folds.complete, len(folds)) == (True, 0)
+            until = around[direction == "up"]
+            found = ss.jump_gradient(p, vary, direction=direction, until=until)
+            assert found.value == pytest.approx(value, rel=1e-12)
+            slopes = {"F": (g, k_r), "g": (-3 * g / k_r, 1 / k_r)}[vary]
+            other = "g" if vary == "F" else "F"
+            given = [float(found.slopes[name]) for name in ("k_r", other)]
+            assert given == pytest.approx(slopes, rel=1e-9)
+            near = value * (0.99 if direction == "up" else 1.01)
+            assert math.isnan(ss.jump_value(p, vary, direction=direction, until=near))
+    path = ss.quasi_static_path(p, "F", [0.05, lost])
+    held = (lost + (1 - 0.24) * g) / (k_r + 1 - 0.24)
+    assert path["alpha_1"][-1] == pytest.approx(held, rel=1e-12)
 
 
 @pytest.mark.thorough

@@ -821,7 +821,7 @@ static void enclose_block(const tube *of, workspace *at, Py_ssize_t begin) {
     const int size = by->n;
     const int n = size - 1;
     const Py_ssize_t N = of->N;
-    double(*forces)[MAX_UNKNOWNS][BLOCK] = at->values;
+    double (*forces)[MAX_UNKNOWNS][BLOCK] = at->values;
     double reach[MAX_UNKNOWNS][BLOCK];
     at->count = (int)(N - begin < BLOCK ? N - begin : BLOCK);
     for (int i = 0; i < at->count; i++) {
@@ -872,7 +872,7 @@ static void enclose_block(const tube *of, workspace *at, Py_ssize_t begin) {
             int inside = 1;
             for (int i = 0; i < n; i++) {
                 double ends[2];
-                residual_along(of, at, i, a, c, (const double(*)[MAX_UNKNOWNS][BLOCK])forces, ends);
+                residual_along(of, at, i, a, c, (const double (*)[MAX_UNKNOWNS][BLOCK])forces, ends);
                 room[i] = reach[i][c - begin];
                 for (int end = 0; end < 2; end++) {
                     values.ends[end][i] = ends[end];

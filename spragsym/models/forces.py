@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.errors import ParameterError
-from ..display import Column
+from ..display import Column, own_name
 from .parameters import FloatArray, ParameterSet
 
 if TYPE_CHECKING:
@@ -29,16 +29,22 @@ def columns_of(model: Model) -> tuple[str, ...]:
     """Names of the columns that locate a state: direction and length of each inclined spring, and
     the coordinates.
     """
-    springs = [f"{name}{end}" for end in _ends(model) for name in ("theta", "L")]
-    return tuple(dict.fromkeys([*springs, *model.coordinates]))
+    springs = [name for theta, length, _ in _spring_names(model) for name in (theta, length)]
+    return *springs, *model.coordinates
 
 
-def _ends(model: Model) -> list[str]:
-    """Suffixes of names, one for each inclined spring: empty for a single one, else ``_1``, ``_2``,
-    ….
+def _spring_names(model: Model) -> list[tuple[str, ...]]:
+    """Names of direction, length and tension of each inclined spring.
+
+    Several springs have the suffixes ``_1``, ``_2``, …. Names that the page itself has get an
+    underscore.
     """
     count = len(model.about["springs"])
-    return [""] if count == 1 else [f"_{index + 1}" for index in range(count)]
+    ends = [""] if count == 1 else [f"_{index + 1}" for index in range(count)]
+    return [
+        tuple(own_name(model, f"{name}{end}") for name in ("theta", "L", "spring_force"))
+        for end in ends
+    ]
 
 
 def named(function: str, contact: str) -> str:
@@ -57,15 +63,16 @@ def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
 def columns(model: Model) -> list[Column]:
     """Columns of springs and contacts: directions, lengths, tensions and normal forces."""
     found = []
-    for end, entry in zip(_ends(model), model.about["springs"], strict=True):
+    for names, entry in zip(_spring_names(model), model.about["springs"], strict=True):
+        theta, length, tension = names
         found += [
-            Column(f"theta{end}", "rad", f"direction of {entry['name']}"),
-            Column(f"L{end}", "m", f"length of {entry['name']}"),
-            Column(f"spring_force{end}", "N", f"tension of {entry['name']}"),
+            Column(theta, "rad", f"direction of {entry['name']}"),
+            Column(length, "m", f"length of {entry['name']}"),
+            Column(tension, "N", f"tension of {entry['name']}"),
         ]
     for name in (entry["name"] for entry in model.contacts):
         of = f"normal force of the contact{name and ' '}{name}"
-        found.append(Column(named("contact_force", name), "N", of))
+        found.append(Column(own_name(model, named("contact_force", name)), "N", of))
     return found
 
 
@@ -121,10 +128,12 @@ def forces_of(model: Model) -> dict[str, partial[FloatArray]]:
         return tensions[spring]
 
     found = {
-        f"spring_force{end}": partial(tension, index) for index, end in enumerate(_ends(model))
+        name: partial(tension, index) for index, (*_, name) in enumerate(_spring_names(model))
     }
     return found | {
-        named("contact_force", entry["name"]): partial(contact_force, model, index=index)
+        own_name(model, named("contact_force", entry["name"])): partial(
+            contact_force, model, index=index
+        )
         for index, entry in enumerate(model.contacts)
         if entry["gap"] is not None
     }

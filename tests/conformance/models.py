@@ -135,9 +135,10 @@ def starts(p: Any, usual: list[float]) -> list[list[float]]:
 
 
 def moved(name: str, *first: str) -> tuple[str, float]:
-    """A parameter to change, the first of those named that the model has or else its last, and its
-    base value.
+    """A parameter to change, the first of those named that the model has or else its last one that
+    is no angle, and its base value.
     """
-    names = load(name).parameters
+    model = load(name)
+    names = [one for one in model.parameters if one not in model.about["angles"]]
     one = next((wanted for wanted in first if wanted in names), names[-1])
     return one, float(a_set(name)[one])

@@ -13,6 +13,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.cli.pages import page as page_of
+from spragsym.display import own_name
 from spragsym.models.forces import named
 from tests.conformance.models import ALIKE, MODELS, answers, load, place, starts
 from tests.explorer.pages import WITHOUT_WEBGL, Explorer, chromium
@@ -131,7 +132,7 @@ def test_every_page_has_the_same_parts_and_the_states_of_python(
     ]
     normals = dict(zip((one["name"] for one in model.contacts), read, strict=False))
     for one in (entry["name"] for entry in model.contacts if entry["gap"] is not None):
-        by_python = eq[named("contact_force", one)][: int(eq.count)]
+        by_python = eq[own_name(model, named("contact_force", one))][: int(eq.count)]
         assert sorted(normals[one]) == pytest.approx(sorted(map(float, by_python)), rel=1e-4)
     for one, forces in zip(rubbing, read[len(normals) :], strict=True):
         mu = float(model.friction(p, "friction_at_rest", one or None)) if model.frictions else 0.0

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.display import own_name
 from spragsym.models.forces import named
 from tests.conformance.models import MODELS, a_set
 from tests.support import few
@@ -21,10 +22,10 @@ def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None
         count = len(about["springs"])
         for j in range(count):
             end = f"_{j + 1}" if count > 1 else ""
-            tension = getattr(eq, f"spring_force{end}")
+            tension = eq[own_name(p.model, f"spring_force{end}")]
             assert tension.shape == eq.undamped.shape
             longer = (
-                getattr(eq, f"L{end}")[there]
+                eq[own_name(p.model, f"L{end}")][there]
                 - np.broadcast_to(rest_of(p, j), eq.undamped.shape)[there]
             )
             assert (
@@ -33,7 +34,7 @@ def test_states_have_the_forces_of_springs_and_of_the_contact(name: str) -> None
         for one in about["contacts"]:
             if one["gap"] is None:
                 continue
-            force = getattr(eq, named("contact_force", one["name"]))
+            force = eq[own_name(p.model, named("contact_force", one["name"]))]
             assert np.isnan(force[np.arange(force.shape[-1]) >= eq.count[..., None]]).all()
             touches = contact if isinstance(contact, bool) else one["name"] in contact
             if touches or not one["unilateral"]:

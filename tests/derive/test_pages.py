@@ -307,6 +307,32 @@ def test_names_of_the_package_are_free_for_pages() -> None:
     assert motion.mean(0.0) == pytest.approx(np.sum(motion.weights * motion["mean"]) / 5.0)
 
 
+def test_directions_lengths_and_forces_of_a_page_are_told_from_those_of_its_springs() -> None:
+    """The page of the tests with an inclined spring, whose quantities have the names of columns."""
+    text = (TESTS / "oracles/pages/named.py").read_text(encoding="utf-8")
+    for ours, theirs in {"rate": "contact_force", "count": "spring_force", "error": "L"}.items():
+        text = re.sub(rf"(?<!page\.)\b{ours}\b", theirs, text)
+    text = text.replace("import Page, tanh", "import Page, cos, sin, tanh") + (
+        'theta = page.parameter("theta", "rad", "inclination", "(0, pi)", 1.2)\n'
+        "anchor = (L_0 * cos(theta), L_0 * sin(theta))\n"
+        "page.spring(spring_force, (mean, when), anchor, length=L_0)\n"
+    )
+    p = ss.load(derived(text, "named_springs")).Parameters()
+    eq = ss.equilibria(p)
+    mean, when = eq["mean"], eq["when"]
+    dx, dy = np.cos(1.2) - mean, np.sin(1.2) - when
+    np.testing.assert_allclose(eq["L_"], np.hypot(dx, dy), rtol=1e-12)
+    np.testing.assert_allclose(eq["theta_"], np.arctan2(dy, dx), rtol=1e-12)
+    np.testing.assert_allclose(eq["spring_force_"], 0.5 * (np.hypot(dx, dy) - 1), atol=1e-12)
+    np.testing.assert_allclose(eq["contact_force_"], -(when + mean / 8), rtol=1e-12)
+    given = {name: eq[name] for name in ("L", "theta", "spring_force", "contact_force")}
+    assert given == {"L": 0.5, "theta": 1.2, "spring_force": 0.5, "contact_force": 1.0}
+    assert re.search(r" theta__deg +L_ +mean ", str(eq))
+    folds = ss.folds(p, "L")
+    assert folds.decided
+    assert "theta_" in folds.columns
+
+
 @pytest.mark.thorough
 def test_tables_tell_a_quantity_from_a_column_of_its_name(run: Run) -> None:
     """A quantity that is called error is no bound, which is shown with two digits, rounded up."""

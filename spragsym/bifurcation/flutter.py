@@ -405,15 +405,18 @@ def _sightings(system: Augmented, undecided: FloatArray) -> list[FloatArray]:
     """Onsets that floats detect between values of the parameter: coordinates, parameter and ω, NaN
     if no pair was followed.
 
-    The values are samples of the range, its ends, and the ends of undecided boxes. Each state is
-    compared with the nearest one at the next value, and the step is bisected where a pair crosses.
+    The values are samples of the range, its ends, and values on both sides of undecided boxes. Each
+    state is compared with the nearest one at the next value, and the step is bisected where a pair
+    crosses.
     """
     low, high = system.family.spans[0]
     samples = system.options.samples
     even = low + (high - low) * (np.arange(samples) + 0.5) / samples
-    beside = spans_of(merged(undecided))[-1].ravel()
+    # So far from undecided boxes that eigenvalues at a crossing in one are told from 0.
+    room = 1e-6 * (high - low) * np.array([-1.0, 1.0])
+    beside = np.sort((spans_of(merged(undecided))[-1] + room).clip(low, high).ravel())
     chosen = np.linspace(0, beside.size - 1, min(beside.size, samples)).astype(int)
-    values = np.unique([low, *even, *np.sort(beside)[chosen], high])
+    values = np.unique([low, *even, *beside[chosen], high])
     q, point = _states(
         float_candidates(system.balance, system.family.at(values[None]), system.family.asked)
     )

@@ -127,9 +127,7 @@ def forces_of(model: Model) -> dict[str, partial[FloatArray]]:
         )
         return tensions[spring]
 
-    found = {
-        name: partial(tension, index) for index, (*_, name) in enumerate(_spring_names(model))
-    }
+    found = {name: partial(tension, index) for index, (*_, name) in enumerate(_spring_names(model))}
     return found | {
         own_name(model, named("contact_force", entry["name"])): partial(
             contact_force, model, index=index

@@ -239,7 +239,8 @@ class EndOfState:
         """Raise ConvergenceError if it is unknown in which state the first design begins."""
         z = np.zeros(len(self.designs.names))
         first = self.designs.sets(z).replace(**{self.vary: self._begins(z)})
-        if np.isnan(self.ended(z)) and not equilibria(first).decided:
+        # Equilibria first: they take far less time than following the state.
+        if not equilibria(first).decided and np.isnan(self.ended(z)):
             text = (
                 "equilibria at {}, where the state begins, are not all decided, as where a contact "
                 "only just touches; begin a little beyond it"

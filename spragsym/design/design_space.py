@@ -36,7 +36,15 @@ from ..numerics.interval_arrays import BoolArray, FloatArray
 from ..numerics.vectors import norm
 from ..statics.equilibria import equilibria
 from ..statics.search import balances_of, number_of
-from .jumps import Ends, Followed, first_limit_points, limit_point_passed, require_known, slopes_of
+from .jumps import (
+    Ends,
+    Followed,
+    first_limit_points,
+    limit_point_passed,
+    no_state_to_follow,
+    require_known,
+    slopes_of,
+)
 
 if TYPE_CHECKING:
     from ..models.model import Model
@@ -236,11 +244,14 @@ class EndOfState:
         return self.begin if begins is None else begins(self.designs.quantities(z))
 
     def require_beginning(self) -> None:
-        """Raise ConvergenceError if it is unknown in which state the first design begins."""
+        """Raise ConvergenceError if the first design begins in no state or in an unknown one."""
         z = np.zeros(len(self.designs.names))
         first = self.designs.sets(z).replace(**{self.vary: self._begins(z)})
-        # Equilibria first: they take far less time than following the state.
-        if not equilibria(first).decided and np.isnan(self.ended(z)):
+        eq = equilibria(first)
+        if none := no_state_to_follow(eq, self.vary):
+            raise ConvergenceError(none)
+        # The state is followed last: that takes most of the time.
+        if not eq.decided and np.isnan(self.ended(z)):
             text = (
                 "equilibria at {}, where the state begins, are not all decided, as where a contact "
                 "only just touches; begin a little beyond it"

@@ -33,7 +33,7 @@ from ..numerics.interval_arrays import (
     Intervals,
     quiet,
 )
-from ..results import Named
+from ..results import Equilibria, Named
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.forces import filled
@@ -272,13 +272,12 @@ def _along(K: FloatArray, moved: FloatArray, own: int) -> FloatArray:
     return slopes
 
 
-def no_state_to_follow(p: ParameterSet, vary: str) -> str:
+def no_state_to_follow(eq: Equilibria, vary: str) -> str:
     """A text if it is proved that no state is in contact at one point, else an empty one."""
-    eq = equilibria(p)
     if eq.count.any() or not (eq.decided & eq.whole).all():
         return ""
     return (
-        f"no state in contact at {vary} = {float(p[vary]):g}, from where one is followed; begin "
+        f"no state in contact at {vary} = {float(eq[vary]):g}, from where one is followed; begin "
         "where there is one"
     )
 
@@ -383,7 +382,7 @@ class Followed:
                 z[:n, i] = np.nan
             for i in rows[~proved.decided].tolist():
                 span = float(self.begin[i]), float(self.until[i])
-                none = no_state_to_follow(self._points(i), self.vary)
+                none = no_state_to_follow(equilibria(self._points(i)), self.vary)
                 if none:
                     reasons[i] = none
                     continue

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.errors import ConvergenceError, ParameterError, require_kind
+from ..core.errors import ParameterError, require_kind
 from ..core.questions import Method, model_of, question
 from ..models.parameters import FloatArray, ParameterSet, as_number
 from ..models.quantities import QuantityValues
@@ -18,7 +18,7 @@ from ..numerics.vectors import norm
 from ..results import Result
 from .certificates import BoxParts, Decision
 from .design_space import Design, EndOfState, MarginOptions, Space, nearest, space
-from .jumps import jump_value, no_state_to_follow
+from .jumps import jump_value
 from .tube_certificates import claims
 
 
@@ -112,10 +112,6 @@ def jump_margin(
             "and give their tolerances"
         )
 
-    here = designs.sets(np.zeros(len(designs.names)))
-    none = no_state_to_follow(here.replace(**{name: first}), name)
-    if none:
-        raise ConvergenceError(none)
     border = EndOfState(designs, name, first)
     border.require_beginning()
 
@@ -273,7 +269,6 @@ def redesign(
         if not np.isfinite(first):
             first = float(designs.parameters(np.zeros(len(designs.names)))[name])
         borders.append(EndOfState(at, name, first))
-        borders[-1].require_beginning()
 
     def keeps(z: FloatArray) -> BoolArray:
         return np.all([border.ended(z) == 0 for border in borders], axis=0)
@@ -293,6 +288,8 @@ def redesign(
 
     best = nearest(keeps, designs.limits(), on_target, options)
     if best is None:
+        for border in borders:
+            border.require_beginning()
         return Redesign(np.inf, {}, None, {})
     jump = {
         border.vary: float(jump_value(designs.sets(best), border.vary, begin=border.begin))

@@ -55,12 +55,12 @@ def sizes_of(z: FloatArray, least: float) -> FloatArray:
     share ``least`` of 1, or of a smaller unit where all coordinates, or that parameter, are far
     below 1.
     """
-    parts = np.abs(z[:-1]), np.abs(z[-1:])
-    # Coordinates of 0.01 are usual where lengths are 1; a coordinate of 0 tells no unit.
-    units = [np.clip(2.0**9 * part.max(axis=0), 1e-6, 1.0) for part in parts]
-    return np.concatenate(
-        [np.maximum(part, least * unit) for part, unit in zip(parts, units, strict=True)]
-    )
+    sizes = np.abs(z)
+    for part in (sizes[:-1], sizes[-1:]):
+        # Coordinates of 0.01 are usual where lengths are 1; a coordinate of 0 tells no unit.
+        unit = np.minimum(np.maximum(2.0**9 * part.max(axis=0), 1e-6), 1.0)
+        np.maximum(part, least * unit, out=part)
+    return sizes
 
 
 def halves(
@@ -473,9 +473,10 @@ class Tubes(ByColumn):
         given, others, z = z, self.others, self.corrected(z)
         zero = np.zeros_like(z)
         beside = zero if like is None else like.off * self.half.any(axis=0)
-        distance = zero if error is None else np.abs(z - given) + error * scale_of(given)
-        distance[self.pivot] = 0.0
-        beside = np.maximum(beside, 2 * distance)
+        if error is not None:
+            distance = np.abs(z - given) + error * scale_of(given)
+            distance[self.pivot] = 0.0
+            beside = np.maximum(beside, 2 * distance)
         found = self._one_state(z, zero, self._across(z), zero[0], beside)
         if error is not None:
             # Newton's method may have converged to another state.

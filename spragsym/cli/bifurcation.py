@@ -5,7 +5,7 @@ in.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -48,7 +48,9 @@ def folds(case: Case) -> object:
             ss.folds(case.set(along.name), along.name, **case.searching(along.name)),
             after=True,
         )
-    return {"vary": along.title, **answer}, lambda: print_points("Folds", answer, [along.title])
+    return {"vary": along.title, **answer}, lambda: print_points(
+        case, "Folds", answer, [along.title]
+    )
 
 
 @o.of_model(varies=2, statics=True)
@@ -117,7 +119,7 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> object
     def tables() -> None:
         titles = [span.title for span in case.spans]
         for title, one in answer.items():
-            print_points(title.capitalize(), one, titles[: len(found[title].vary)])
+            print_points(case, title.capitalize(), one, titles[: len(found[title].vary)])
 
     return {"parameters": case.parameter_row(), **answer}, tables
 
@@ -273,7 +275,7 @@ def points_of(case: Case, found: Points, after: bool = False) -> Row:
     }
 
 
-def print_points(title: str, found: Mapping[str, Any], where: Sequence[str]) -> None:
+def print_points(case: Case, title: str, found: Mapping[str, Any], where: Sequence[str]) -> None:
     """A table of points, and where it is not known whether there are more."""
     rows = found["points"]
     if rows or found["complete"]:
@@ -282,9 +284,9 @@ def print_points(title: str, found: Mapping[str, Any], where: Sequence[str]) -> 
         shown = [{name: value for name, value in row.items() if name not in beside} for row in rows]
         names = [*shown[0]] if shown else []
         after = [name for name in names if "_after" in name]
-        room = [*left_out_first(names), *after[::-1]]
-        error = max((name for name in names if name.rstrip("_") == "error"), key=len, default="")
-        print_rows(f"{title} along {' and '.join(where)}", shown, room, error)
+        room = [*left_out_first(case, names), *after[::-1]]
+        heading = f"{title} along {' and '.join(where)}"
+        print_rows(heading, shown, room, own_name(case.model, "error"))
     lost = [
         row
         for row in rows
@@ -313,14 +315,20 @@ def print_open(title: str, found: Mapping[str, Any]) -> None:
         click.echo(f"{title}: {remark}")
 
 
-def left_out_first(columns: Iterable[str]) -> list[str]:
+def left_out_first(case: Case, columns: Collection[str]) -> list[str]:
     """Columns that a table without room for them leaves out, the first of them first: lengths of
-    springs, which follow from coordinates, the error, and angles before and after a jump.
+    springs, which follow from coordinates, the error, and directions of springs before and after a
+    jump.
     """
-    at_jump = [name for name in columns if "_before" in name or "_after" in name]
-    lengths = [name for name in columns if name == "L" or name.startswith("L_")]
-    angles = [name for name in at_jump if name.startswith("theta")]
-    return [*sorted(lengths, key=lambda name: name not in at_jump), "error", *angles]
+    model, jump = case.model, ("_before", "_after")
+    springs = [name for name in model.places if name not in model.coordinates]
+
+    def titles(dimension: str, ends: Iterable[str]) -> list[str]:
+        names = [name for name in springs if model.columns[name].dimension == dimension]
+        return [case.of(name, end=end)[0] for end in ends for name in names]
+
+    found = [*titles("m", (*jump, "")), own_name(model, "error"), *titles("rad", jump)]
+    return [title for title in found if title in columns]
 
 
 def summed(boxes: Sequence[Row]) -> str:

@@ -104,7 +104,7 @@ def _print(case: Case, points: list[Row], many: list[str]) -> None:
         for row in point["equilibria"]
     ]
     if rows:
-        print_rows("", rows, left_out_first(rows[0]), own_name(case.model, "error"))
+        print_rows("", rows, left_out_first(case, rows[0]), own_name(case.model, "error"))
     elif all(point["complete"] for point in points):
         click.echo("none, proved")
     for state in case.model.regimes.values():
@@ -224,7 +224,7 @@ def path(case: Case, near: tuple[str, ...]) -> object:
     def tables() -> None:
         for title, rows in (("States", states), ("Jumps", jumps)):
             if rows:
-                print_rows(title, rows, left_out_first([*rows[0]][1:]), own("error"))
+                print_rows(title, rows, left_out_first(case, rows[0]), own("error"))
         if not jumps:
             click.echo("No jumps")
 

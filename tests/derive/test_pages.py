@@ -307,7 +307,9 @@ def test_names_of_the_package_are_free_for_pages() -> None:
     assert motion.mean(0.0) == pytest.approx(np.sum(motion.weights * motion["mean"]) / 5.0)
 
 
-def test_directions_lengths_and_forces_of_a_page_are_told_from_those_of_its_springs() -> None:
+def test_directions_lengths_and_forces_of_a_page_are_told_from_those_of_its_springs(
+    run: Run,
+) -> None:
     """The page of the tests with an inclined spring, whose quantities have the names of columns."""
     text = (TESTS / "oracles/pages/named.py").read_text(encoding="utf-8")
     for ours, theirs in {"rate": "contact_force", "count": "spring_force", "error": "L"}.items():
@@ -317,7 +319,8 @@ def test_directions_lengths_and_forces_of_a_page_are_told_from_those_of_its_spri
         "anchor = (L_0 * cos(theta), L_0 * sin(theta))\n"
         "page.spring(spring_force, (mean, when), anchor, length=L_0)\n"
     )
-    p = ss.load(derived(text, "named_springs")).Parameters()
+    folder = derived(text, "named_springs")
+    p = ss.load(folder).Parameters()
     eq = ss.equilibria(p)
     mean, when = eq["mean"], eq["when"]
     dx, dy = np.cos(1.2) - mean, np.sin(1.2) - when
@@ -331,6 +334,10 @@ def test_directions_lengths_and_forces_of_a_page_are_told_from_those_of_its_spri
     folds = ss.folds(p, "L")
     assert folds.decided
     assert "theta_" in folds.columns
+    # A table that is too wide leaves out the length of the spring, and not what varies.
+    table = run("equilibria", "--model", folder.as_posix(), "--vary", "L=0.4:0.6:2")
+    assert re.findall(r"^(\S+) ", table, re.MULTILINE) == ["L", "0.4", "0.6"]
+    assert " L_ " not in table
 
 
 @pytest.mark.thorough

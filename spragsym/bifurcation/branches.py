@@ -66,14 +66,14 @@ class _States(ByColumn):
     """Equilibria at one value of the parameter, with properties that match them.
 
     ``q`` are the coordinates, (n, number), ``signs`` the signs of det K, and ``sides`` those of the
-    mirror: 0 on it, or without one. ``sure`` says where the sign of det K is proved, which it is
+    mirror: 0 on it, or without one. ``proved`` says where the sign of det K is proved, which it is
     not at a fold.
     """
 
     q: FloatArray
     signs: FloatArray
     sides: FloatArray
-    sure: BoolArray
+    proved: BoolArray
 
 
 def undecided_points(eq: Equilibria, vary: str, cuts: Span) -> FloatArray:
@@ -212,7 +212,7 @@ def _by_tubes(
 
     def joined(there: Place) -> dict[Span, dict[int, int]]:
         links = {step: dict[int, int]() for step in steps}
-        for column in np.flatnonzero(there.sure & (there.v == goal)):
+        for column in np.flatnonzero(there.proved & (there.v == goal)):
             one, two, slot = begun[column]
             # An angle that goes around is listed once, within one turn.
             away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.periodic))
@@ -237,7 +237,7 @@ def _by_tubes(
         complete = {
             (one, two)
             for one, two in completed(links)
-            if (along.whole and states[one].sure.all() and states[two].sure.all())
+            if (along.whole and states[one].proved.all() and states[two].proved.all())
             or by_tubes[one, two] == min(states[end].signs.size for end in (one, two))
         }
         complete = {step for step in complete if "pitchfork" not in _kinds_within(along, step)}

@@ -345,7 +345,7 @@ def carried(
     states = [q]
     for value in values[1:].tolist():
         tubes, here = followed_across(tubes, here, np.array([value]))
-        if not here.sure[0] or here.v[0] != value:
+        if not here.proved[0] or here.v[0] != value:
             raise ConvergenceError(
                 f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}"
             )

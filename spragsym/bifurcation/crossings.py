@@ -56,7 +56,7 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
     """States of points without width that stand before a border on their way to a goal, where it is
     proved that they pass it or end there.
     """
-    balance, left = tubes.balance, np.flatnonzero(here.sure & (here.v != goal))
+    balance, left = tubes.balance, np.flatnonzero(here.proved & (here.v != goal))
     every = combinations_of(balance)
     own, mine = among(every, balances_of(balance.model)), int(among(every, [balance]).argmax())
     # How far the ranges about the border go, over the way that is left: the wider of them first, as
@@ -78,7 +78,7 @@ def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
         first = np.where(met & (ahead > room), z[-1] - room * forward, at.v)
         last = z[-1] + forward * np.minimum(room, np.abs(way) - ahead)
         at = some.followed(at, first)
-        rows = np.flatnonzero(met & at.sure & (at.v == first))
+        rows = np.flatnonzero(met & at.proved & (at.v == first))
         if not rows.size:
             continue
         some, at, z = some[rows], at[rows], z[:, rows]

@@ -515,7 +515,7 @@ class QuasiStaticContinuation:
         """The displacement of a state from its node to another; periodic angles are continuous."""
         tubes, start = self._standing(self._balance(node, slot), node, slot)
         reached = tubes.followed(start, self.mesh[[goal]])
-        if not reached.sure[0] or reached.v[0] != self.mesh[goal]:
+        if not reached.proved[0] or reached.v[0] != self.mesh[goal]:
             raise ConvergenceError(
                 f"how the state moves from {self.vary} = {self.mesh[node]:.17g} on is not proved"
             )
@@ -560,7 +560,7 @@ class QuasiStaticContinuation:
             return int(here[near]) if near >= 0 else None
         forward = 1 if self.mesh[goal] > self.mesh[node] else -1
         found = limit_points(tubes, start, forward)
-        if not found.sure[0]:
+        if not found.proved[0]:
             return None
         distance = np.abs(np.vstack([self.q, self.at])[:, here] - found.z) / scale_of(found.z)
         distance = distance.max(axis=0)
@@ -591,7 +591,7 @@ class QuasiStaticContinuation:
             tubes, start = self._standing(own, node, location)
             end = tubes.followed(start, self.at[[number]])
             same = np.abs(self.q[:, [number]] - end.z[: tubes.n]) <= end.radius[: tubes.n]
-            if end.sure[0] and end.v[0] == self.at[number] and same.all():
+            if end.proved[0] and end.v[0] == self.at[number] and same.all():
                 return int(number)
         others = here[(self.kinds[here] == "pitchfork") | self.far[here]]
         q = np.array([self.state(node, location)[:-2]]).T

@@ -86,25 +86,25 @@ def halves(
 class Place(ByColumn):
     """States for boxes of parameters, at one value of the pivot or along a tube.
 
-    The states lie near z + a s + D (p − c), |s| ≤ ``moved``, where a is ``along``, the slopes by
-    the pivot, and D is ``by_p``. At a single value of the pivot, ``moved`` is 0. If ``sure``, it is
-    proved that for each s and p
+    The states lie near the linear prediction z + d s + D (p − c), |s| ≤ ``half_pivot``, where d is
+    ``by_s``, the slopes by the pivot, and D is ``by_p``. At a single value of the pivot,
+    ``half_pivot`` is 0. If ``proved``, for each s and p
 
-    - one state lies within ``off`` of that point, and within ``held`` of z,
-    - no other state lies within ``radius`` of it.
+    - one state lies within ``remainder`` of the prediction, and within ``half_width`` of z,
+    - no other state lies within ``radius`` of the prediction.
 
-    The shape is (n + 1, N) for ``z``, ``along``, ``held``, ``off`` and ``radius``, (N,) for
-    ``moved`` and ``sure``, and (n + 1, free, N) for ``by_p``.
+    The shape is (n + 1, N) for ``z``, ``by_s``, ``half_width``, ``remainder`` and ``radius``, (N,)
+    for ``half_pivot`` and ``proved``, and (n + 1, free, N) for ``by_p``.
     """
 
     z: FloatArray
-    along: FloatArray
-    moved: FloatArray
+    by_s: FloatArray
+    half_pivot: FloatArray
     by_p: FloatArray
-    held: FloatArray
-    off: FloatArray
+    half_width: FloatArray
+    remainder: FloatArray
     radius: FloatArray
-    sure: BoolArray
+    proved: BoolArray
 
     @property
     def v(self) -> FloatArray:
@@ -113,24 +113,25 @@ class Place(ByColumn):
 
     def box(self) -> Intervals:
         """Boxes that hold all states; a component that does not vary is a point."""
-        wide = self.held + np.where(self.held > 0, np.spacing(np.abs(self.z) + self.held), 0.0)
-        return Intervals(ends_around(self.z, wide))
+        half = self.half_width
+        rounding = np.where(half > 0, np.spacing(np.abs(self.z) + half), 0.0)
+        return Intervals(ends_around(self.z, half + rounding))
 
     def lies_in(
-        self, other: Place, shift: FloatArray | float = 0.0, turned: FloatArray | float = 0.0
+        self, other: Place, shift: FloatArray | float = 0.0, spread: FloatArray | float = 0.0
     ) -> BoolArray:
-        """Whether the states are those of the ``other`` place, by their coordinates.
+        """Whether the states are proved to be those of the ``other`` place, by their coordinates.
 
-        ``shift`` is the change of the other's states between the two middles. ``turned`` bounds the
+        ``shift`` is the change of the other's states between the two middles. ``spread`` bounds the
         difference that the slopes of the two make over the box of parameters.
         """
-        distance = np.abs(self.z - other.z - shift) + turned
+        distance = np.abs(self.z - other.z - shift) + spread
         largest = (
             distance * ROUNDED_UP
-            + self.off * ROUNDED_UP
-            + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held + np.abs(shift))
+            + self.remainder * ROUNDED_UP
+            + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.half_width + np.abs(shift))
         )
-        return self.sure & other.sure & (largest[:-1] <= other.radius[:-1]).all(axis=0)
+        return self.proved & other.proved & (largest[:-1] <= other.radius[:-1]).all(axis=0)
 
     def numbers(self, apart: FloatArray) -> Affine:
         """z in affine arithmetic; the terms are of s, of each p over its half-width, and of each u.
@@ -139,9 +140,9 @@ class Place(ByColumn):
         """
         size, free, count = self.by_p.shape
         terms = np.zeros((1 + free + size, size, count))
-        terms[0] = self.along * self.moved
+        terms[0] = self.by_s * self.half_pivot
         terms[1 : 1 + free] = np.moveaxis(self.by_p * apart, 1, 0)
-        terms[1 + free + np.arange(size), np.arange(size)] = self.off
+        terms[1 + free + np.arange(size), np.arange(size)] = self.remainder
         return Affine(self.z, terms, 2 * UNIT * np.abs(terms).sum(axis=0))
 
 
@@ -168,10 +169,10 @@ class Slopes:
         """
         if self.Y is not None:
             forces = Intervals(contractors.product(self.Y, forces.ends[:, :, None])[:, :, 0])
-        half_pivot, half_widths = (Intervals(pair(part, part)) for part in (tube.moved, apart))
-        total = forces + self.image(tube.along) * half_pivot
+        half_pivot, half_widths = (Intervals(pair(part, part)) for part in (tube.half_pivot, apart))
+        total = forces + self.image(tube.by_s) * half_pivot
         for k, half in enumerate(half_widths):
-            total = total + self.image(tube.by_p[:, k], self.rows[:, len(tube.along) + k]) * half
+            total = total + self.image(tube.by_p[:, k], self.rows[:, len(tube.by_s) + k]) * half
         return total
 
     def image(self, direction: FloatArray, start: Intervals | Affine | None = None) -> Intervals:
@@ -466,13 +467,13 @@ class Tubes(ByColumn):
         """The proved states of the boxes at one value of the pivot; ``z`` is near those in the
         middles.
 
-        ``like`` is a place nearby, whose ``off`` suggests how wide the new one must be. With
+        ``like`` is a place nearby, whose ``remainder`` suggests how wide the new one must be. With
         ``error``, relative to max(1, |coordinate|), ``z`` is the state in the middle to within that
-        error, and the place is sure only if it is proved to hold that state.
+        error, and the place is proved only if it holds that state.
         """
         given, others, z = z, self.others, self.corrected(z)
         zero = np.zeros_like(z)
-        beside = zero if like is None else like.off * self.half.any(axis=0)
+        beside = zero if like is None else like.remainder * self.half.any(axis=0)
         if error is not None:
             distance = np.abs(z - given) + error * scale_of(given)
             distance[self.pivot] = 0.0
@@ -480,7 +481,7 @@ class Tubes(ByColumn):
         found = self._one_state(z, zero, self._across(z), zero[0], beside)
         if error is not None:
             # Newton's method may have converged to another state.
-            found.sure[:] &= (distance * ROUNDED_UP <= found.radius)[others].all(axis=0)
+            found.proved[:] &= (distance * ROUNDED_UP <= found.radius)[others].all(axis=0)
         return found
 
     def segment(self, start: Place, z: FloatArray) -> tuple[BoolArray, Place, Place]:
@@ -491,72 +492,77 @@ class Tubes(ByColumn):
         """
         end = self.place(z, start)
         z = end.z
-        pivot, spread = self.pivot, start.held[self.pivot]
+        pivot, spread = self.pivot, start.half_width[self.pivot]
         change = z[pivot] - start.z[pivot]
         with quiet():
-            along = np.where(change != 0, (z - start.z) / change, 0.0)
+            by_s = np.where(change != 0, (z - start.z) / change, 0.0)
         # After a change of the pivot, its values at the start are spread about the middle.
         overlap = np.where(
             spread > 0,
             spread * ROUNDED_UP + 2 * np.spacing(np.abs(start.z[pivot]) + spread),
             0,
         )
-        begin = start.z - along * np.sign(change) * overlap
+        begin = start.z - by_s * np.sign(change) * overlap
         middle, half = 0.5 * (begin + z), 0.5 * np.abs(z - begin)[pivot]
         by_p = self._across(middle)
-        beside = np.maximum(*(self._beside(one, middle, along, by_p) for one in (start, end)))
-        tube = self._one_state(middle, along, by_p, half, beside)
-        return tube.sure & end.sure & start.sure & (np.abs(change) >= overlap), end, tube
+        beside = np.maximum(*(self._beside(one, middle, by_s, by_p) for one in (start, end)))
+        tube = self._one_state(middle, by_s, by_p, half, beside)
+        return tube.proved & end.proved & start.proved & (np.abs(change) >= overlap), end, tube
 
     def _beside(
-        self, place: Place, middle: FloatArray, along: FloatArray, by_p: FloatArray
+        self, place: Place, middle: FloatArray, by_s: FloatArray, by_p: FloatArray
     ) -> FloatArray:
         """Bound on the distance of a place's states from the linear prediction of a tube.
 
-        The prediction starts at the tube's ``middle``, with slopes ``along`` and ``by_p``.
+        The prediction starts at the tube's ``middle``, with slopes ``by_s`` and ``by_p``.
         """
-        off, turned, pivot = place.z - middle, place.by_p - by_p, self.pivot
-        swing = (np.abs(turned - along[:, None] * turned[pivot]) * self.apart()).sum(axis=1)
-        size = np.abs(place.z) + np.abs(middle) + place.held
-        moved = (
-            np.abs(off - along * off[pivot]) + swing + place.off + np.abs(along) * place.off[pivot]
+        pivot = self.pivot
+        offset = place.z - middle
+        difference = place.by_p - by_p
+        swing = (np.abs(difference - by_s[:, None] * difference[pivot]) * self.apart()).sum(axis=1)
+        size = np.abs(place.z) + np.abs(middle) + place.half_width
+        distance = (
+            np.abs(offset - by_s * offset[pivot])
+            + swing
+            + place.remainder
+            + np.abs(by_s) * place.remainder[pivot]
         )
-        out = moved * ROUNDED_UP + 4 * np.spacing(size)
+        out = distance * ROUNDED_UP + 4 * np.spacing(size)
         out[pivot] = 0.0
         return np.where(np.isfinite(out), out, np.inf)
 
     def _one_state(
         self,
         z: FloatArray,
-        along: FloatArray,
+        by_s: FloatArray,
         by_p: FloatArray,
         half: FloatArray,
         beside: FloatArray,
     ) -> Place:
         """Places with one state, on the contact's side, for each value of the pivot and of the
-        parameters; sure where that is proved.
+        parameters; ``proved`` says where that holds.
 
-        ``z``, ``along`` and ``by_p`` are those of the places, and ``half`` is the half-length of
-        the range of the pivot. Boxes are at least as wide as ``beside`` around the linear
-        prediction.
+        ``z``, ``by_s`` and ``by_p`` are those of the places, and ``half`` is the half-length of the
+        range of the pivot. Boxes are at least as wide as ``beside`` around the linear prediction.
         """
         others = self.others
-        moved = np.where(  # the middle is rounded
+        half_pivot = np.where(  # the middle is rounded
             half > 0, half * ROUNDED_UP + np.spacing(np.abs(z[self.pivot]) + half), 0.0
         )
-        swing = (np.abs(along) * moved + (np.abs(by_p) * self.apart()).sum(axis=1)) * ROUNDED_UP
+        by_pivot = np.abs(by_s) * half_pivot
+        swing = (by_pivot + (np.abs(by_p) * self.apart()).sum(axis=1)) * ROUNDED_UP
         least = 2 * self.options.half_width * sizes_of(z, 1.0)[others]
         more = 1 + self.options.inflation
         reach = np.maximum(least, more * beside[others] * self.half.any(axis=0))
         zero, none = np.zeros_like(z), np.zeros(half.size, dtype=bool)
-        out = Place(z, along, moved, by_p, swing.copy(), zero, zero.copy(), none)
+        out = Place(z, by_s, half_pivot, by_p, swing.copy(), zero, zero.copy(), none)
         most = np.zeros_like(reach)
         found = None if self.half.any() else self._tapes
         if found is None:
             self._inflate(out, beside, reach, most)
         else:
             compiled, tapes = found
-            given = z, along, swing, moved, beside, reach, out.radius, most, out.sure
+            given = z, by_s, swing, half_pivot, beside, reach, out.radius, most, out.proved
             compiled.tubes(
                 tapes,
                 tuple(self.balance.borders()),
@@ -566,7 +572,8 @@ class Tubes(ByColumn):
                 self.options.inflations,
                 *map(np.ascontiguousarray, given),
             )
-        out.held[others], out.off[others] = (swing[others] + most) * ROUNDED_UP, most * ROUNDED_UP
+        out.half_width[others] = (swing[others] + most) * ROUNDED_UP
+        out.remainder[others] = most * ROUNDED_UP
         return out
 
     @property
@@ -617,12 +624,13 @@ class Tubes(ByColumn):
     def _inflate(self, out: Place, beside: FloatArray, reach: FloatArray, most: FloatArray) -> None:
         """Prove boxes around places, by interval Newton steps with ε-inflation.
 
-        Boxes begin with the half-widths ``reach`` and grow until they are proved. Fills in ``sure``
-        and ``radius`` of ``out``, and ``most``, the half-widths of the boxes that hold the states.
+        Boxes begin with the half-widths ``reach`` and grow until they are proved. Fills in
+        ``proved`` and ``radius`` of ``out``, and ``most``, the half-widths of the boxes that hold
+        the states.
         """
         others = self.others
-        rows = np.arange(out.sure.size)
-        swing = out.held
+        rows = np.arange(out.proved.size)
+        swing = out.half_width
         more = 1 + self.options.inflation
         forces = self._forces(out.z)
         for _ in range(self.options.inflations):
@@ -630,7 +638,8 @@ class Tubes(ByColumn):
                 break
             radius = beside[:, rows]
             radius[others] = np.maximum(reach, radius[others])
-            tubes, tried = self[rows], replace(out[rows], held=swing[:, rows] + radius, off=radius)
+            half_width = swing[:, rows] + radius
+            tubes, tried = self[rows], replace(out[rows], half_width=half_width, remainder=radius)
             slopes = tubes.over(tried)
             with quiet():
                 residual = slopes.left(forces[:, rows], tried, tubes.apart())
@@ -640,7 +649,7 @@ class Tubes(ByColumn):
             if unique.any():
                 proved, box = rows[unique], tried[unique].box()
                 inside, _ = on_side(self.balance, tubes[unique].bounds(box[-1]), box.ends[:, :-1])
-                out.sure[proved], out.radius[:, proved] = inside, radius[:, unique]
+                out.proved[proved], out.radius[:, proved] = inside, radius[:, unique]
                 most[:, proved] = np.maximum(*step[:, :, unique])
             wider = finite & ~unique
             rows = rows[wider]
@@ -662,11 +671,11 @@ class Tubes(ByColumn):
         over the box.
         """
         if self.free or self.balance.factors:
-            return np.zeros(tube.sure.size)
+            return np.zeros(tube.proved.size)
         slopes = self.over(tube)
-        _, off = self._solved(slopes, slopes.rows[:, self.pivot], by_s, tube.z)
+        _, error = self._solved(slopes, slopes.rows[:, self.pivot], by_s, tube.z)
         wide, about = np.zeros(by_s.shape), np.zeros(by_s.shape)
-        wide[self.others] = off
+        wide[self.others] = error
         by_z = Intervals(ends_around(by_s, wide + np.spacing(np.abs(by_s) + wide)))
 
         def rows(z: Sequence[Any], by_z: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
@@ -699,17 +708,17 @@ class Tubes(ByColumn):
         about[self.pivot] = 0.0
         size, units = np.abs(about[-1]), sizes_of(z, 1.0)
         reach = (0.1 * size + 1e-12) * (units / units[-1])[self.others]
-        off = np.full(reach.shape, np.inf)
+        error = np.full(reach.shape, np.inf)
         with quiet():
             residual = slopes.image(about, starts)
             for _ in range(self.options.inflations):
-                if np.isfinite(off).all():
+                if np.isfinite(error).all():
                     break
                 step = slopes.newton(residual, self.others, reach)
                 most = np.maximum(*step)
-                off = np.where(contractors.inside(step, reach), np.fmin(off, most), off)
+                error = np.where(contractors.inside(step, reach), np.fmin(error, most), error)
                 reach = (1 + self.options.inflation) * np.maximum(reach, most)
-        return off[-1] * ROUNDED_UP < size, off
+        return error[-1] * ROUNDED_UP < size, error
 
     # ---------------------------------------------------------------------------------------------
     # continuation
@@ -731,7 +740,7 @@ class Tubes(ByColumn):
         distance = goal - here.v
         step = self.options.first_step * distance
         least = self.options.least_step if least is None else least
-        open_, arrived = here.sure.copy(), -1
+        open_, arrived = here.proved.copy(), -1
         for _ in range(self.options.steps):
             reached = here.v == goal
             if needless is not None and reached.sum() > arrived:

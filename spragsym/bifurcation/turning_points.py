@@ -19,13 +19,13 @@ from .tubes import Place, Tubes, sizes_of
 class LimitPoints(ByColumn):
     """Folds z = (q, v), shape (n + 1, N), with lower and upper bounds of v.
 
-    Only those marked ``sure`` are proved; the numbers of others have no meaning.
+    Only those marked ``proved`` are proved; the numbers of others have no meaning.
     """
 
     z: FloatArray
     low: FloatArray
     high: FloatArray
-    sure: BoolArray
+    proved: BoolArray
 
 
 def limit_points(tubes: Tubes, start: Place, forward: int) -> LimitPoints:
@@ -35,7 +35,7 @@ def limit_points(tubes: Tubes, start: Place, forward: int) -> LimitPoints:
     floats. Then segments that shrink towards it are proved to hold the curve, with v monotonic in
     each. A last segment across the fold, at whose end v goes back, holds the fold and bounds v.
     """
-    low, high = np.full((2, start.sure.size), np.nan)
+    low, high = np.full((2, start.proved.size), np.nan)
     out = LimitPoints(start.z.copy(), low, high, np.zeros(low.size, dtype=bool))
     for own, here, rows, by_v in pivots(tubes, start):
         moving = np.sign(by_v)
@@ -49,10 +49,10 @@ def limit_points(tubes: Tubes, start: Place, forward: int) -> LimitPoints:
 def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
     """The states after v has moved on by ``by``, or as far as is proved, where the curve is steep.
 
-    Places that have not moved at all are not sure.
+    Places that have not moved at all are not proved.
     """
-    out = start[np.arange(start.sure.size)]
-    out.sure[:] = False
+    out = start[np.arange(start.proved.size)]
+    out.proved[:] = False
     for own, here, rows, by_v in pivots(tubes, start):
         begin, moving = start.v[rows], np.sign(by_v)
         by_s = own.tangents(here.z)[0]
@@ -66,7 +66,7 @@ def past(tubes: Tubes, start: Place, forward: int, by: FloatArray) -> Place:
                 break
             good = _moved_on(own, here, by_s, on, forward * moving * step, moving)
             step[on] *= np.where(good, 1.5, 0.25)
-        here.sure[:] = open_ & (here.v != begin)
+        here.proved[:] = open_ & (here.v != begin)
         out.scatter(rows, here)
     return out
 
@@ -116,7 +116,7 @@ def _passed(
     rising = open_.copy()
     # The first step is longer than the spread of the pivot at the start.
     here = start[np.arange(goal.size)]
-    step = np.maximum(0.25 * straight, 2 * start.held[tubes.pivot])
+    step = np.maximum(0.25 * straight, 2 * start.half_width[tubes.pivot])
     for _ in range(tubes.options.turn_steps):
         rows = np.flatnonzero(open_ & (step > tubes.options.least_step * straight))
         if not rows.size:
@@ -162,7 +162,7 @@ def pivots(tubes: Tubes, start: Place) -> Iterator[tuple[Tubes, Place, IntArray,
     with quiet():
         pivots = np.argmax(np.abs(by_v[:-1]) / size_of(start.z)[:-1], axis=0)
     for pivot in range(tubes.n):
-        rows = np.flatnonzero(start.sure & (pivots == pivot) & (by_v[pivot] != 0))
+        rows = np.flatnonzero(start.proved & (pivots == pivot) & (by_v[pivot] != 0))
         if rows.size:
             yield replace(tubes[rows], pivot=pivot), start[rows], rows, by_v[pivot, rows]
 

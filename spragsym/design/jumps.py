@@ -351,8 +351,8 @@ class Followed:
         found = np.full(self.begin.size, np.nan)
         for rows, tubes, start, goal in self._parts() if of_state is None else self._of(*of_state):
             safe, top, _ = passed(tubes, start, goal)
-            ended = np.where(start.sure & (safe >= goal), 0.0, np.where(top <= goal, 1.0, np.nan))
-            left = np.flatnonzero(np.isnan(ended) & start.sure)
+            ended = np.where(start.proved & (safe >= goal), 0.0, np.where(top <= goal, 1.0, np.nan))
+            left = np.flatnonzero(np.isnan(ended) & start.proved)
             # If it is proved that no state exists at the goal, the followed one has ended, perhaps
             # at infinity.
             eq = equilibria(self._points(rows[left]).replace(**{self.vary: goal[left]}))
@@ -425,7 +425,7 @@ class Followed:
 
     def _parts(self) -> Iterator[tuple[IntArray, Tubes, Place, FloatArray]]:
         """For points of one combination of touching contacts: their indices, tubes, places of the
-        reference states and goals; a place is not sure if the state is not known.
+        reference states and goals; a place is not proved if the state is not known.
         """
         for rows in self._blocks():
             eq = equilibria(self._points(rows))
@@ -449,7 +449,7 @@ class Followed:
                     tubes = Tubes.of_points(balance, self.vary, self.fixed[:, rows[mine]])
                     error = eq.error[mine, slot[mine]]
                     start = tubes.place(z[:, mine], error=error)
-                    start.sure[~decided[mine]] = False
+                    start.proved[~decided[mine]] = False
                     yield rows[mine], tubes, start, self.until[rows[mine]]
 
     def _of(
@@ -459,8 +459,8 @@ class Followed:
         for rows in self._blocks():
             tubes = Tubes.of_points(self.balance, self.vary, self.fixed[:, rows])
             start = tubes.place(np.vstack([states[:, rows], self.begin[rows]]))
-            distance = np.abs(start.z[:-1] - states[:, rows]) + start.held[:-1]
-            start.sure[:] &= (distance * ROUNDED_UP <= radius[:, rows]).all(axis=0)
+            distance = np.abs(start.z[:-1] - states[:, rows]) + start.half_width[:-1]
+            start.proved[:] &= (distance * ROUNDED_UP <= radius[:, rows]).all(axis=0)
             yield rows, tubes, start, self.until[rows]
 
     def _by_tubes(
@@ -486,9 +486,9 @@ class Followed:
         # With large steps first: tubes over a coordinate, which pass the fold, go on from there.
         for least in (2.0**-8, *[None] * rounds):
             at = tubes[left].followed(at, goal[left], least)
-            arrived = at.sure & (at.v == goal[left])
+            arrived = at.proved & (at.v == goal[left])
             out.decided[left[arrived]] = True
-            left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
+            left, at = left[at.proved & ~arrived], at[at.proved & ~arrived]
             if not left.size:
                 break
             beyond = np.zeros(left.size, dtype=bool)
@@ -508,12 +508,12 @@ class Followed:
             near, far = np.sort(
                 [forward * (fold.low - goal[left]), forward * (fold.high - goal[left])], axis=0
             )
-            found = fold.sure & (far <= 0)
+            found = fold.proved & (far <= 0)
             out.z[:, left[found]] = fold.z[:, found]
             out.error[left[found]] = np.maximum(fold.high - fold.z[-1], fold.z[-1] - fold.low)[
                 found
             ]
-            decided = found | (fold.sure & (near > 0))
+            decided = found | (fold.proved & (near > 0))
             out.decided[left[decided]] = True
             left, at = left[~decided], at[~decided]
             if least is None:

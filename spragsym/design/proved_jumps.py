@@ -80,7 +80,7 @@ class ProvedJumps:
         off = np.stack(free)[:, rows] - 0.5 * self.pieces.of.sum(axis=0)[:, part[rows]]
         base = self.pieces.base[part[rows]]
         states = base.z[:-1] + np.einsum("ikM,kM->iM", base.by_p[:-1], off)
-        return states, np.where(base.sure, base.radius[:-1], -1.0)
+        return states, np.where(base.proved, base.radius[:-1], -1.0)
 
     def _parts(self, free: Sequence[FloatArray]) -> IntArray:
         """Index of the part that holds each point, −1 for none."""
@@ -145,4 +145,4 @@ def _known(box: Splitting, pieces: Pieces) -> BoolArray:
     searched, whole = region(balance, bounds)
     held = pieces.base.box().ends[:, :-1]
     found = is_reference(balance, bounds, held, searched)
-    return found & whole & pieces.base.sure
+    return found & whole & pieces.base.proved

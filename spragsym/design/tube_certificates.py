@@ -178,38 +178,38 @@ class Splitting(Claim):
         # Halving a wide part is better than smaller steps.
         least = None if (pieces.low == pieces.high).all() else 2.0**-6
         reached = tubes.followed(start, goal, least)
-        safe, top = np.where(reached.sure, reached.v, -np.inf), np.full(goal.size, np.inf)
+        safe, top = np.where(reached.proved, reached.v, -np.inf), np.full(goal.size, np.inf)
         weight, width = pieces.weight(reached), (pieces.high - pieces.low)[:-1]
-        rows = np.flatnonzero(reached.sure & (safe < goal) & (safe != start.v))
+        rows = np.flatnonzero(reached.proved & (safe < goal) & (safe != start.v))
         if rows.size:
             safe[rows], top[rows], moves = passed(
                 tubes[rows], reached[rows], goal[rows], self.sharp
             )
             weight[:, rows] = width[:, rows] * moves
         base = pieces.base[np.arange(len(pieces))]
-        base.scatter(start.sure, start[start.sure])
-        of = np.where(start.sure, np.stack([pieces.low[:-1], pieces.high[:-1]]), pieces.of)
+        base.scatter(start.proved, start[start.proved])
+        of = np.where(start.proved, np.stack([pieces.low[:-1], pieces.high[:-1]]), pieces.of)
         # What is proved for a part holds for its halves.
         safe, top = np.maximum(pieces.safe, safe), np.minimum(pieces.top, top)
         return replace(pieces, base=base, of=of, safe=safe, top=top), weight
 
     def _begun(self, pieces: Pieces) -> tuple[Tubes, Place]:
         """Tubes of the parts, and their places where the moving parameter begins, proved to be of
-        the followed state; not sure where that fails.
+        the followed state; not proved where that fails.
         """
         tubes, middle = self._over(pieces.low, pieces.high), 0.5 * (pieces.of[0] + pieces.of[1])
         shift = np.einsum("ikN,kN->iN", pieces.base.by_p, tubes.centre - middle)
         place = tubes.place(pieces.base.z + shift)
-        turned = (np.abs(place.by_p - pieces.base.by_p) * tubes.apart()).sum(axis=1)
+        spread = (np.abs(place.by_p - pieces.base.by_p) * tubes.apart()).sum(axis=1)
         inside = ((pieces.of[0] <= pieces.low[:-1]) & (pieces.high[:-1] <= pieces.of[1])).all(
             axis=0
         )
-        same = inside & place.lies_in(pieces.base, shift, turned)
-        rows = np.flatnonzero(place.sure & pieces.base.sure & ~same)
+        same = inside & place.lies_in(pieces.base, shift, spread)
+        rows = np.flatnonzero(place.proved & pieces.base.proved & ~same)
         same[rows] = self._linked(
             middle[:, rows], pieces.base[rows], tubes.centre[:, rows], place[rows]
         )
-        return tubes, replace(place, sure=same)
+        return tubes, replace(place, proved=same)
 
     def _linked(self, one: FloatArray, before: Place, other: FloatArray, after: Place) -> BoolArray:
         """Whether the states of a place become those of another, while one free parameter after the
@@ -223,7 +223,7 @@ class Splitting(Claim):
     def fails(self, points: FloatArray) -> BoolArray:
         found = self.settled(self.points(points))[0]
         ends = found.outcome == Decision.REFUTED
-        begun = found.base.sure & (found.of == points[:-1]).all(axis=(0, 1))
+        begun = found.base.proved & (found.of == points[:-1]).all(axis=(0, 1))
         rows = np.flatnonzero(begun & (found.outcome == Decision.OPEN))
         fixed = np.repeat(self.tubes.fixed, rows.size, axis=1)
         fixed[self.rows] = points[:, rows]

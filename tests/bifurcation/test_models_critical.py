@@ -145,10 +145,10 @@ def test_signs_stand_for_tubes_only_where_they_are_sure(monkeypatch: pytest.Monk
         return end
 
     monkeypatch.setattr(Tubes, "followed", watched)
-    unsure = {stop: replace(one, sure=~one.sure) for stop, one in states.items()}
+    unsure = {stop: replace(one, proved=~one.proved) for stop, one in states.items()}
     for way, known in ((along, states), (replace(along, whole=False), states), (along, unsure)):
         _by_tubes(way, [step], known, ss.ContinuationOptions())
-    assert all(one.sure.all() for one in states.values())
+    assert all(one.proved.all() for one in states.values())
     assert asked == [True, False, False]
 
 

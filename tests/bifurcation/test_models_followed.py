@@ -173,7 +173,7 @@ def test_the_sign_of_a_determinant_is_sure_where_no_error_of_the_state_turns_it(
         states=eq.states, coordinates=eq.coordinates, parameters=eq.parameters, error=share * away
     )
     found = branches._states(along, stated)
-    sure = np.concatenate([found[value].sure for value in P.tolist()])
+    sure = np.concatenate([found[value].proved for value in P.tolist()])
     # An interval of x encloses K a little wider than it is.
     assert not sure[share[known] > 1.0].any()
     assert sure[share[known] < 0.3].all()

@@ -189,12 +189,12 @@ def test_a_tube_is_of_the_state_that_was_given() -> None:
     tubes = Tubes.of_points(balance, "P", fixed)
     psi = p.F * p.l / (p.b**2 + p.mu0 * p.b * p.c)
     off, on = (np.array([[phi], [psi], [PULLED]]) for phi in (PULLED * p.l / p.k, jammed(p.mu0)))
-    assert tubes.place(on, error=1e-14).sure.all()
+    assert tubes.place(on, error=1e-14).proved.all()
     came = tubes.place(off)
-    assert came.sure.all()
+    assert came.proved.all()
     np.testing.assert_allclose(came.z, on, rtol=1e-13)
-    assert not tubes.place(off, error=1e-14).sure.any()
-    assert not tubes.place(on, error=0.1).sure.any()  # so little of it is known
+    assert not tubes.place(off, error=1e-14).proved.any()
+    assert not tubes.place(on, error=0.1).proved.any()  # so little of it is known
 
 
 @pytest.mark.thorough

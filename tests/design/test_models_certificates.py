@@ -48,7 +48,7 @@ def test_tubes_hold_the_states_of_all_points_of_a_box() -> None:
     """
     box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)
     here = box._over(box.whole.low, box.whole.high).followed(box.whole.base, np.array([0.3]))
-    assert here.sure[0]
+    assert here.proved[0]
     assert here.z[2, 0] == 0.3
     ends = here.box()[:, 0]
     for theta0 in BOX["theta0"]:

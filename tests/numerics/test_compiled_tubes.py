@@ -53,12 +53,12 @@ def test_the_same_tubes_are_proved(name: str, monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(plans, "compiled_for", lambda n: None)
     for (of, given), one in zip(some, with_compiled, strict=True):
         other = of._one_state(*given)
-        assert 0.1 * one.sure.size < one.sure.sum() < 0.99 * one.sure.size
-        np.testing.assert_array_equal(one.sure, other.sure)
+        assert 0.1 * one.proved.size < one.proved.sum() < 0.99 * one.proved.size
+        np.testing.assert_array_equal(one.proved, other.proved)
         np.testing.assert_array_equal(one.radius > 0, other.radius > 0)
         np.testing.assert_allclose(one.radius, other.radius, rtol=1e-9)
-        np.testing.assert_allclose(one.off, other.off, rtol=1e-9, atol=1e-24)
-        np.testing.assert_allclose(one.held, other.held, rtol=1e-9, atol=1e-24)
+        np.testing.assert_allclose(one.remainder, other.remainder, rtol=1e-9, atol=1e-24)
+        np.testing.assert_allclose(one.half_width, other.half_width, rtol=1e-9, atol=1e-24)
 
 
 @pytest.mark.parametrize("name", MODELS)
@@ -101,7 +101,7 @@ def test_tubes_bend_as_their_slopes_change(name: str) -> None:
         by_s, _ = of.tangents(z)
         none = np.zeros((tubes.n + 1, 0, size.size))
         tube = of._one_state(z, by_s, none, size, 0.5 * np.abs(by_s) * size)
-        rows = np.flatnonzero(tube.sure & (size > 1e-5))
+        rows = np.flatnonzero(tube.proved & (size > 1e-5))
         bent = of[rows].bends(tube[rows], by_s[:, rows])
         places = [
             of[rows].corrected((z + by_s * share * size)[:, rows]) for share in (-0.9, 0.0, 0.9)
@@ -128,7 +128,7 @@ def test_no_state_moves_on_over_its_fold(name: str) -> None:
         start = fold.copy()
         start[0] += way
         here = of.place(start)
-        assert here.sure.all()
+        assert here.proved.all()
         by_s = of.tangents(here.z)[0]
         for share, on in ((0.97, True), (1.03, False), (1.5, False)):
             step = -way * np.array([share])

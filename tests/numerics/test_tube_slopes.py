@@ -55,16 +55,25 @@ def region_of(given: Tolerances) -> tuple[Splitting, Tubes, Place]:
     tubes = box._over(box.whole.low, box.whole.high)
     z = box.whole.base.z
     by_p = tubes.tangents(z)[1]
-    along = rng.normal(size=z.shape) * 0.1
-    along[-1] = 1.0
-    off = np.full_like(z, 1e-3)
-    off[-1] = 0.0
-    moved, apart = np.full(1, 0.02), tubes.apart()
-    size = np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1) + off
+    by_s = rng.normal(size=z.shape) * 0.1
+    by_s[-1] = 1.0
+    remainder = np.full_like(z, 1e-3)
+    remainder[-1] = 0.0
+    half_pivot, apart = np.full(1, 0.02), tubes.apart()
+    size = np.abs(by_s) * half_pivot + (np.abs(by_p) * apart).sum(axis=1) + remainder
     return (
         box,
         tubes,
-        Place(z, along, moved, by_p, 1.001 * size, off, off, np.ones(1, dtype=np.bool_)),
+        Place(
+            z,
+            by_s,
+            half_pivot,
+            by_p,
+            1.001 * size,
+            remainder,
+            remainder,
+            np.ones(1, dtype=np.bool_),
+        ),
     )
 
 
@@ -83,9 +92,9 @@ def test_slopes_at_points_of_a_region_are_enclosed_and_narrower_than_by_interval
     p = tubes.centre + tubes.half * ends[1]
     z = (
         region.z
-        + region.along * region.moved * ends[0]
+        + region.by_s * region.half_pivot * ends[0]
         + region.by_p[..., 0] @ (tubes.half * ends[1])
-        + region.off * ends[2]
+        + region.remainder * ends[2]
     )
     points = replace(
         tubes, fixed=np.repeat(tubes.fixed, count, axis=1), centre=p, half=np.full_like(p, 1e-9)

@@ -43,7 +43,7 @@ from ..statics.balance import Balance
 from ..statics.options import SearchOptions
 from ..statics.precise_balance import on_side
 from ..statics.search import of_ranges
-from .borders import kinds_of_borders, passages
+from .borders import kinds_of_borders, openings
 from .defining_systems import (
     FOLD,
     Augmented,
@@ -135,7 +135,7 @@ def bifurcation_set(
         more = np.concatenate([rows_of(family, points) for points in ends], axis=1)
         parts.append(on_lines(family, FOLD, n, more, more[-1], options))
         curves += [_curve(family, chain) for chain in parts[-1].chains]
-        for contact, other in passages(families, family):
+        for contact, other in openings(families, family):
             near, ends = family.beyond(contact), [*border_extrema(family, contact)]
             borders += [("border", points) for points in ends]
             none = np.empty((balance.n + 2, 0))  # ends may be empty

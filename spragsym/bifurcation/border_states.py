@@ -1,11 +1,15 @@
-"""States of all combinations of contacts about a point where borders of contacts are.
+"""States near a border point, of all combinations of contacts that meet there.
 
-Where k contacts only just touch at once, as of twins, up to 2ᵏ combinations meet. In a box around
-the point in which each of them has one state for every value of a short range of the parameter,
-whatever the signs of its gaps are, those whose gaps have the right signs at an end of the range are
-all states there: the solutions of the linear complementarity problem of the slopes. None leaves the
-box through its sides. So where one is left at either end, and K is regular, it is of index 1 or −1,
-and a continuum of states joins the two; where there are some at one end only, all of them end.
+Where k contacts only just touch at once, as in symmetric models, up to 2ᵏ combinations of touching
+contacts meet. A box around the point and a short range of the parameter are chosen such that each
+combination has exactly one solution in the box for every value of the range, whatever the signs of
+its gaps are. At an end of the range the states in the box are the solutions whose gaps have the
+right signs: they solve a linear complementarity problem. No solution leaves the box through its
+sides, so the states at the two ends of the range decide.
+
+- One state at each end, and K regular: its index is 1 or −1, and a continuum of states joins the
+  two. The state passes.
+- States at one end only: all of them end at the point, a border fold.
 """
 
 from __future__ import annotations
@@ -43,11 +47,16 @@ from .points import Found, arranged
 class BorderStates(ByColumn):
     """States of every combination of contacts at both ends of short ranges of the parameter.
 
-    ``box``, shape (2, n, N), holds one state of a combination that is ``regular`` for every value,
-    on whichever sides of its borders; ``roots`` are these at both ends, shape (2, combinations, 2,
-    n, N), and ``states`` whether they are on the right sides, where that is ``known``. ``meets``
-    says of a combination whether the box reaches to its sides, and ``near`` of the contacts that
-    open whether it meets their borders.
+    For each of N ranges, ``box``, shape (2, n, N), is a box of coordinates. The masks ``known``,
+    ``regular`` and ``meets`` have the shape (combinations, N).
+
+    - ``regular``: the combination has exactly one solution in the box for every value, whatever the
+      signs of its gaps are, or has no state there.
+    - ``roots``: boxes of the solutions at both ends, shape (2, combinations, 2, n, N).
+    - ``states``: whether the gaps have the right signs there, shape (2, combinations, N), where
+      that is ``known``.
+    - ``meets``: the box may contain points whose gaps have the right signs.
+    - ``near``: the box meets the border of a contact, shape (contacts that open, N).
     """
 
     box: FloatArray
@@ -59,98 +68,117 @@ class BorderStates(ByColumn):
     near: BoolArray
 
     def kinds(self, own: BoolArray) -> NDArray[np.str_]:
-        """Kinds of the points, for the combinations that are asked for, their ``own``; empty where
-        it is not known.
+        """Kinds of the points, counting states of the combinations ``own`` only; empty where not
+        proved.
+
+        ``"nothing"`` if none of these has a state there. ``"border"`` if a state may go on in a
+        combination that is not among them.
         """
-        counts, total = self.states[:, own].sum(axis=1), self.states[:, own].sum(axis=(0, 1))
-        sure = self.known & self.regular
-        lifted = self.meets & (~sure | self.states.any(axis=0))
-        lifts, known = lifted[~own].any(axis=0), self.known[own].all(axis=0)
-        ends = known & (counts.min(axis=0) == 0)
-        passes = sure.all(axis=0) & (counts == 1).all(axis=0) & ~lifts
+        counts = self.states[:, own].sum(axis=1)
+        proved = self.known & self.regular
+        possible = self.meets & (~proved | self.states.any(axis=0))
+        leaves = possible[~own].any(axis=0)
+        ends = self.known[own].all(axis=0) & (counts.min(axis=0) == 0)
+        passes = proved.all(axis=0) & (counts == 1).all(axis=0) & ~leaves
         return np.select(
-            [ends & (total == 0), ends & lifts, ends, passes],
+            [ends & (counts.sum(axis=0) == 0), ends & leaves, ends, passes],
             ["nothing", "border", "border_fold", "passes"],
             "",
         )
 
 
 def combinations_of(balance: Balance) -> list[Balance]:
-    """The balances of all combinations of contacts, that of none included; on a border it
-    touches.
+    """The balances of all combinations of touching contacts, including that none touches.
+
+    A contact on its border counts as touching, so that no state belongs to two combinations.
     """
     model = balance.model
-    each = [Balance(model, key, balance.law, balance.options) for key in model.regimes]
-    for one in each:
+    balances = [Balance(model, key, balance.law, balance.options) for key in model.regimes]
+    for one in balances:
         one.apart = True
-    return each
+    return balances
 
 
-def among(every: Sequence[Balance], some: Sequence[Balance]) -> BoolArray:
-    """Which balances have a combination of contacts that touch of some others."""
-    combinations = [one.pushing for one in some]
-    return np.array([one.pushing in combinations for one in every])
+def among(balances: Sequence[Balance], others: Sequence[Balance]) -> BoolArray:
+    """Mask of the balances whose combination of touching contacts is that of one of the others."""
+    combinations = [one.pushing for one in others]
+    return np.array([one.pushing in combinations for one in balances])
 
 
 def both_sides(family: Family, box: FloatArray, ends: FloatArray) -> BorderStates:
-    """States at both ``ends`` of ranges of the parameter, shape (2, N), either one first, about
-    boxes of shape (2, n, N).
+    """States at both ``ends`` of ranges of the parameter, shape (2, N), in either order.
+
+    ``box``, shape (2, n, N), are boxes around the border points; they are widened as far as needed.
     """
     balances = combinations_of(family.balance)
     given = [family.at(end[None]) for end in ends]
     with quiet():
         between = Intervals.between(np.minimum(*given), np.maximum(*given))
         over = [one.prepared(between) for one in balances]
-        meets = [~on_side(one, wide, box)[1] for one, wide in zip(balances, over, strict=True)]
-        for _ in range(4):  # wider until no combination steps out of it
+        meets = [~on_side(one, range_, box)[1] for one, range_ in zip(balances, over, strict=True)]
+        # Widen until the Newton step of every combination stays inside.
+        for _ in range(4):
             box = box + (0.25 * width_of(box) + np.spacing(np.abs(box).max(axis=0)))
-            for one, wide, here in zip(balances, over, meets, strict=True):
-                step = stepped(one, box, wide).ends
-                good = here & np.isfinite(step).all(axis=(0, 1))
+            for one, range_, possible in zip(balances, over, meets, strict=True):
+                step = stepped(one, box, range_).ends
+                good = possible & np.isfinite(step).all(axis=(0, 1))
                 box = np.where(good, np.maximum(box, step), box)
         box = box + 0.25 * width_of(box)
         parts = [
-            _of_combination(family, one, box, [wide, *map(one.prepared_at, given)], here)
-            for one, wide, here in zip(balances, over, meets, strict=True)
+            _of_combination(family, one, box, [range_, *map(one.prepared_at, given)], possible)
+            for one, range_, possible in zip(balances, over, meets, strict=True)
         ]
         gaps = Boxes(balances[0], Intervals(box), over[0]).taped(*GAPS)
     roots, states, known, regular = map(np.array, zip(*parts, strict=True))
-    roots, states = (np.moveaxis(each, 0, 1) for each in (roots, states))
-    return BorderStates(box, roots, states, known, regular, np.array(meets), gaps.signs == 0)
+    return BorderStates(
+        box,
+        np.moveaxis(roots, 0, 1),
+        np.moveaxis(states, 0, 1),
+        known,
+        regular,
+        np.array(meets),
+        gaps.signs == 0,
+    )
 
 
 def _of_combination(
     family: Family, balance: Balance, box: FloatArray, at: Sequence[Intervals], meets: BoolArray
 ) -> tuple[list[FloatArray], list[BoolArray], BoolArray, BoolArray]:
-    """Of one combination the roots and states at both ends, and what is known and regular; ``at``
-    are the prepared parameters over the range and at its ends.
+    """Fields ``roots``, ``states``, ``known`` and ``regular`` of :class:`BorderStates` for one
+    combination.
+
+    ``at`` are the prepared parameters over the whole range and at its two ends.
     """
     over, *ends = at
-    alone = contractors.inside(stepped(balance, box, over).ends, box)
+    unique = contractors.inside(stepped(balance, box, over).ends, box)
     absent = ~meets & on_side(balance, over, box)[1]
-    known, roots, states = alone | absent, list[FloatArray](), list[BoolArray]()
+    known = unique | absent
     if not known.all() and is_singular(balance, family):
         known = np.ones_like(known)
+    roots, states = list[FloatArray](), list[BoolArray]()
     for prepared in ends:
-        place = box
+        root = box
         for _ in range(4):  # each doubles the number of digits
-            place = np.fmin(stepped(balance, place, prepared).ends, place)
-        inside, beyond = on_side(balance, prepared, place)
-        roots.append(place)
-        states.append(inside & alone)
-        known = known & (inside | beyond | ~alone)
-    return roots, states, known, alone | absent
+            root = np.fmin(stepped(balance, root, prepared).ends, root)
+        inside, beyond = on_side(balance, prepared, root)
+        roots.append(root)
+        states.append(inside & unique)
+        known = known & (inside | beyond | ~unique)
+    return roots, states, known, unique | absent
 
 
 def about_border(
     family: Family, hull: FloatArray, own: BoolArray
 ) -> tuple[str, BorderStates, Intervals]:
-    """Kind of one point where borders meet, somewhere in a hull of coordinates and the parameter,
-    shape (2, n + 1, 1), empty where it is not known; and states about it in as short a range of the
-    parameter as tells it.
+    """Kind of one border point, the states near it, and the range of the parameter at whose ends
+    they are.
+
+    The point lies in ``hull``, a box of coordinates and the parameter, shape (2, n + 1, 1). The
+    kind is that of :meth:`BorderStates.kinds`, with the shortest range that proves it; empty if
+    none does.
     """
     middle = Intervals(hull).middle[-1]
-    # On either side so far, over the value: a few digits more than rounding takes, then more.
+    # Half-lengths of the range, relative to the value; the first is a little above rounding.
     for share in 2.0 ** np.arange(-46, -16, 6):
         room = width_of(hull)[-1] + share * scale_of(middle)
         ends = np.array([middle - room, middle + room])
@@ -163,66 +191,70 @@ def about_border(
 def at_once(
     families: Sequence[Family], near: Family, contact: int, found: Found
 ) -> tuple[Found, list[Points]]:
-    """What a search for the border of a contact has found, without the points at which others only
-    just touch, too, where these are decided; and the points of these that belong here, since more
-    than one search meets them.
+    """Separate the points at which several contacts only just touch from those of one contact.
+
+    ``found`` is the result of the search for the border of ``contact`` in the family ``near``.
+    Returns the result without the points of several contacts whose kind is proved, and these
+    points. The searches for other contacts and in other families find the same points; each is
+    returned for one of them only.
     """
     system, roots, balance = Augmented(near, touch(contact)), found.roots, near.balance
-    every, point = roots.every
+    candidates, point = roots.every
     if len(balance.opens) < 2 or not 0 < point.size <= balance.options.scattered:
         return found, []
     with quiet():
         given = system.prepared_at(near.begin[:, point])
-        gaps = Boxes(system, Intervals(every), given).taped(*GAPS)
+        gaps = Boxes(system, Intervals(candidates), given).taped(*GAPS)
     several = (gaps.signs == 0).sum(axis=0) > 1
-    ours = [family.balance for family in families]
-    own = among(combinations_of(balance), ours)
+    balances = [family.balance for family in families]
+    own = among(combinations_of(balance), balances)
     points, kept = list[Points](), np.ones(point.size, dtype=bool)
-    leaves = not among([balance.across(contact)], ours)[0]
-    hulls, owner = clusters(every[:, :, several], point[several])
+    leaves = not among([balance.across(contact)], balances)[0]
+    hulls, owner = clusters(candidates[:, :, several], point[several])
     for hull, row in zip(np.moveaxis(hulls, 2, 0), owner.tolist(), strict=True):
         one = replace(near, given=near.given[:, row : row + 1])
         kind, states, span = about_border(one, hull[:, :, None], own)
         if not kind:
             continue
-        kept &= ~contractors.within(every, hull[:, :, None])
-        touched = [k for k, here in zip(balance.opens, states.near[:, 0], strict=True) if here]
+        kept &= ~contractors.within(candidates, hull[:, :, None])
+        touched = [k for k, meets in zip(balance.opens, states.near[:, 0], strict=True) if meets]
         opened = [k for k in touched if not balance.pushing[k]]
-        # More than one search meets it: of those of one contact that touches, or of all there.
+        # Only the search for the first of these contacts returns the point: in the family in which
+        # all touch, or, where the state leaves the families, in that in which only this one does.
         elsewhere = contact != touched[0] or (opened and not leaves)
         if kind == "nothing" or (kind == "border") != leaves or elsewhere:
             continue
         closed = reduce(Balance.across, opened, balance)
-        there = replace(one, balance=closed.extended(*touched))
+        closed_family = replace(one, balance=closed.extended(*touched))
         middle = Intervals(hull[:, :, None]).middle
         box = np.concatenate([states.box, span.ends[:, None]], axis=1)
         box = ends_around(middle, contractors.distance(box, middle))
-        points.append(arranged(there, replace(found, roots=Roots.at(box)), kind))
+        points.append(arranged(closed_family, replace(found, roots=Roots.at(box)), kind))
     count = roots.point.size
     return replace(found, roots=roots.select(kept[:count], kept[count:])), points
 
 
 def is_singular(balance: Balance, family: Family) -> bool:
-    """Whether det K is 0 for all states and all parameters but those that are 0 here.
+    """Whether det K is 0 for all states and for all values of the parameters that are not 0 in the
+    family.
 
-    In exact numbers, at rational places that are drawn, of directions and friction coefficients
-    too. It is no proof: a polynomial that is not 0 everywhere has all these places of so many
-    digits as roots with next to no probability (Schwartz and Zippel).
+    K is evaluated in exact arithmetic at random rational coordinates, parameters, directions and
+    friction coefficients. That is no proof. But if det K were not 0 everywhere, it would be 0 at
+    all of these samples with negligible probability (Schwartz–Zippel lemma).
     """
     rng = np.random.default_rng(0)
-    still = zip(balance.parameters, family.given[:, 0].tolist(), strict=True)
-    zero = {name for name, value in still if value == 0 and name not in balance.angles}
+    given = zip(balance.parameters, family.given[:, 0].tolist(), strict=True)
+    zero = {name for name, value in given if value == 0 and name not in balance.angles}
 
     def drawn() -> Fraction:
-        # Largest numerator and denominator of these numbers.
-        largest = 2**30
+        largest = 2**30  # numerator or denominator
         return Fraction(*map(int, rng.integers(1, largest, 2)))
 
     def circle() -> list[Fraction]:
+        # A rational point of the unit circle.
         t = drawn()
         return [(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)]
 
-    # Places with rational numbers at which a determinant that is 0 everywhere is 0.
     for _ in range(12):
         values = {name: 0 if name in zero else drawn() for name in balance.codes}
         for pair in balance.angles.values():
@@ -233,7 +265,7 @@ def is_singular(balance: Balance, family: Family) -> bool:
         at = balance.at(q, values, xp=None)
         try:
             K = at.call("forces_jacobian", first, *mus, *balance.pushing, kind="statics")
-        except AttributeError:  # of a law that is no algebra
+        except AttributeError:  # the law is not algebraic
             return False
         if determinant(K) != 0:
             return False

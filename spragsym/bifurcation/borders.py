@@ -1,13 +1,16 @@
 """Border points along one parameter: states in which one of several contacts only just touches.
 
-There a branch of states with that contact closed meets one with it open. With the stiffness K of
-the one and K₀ of the other, and g the slope of the gap, F_K − F_K₀ is u φ(gap) with φ(0) = 0, so
-that K = K₀ + u gᵀ, and by the formula of Sherman and Morrison the gap changes along the first
-branch at 1/(1 + gᵀ K₀⁻¹ u) = det K₀/det K times its rate along the second. The first has gap ≤ 0,
-the second gap ≥ 0. So where both determinants have one sign the state passes from one combination
-of contacts into the other; where they have not, both branches lie on one side of the parameter and
-end: a border fold. It is one, too, where det K₀ is 0 for all states and parameters, as of a body
-that nothing but this contact supports: no branch goes on.
+At a border point the branch of states with that contact closed meets the branch with it open. The
+contact force vanishes with the gap, so the stiffness K with the contact closed and K₀ with it open
+differ by a matrix of rank one: K = K₀ + u gᵀ, where g is the gradient of the gap. By the
+Sherman–Morrison formula, the gap changes along the closed branch at det K₀/det K times its rate
+along the open branch. States on the closed branch have gap ≤ 0, those on the open branch gap ≥ 0.
+
+- If det K and det K₀ have the same sign, one branch continues the other: the state passes.
+- If they have opposite signs, both branches lie on the same side of the parameter and end there: a
+  border fold.
+- If det K₀ is 0 for all states and parameters, nothing but this contact supports the body. There is
+  no open branch, so this is a border fold too.
 """
 
 from __future__ import annotations
@@ -48,33 +51,38 @@ from .points import arranged, search
 
 
 def borders(families: Sequence[Family], leaving: bool = False) -> list[Points]:
-    """Border points along one parameter of each contact between two of these combinations of
-    contacts that touch; or ``leaving`` all of them, behind which nothing touches any more.
+    """Border points along one parameter at which a contact opens, between two of the families.
+
+    Each family has another combination of touching contacts. With ``leaving``, the points at which
+    the combination behind the border belongs to no family: no contact touches there.
     """
     found = list[Points]()
     for family in families:
-        for contact, other in passages(families, family, leaving):
+        for contact, other in openings(families, family, leaving):
             near = family.beyond(contact)
-            there, more = at_once(families, near, contact, search(near, touch(contact)))
-            kinds = "border" if leaving else kinds_of_borders(near, there.roots.ends, other)
-            found += [arranged(near, there, kinds), *more]
+            single, several = at_once(families, near, contact, search(near, touch(contact)))
+            kinds = "border" if leaving else kinds_of_borders(near, single.roots.ends, other)
+            found += [arranged(near, single, kinds), *several]
     return found
 
 
-def passages(
+def openings(
     families: Sequence[Family], family: Family, leaving: bool = False
 ) -> Iterator[tuple[int, Balance]]:
-    """Contacts of a combination by whose loss it becomes that of another one of these families, or
-    ``leaving`` them of none, and its balance.
+    """Contacts of one family that may open, each with the balance in which it is open.
+
+    Only contacts whose opening leads to the combination of another family; with ``leaving``, only
+    those whose opening leads to that of none.
     """
-    balance, combinations = family.balance, [one.balance.pushing for one in families]
+    balance = family.balance
+    combinations = [each.balance.pushing for each in families]
     for contact in balance.opens:
         other = balance.across(contact)
         if balance.pushing[contact] and (other.pushing in combinations) != leaving:
             yield contact, other
 
 
-def combination(points: Points, row: int) -> Touching:
+def touching_at(points: Points, row: int) -> Touching:
     """The contacts that touch at a point."""
     model = points.parameters.model
     if not model.has_regimes:
@@ -82,34 +90,40 @@ def combination(points: Points, row: int) -> Touching:
     return tuple(str(points.touching[row]).split(", "))
 
 
-def met_by(points: Points, balance: Balance) -> BoolArray:
-    """Points that a state of one combination of contacts may come to: those of its own, and borders
-    at which one more contact is regained.
+def reachable(points: Points, balance: Balance) -> BoolArray:
+    """Mask of the points that a branch of one combination of contacts may reach.
+
+    These are the points of the same combination, and border points at which more contacts close.
     """
     if not balance.model.has_regimes:
         return np.ones(len(points), dtype=bool)
-    every = zip(points.touching, points.at_border, strict=True)
     labels = {label_of(entry) for entry in balance.model.contacts}
-    own = {*balance.touching.split(", ")} & labels
-    names = [({*touching.split(", ")} & labels, {*at.split(", ")}) for touching, at in every]
-    return np.array([names - at <= own <= names for names, at in names], dtype=bool)
+    own = labels.intersection(balance.touching.split(", "))
+    mask = list[bool]()
+    for touching, at_border in zip(points.touching, points.at_border, strict=True):
+        closed = labels.intersection(touching.split(", "))
+        mask.append(closed.difference(at_border.split(", ")) <= own <= closed)
+    return np.array(mask, dtype=bool)
 
 
 def kinds_of_borders(family: Family, ends: FloatArray, other: Balance) -> NDArray[np.str_]:
-    """Kinds of border points in boxes, by the signs of det K on both sides, in the words of
-    :class:`spragsym.results.Points`.
+    """Kinds of border points in boxes, by the signs of det K on both sides, as the column ``kind``
+    of :class:`spragsym.results.Points`.
+
+    ``other`` is the balance with the contact open. Where a sign is not proved, ``"border"``.
     """
-    closed, open_ = (_signs(balance, family, ends) for balance in (family.balance, other))
-    alone = bool((open_ == 0).any()) and is_singular(other, family)
+    closed = _determinant_signs(family.balance, family, ends)
+    opened = _determinant_signs(other, family, ends)
+    unsupported = bool((opened == 0).any()) and is_singular(other, family)
     return np.select(
-        [closed * open_ > 0, (closed * open_ < 0) | ((closed != 0) & alone)],
+        [closed * opened > 0, (closed * opened < 0) | ((closed != 0) & unsupported)],
         ["passes", "border_fold"],
         "border",
     )
 
 
-def _signs(balance: Balance, family: Family, ends: FloatArray) -> Int8Array:
-    """Signs of det K over boxes of coordinates and the parameter, 0 where they are not known."""
+def _determinant_signs(balance: Balance, family: Family, ends: FloatArray) -> Int8Array:
+    """Signs of det K over boxes of coordinates and the parameter, 0 where they are not proved."""
     n, shape = balance.n, ends.shape[2:]
     with quiet():
         over = Intervals.between(family.at(-ends[0, n:]), family.at(ends[1, n:]))
@@ -118,27 +132,32 @@ def _signs(balance: Balance, family: Family, ends: FloatArray) -> Int8Array:
 
 
 def at_point(points: Points, row: int) -> tuple[Family, FloatArray, FloatArray]:
-    """The family without closed forms that a point is of, its coordinates and parameters, and a box
-    that holds them exactly, (2, number, 1).
+    """The family of a point; its coordinates and varying parameters, shape (number,); and a box
+    that holds their exact values, shape (2, number, 1).
+
+    The family is that of the model without closed forms.
     """
     p = points.parameters.of(points.parameters.model.search)
-    family = Family.of(p, points.vary, balance=Balance(p.model, combination(points, row)))
+    family = Family.of(p, points.vary, balance=Balance(p.model, touching_at(points, row)))
     z = np.array([float(points[name][row]) for name in (*family.balance.coordinates, *points.vary)])
     return family, z, ends_around(z, points.error[row] * scale_of(z))[:, :, None]
 
 
-def at_borders(points: Points, found: Ended) -> None:
-    """Enter which state ends at border folds, and in which direction of the parameter."""
+def enter_border_folds(points: Points, found: Ended) -> None:
+    """Enter into ``found`` which state ends at each border fold, and in which direction."""
     for row in np.flatnonzero(points.kind == "border_fold").tolist():
         try:
-            found.ends[row], found.when[row] = _at_border(points, row)
+            found.ends[row], found.when[row] = _ended_state(points, row)
         except ConvergenceError:
             found.ends[row] = found.when[row] = "undecided"
 
 
-def _at_border(points: Points, row: int) -> tuple[str, str]:
-    """Outcome of one border fold: which of its states is stable, and in which direction they
-    vanish.
+def _ended_state(points: Points, row: int) -> tuple[str, str]:
+    """Columns ``ends`` and ``when`` at one border fold.
+
+    ``ends`` says whether the stable state is the lower or the upper one, by its first coordinate.
+    It is empty if the state has no partner, or if no state is stable. ``when`` is the direction of
+    the parameter in which the states vanish. Raises ConvergenceError if one is not proved.
     """
     family, _, hull = at_point(points, row)
     balances = combinations_of(family.balance)
@@ -147,20 +166,22 @@ def _at_border(points: Points, row: int) -> tuple[str, str]:
     )
     if kind != "border_fold":
         raise ConvergenceError("which states end there is not known")
+    # The end of the range at which states exist: 0 is the lower one, 1 the upper one.
     side = int(found.states[1].any())
-    given, firsts, stable = family.at(spans_of(span.ends)[..., side][None]), [], []
+    when = "down" if side else "up"
+    given = family.at(spans_of(span.ends)[..., side][None])
+    first_coordinates, stable = [], []
     for number in np.flatnonzero(found.states[side]).tolist():
         ends = found.roots[side, number]
         states = Intervals(ends).middle
         code, proved, _ = stability.classified(balances[number], states, given, ends)
         stable.append(bool(proved[0]) and code[0] == EquilibriumType.STABLE)
-        firsts.append(spans_of(ends)[0, 0])
-    when = ("down", "up")[1 - side]
-    if len(stable) == 1 or not any(stable):  # no branch goes on, or none that is followed
+        first_coordinates.append(spans_of(ends)[0, 0])
+    if len(stable) == 1 or not any(stable):
         return "", when
-    low, high = firsts.pop(stable.index(True))
-    if all(high < other for other, _ in firsts):
+    low, high = first_coordinates.pop(stable.index(True))
+    if all(high < other for other, _ in first_coordinates):
         return "lower", when
-    if all(low > other for _, other in firsts):
+    if all(low > other for _, other in first_coordinates):
         return "upper", when
     raise ConvergenceError("whether the state is the lowest or the highest one is not known")

@@ -1,8 +1,10 @@
-"""States that are followed across the borders of contacts, for many points at once.
+"""Followed states at the borders of contacts, for many points of the parameters at once.
 
-A branch of states meets others where gaps are 0, with these contacts open or closed. In a box about
-there each combination of contacts has one state for every value, whatever the signs of its gaps
-are; which of them are states before the border and behind it tells whether the state goes on, see
+A branch of states comes to a border point where the gap of a contact is 0, or the gaps of several
+are. There it meets branches of other combinations of touching contacts. In a box around the point
+each combination has one solution for every value of the parameter, whatever the signs of its gaps
+are. The solutions whose gaps have the right signs are states. Which of them are states before the
+border, and which behind it, tells whether the followed state passes the border or ends; see
 :mod:`spragsym.bifurcation.border_states`.
 """
 
@@ -35,16 +37,18 @@ from .tubes import Place, Tubes
 
 
 @dataclass(frozen=True)
-class Crossed:
-    """States that have come to the borders of contacts: their numbers, the border points z = (q,
-    v), shape (n + 1, N), and errors of v; which contacts, shape (contacts that open, N); of those
-    that pass it the places behind it, and tubes.
+class BorderArrivals:
+    """Followed states that arrive at a border, all with the same outcome.
 
-    The ``kind`` is that of :class:`spragsym.bifurcation.paths.ModelEnd`.
+    ``rows`` are their numbers, shape (N,), ``z`` the border points (q, v), shape (n + 1, N), and
+    ``error`` bounds the errors of v. ``contacts`` marks the contacts whose gap is 0 there, shape
+    (contacts that open, N). ``kind`` is ``"passes"``, or that of
+    :class:`spragsym.bifurcation.paths.ModelEnd` where the state ends. ``place`` and ``tubes`` are
+    those of the states behind the border, if they pass it.
     """
 
     rows: IntArray
-    near: BoolArray
+    contacts: BoolArray
     kind: str
     z: FloatArray
     error: FloatArray
@@ -52,71 +56,94 @@ class Crossed:
     tubes: Tubes
 
 
-def crossed(tubes: Tubes, here: Place, goal: FloatArray) -> Iterator[Crossed]:
-    """States of points without width that stand before a border on their way to a goal, where it is
-    proved that they pass it or end there.
+def border_arrivals(tubes: Tubes, start: Place, goal: FloatArray) -> Iterator[BorderArrivals]:
+    """States of places that are proved to pass a border, or to end there, on their way to a goal.
+
+    The tubes must be those of points. A state of which neither is proved is left out.
     """
-    balance, left = tubes.balance, np.flatnonzero(here.proved & (here.v != goal))
-    every = combinations_of(balance)
-    own, mine = among(every, balances_of(balance.model)), int(among(every, [balance]).argmax())
-    # How far the ranges about the border go, over the way that is left: the wider of them first, as
-    # tubes, whose boxes may not meet it, come to it in ever smaller steps.
-    tries = itertools.product((2.0**-5, 2.0**-10, 2.0**-16), balance.opens)
-    away = set[int]()
-    for share, contact in tries if left.size else ():
-        if contact in away:
+    balance = tubes.balance
+    balances = combinations_of(balance)
+    own = among(balances, balances_of(balance.model))
+    current = int(among(balances, [balance]).argmax())
+    left = np.flatnonzero(start.proved & (start.v != goal))
+    absent = set[int]()  # contacts whose border no state comes to
+    # Half-lengths of the ranges around a border, as shares of the way that is left. The longest
+    # comes first: tubes end before the border, and approach it in ever smaller steps.
+    for share, contact in itertools.product((2.0**-5, 2.0**-10, 2.0**-16), balance.opens):
+        if contact in absent or not left.size:
             continue
-        some, at, way = tubes[left], here[left], (goal - here.v)[left]
-        family = Family(None, balance.extended(), (tubes.vary,), some.fixed, np.zeros((1, 2)))
-        z = _border(family, contact, at.z, tubes.options.newton_steps)
-        room, forward = share * np.abs(way), np.sign(way)
-        ahead = (z[-1] - at.v) * forward
-        met = (ahead >= 0) & (ahead < np.abs(way))
-        if not met.any():
-            away.add(contact)
+        own_tubes, place = tubes[left], start[left]
+        family = Family(None, balance.extended(), (tubes.vary,), own_tubes.fixed, np.zeros((1, 2)))
+        z = _border_point(family, contact, place.z, tubes.options.newton_steps)
+        ends, on_way = _ranges(z[-1], place.v, goal[left], share)
+        if not on_way.any():
+            absent.add(contact)
             continue
-        first = np.where(met & (ahead > room), z[-1] - room * forward, at.v)
-        last = z[-1] + forward * np.minimum(room, np.abs(way) - ahead)
-        at = some.followed(at, first)
-        rows = np.flatnonzero(met & at.proved & (at.v == first))
+        place = own_tubes.followed(place, ends[0])
+        rows = np.flatnonzero(on_way & place.proved & (place.v == ends[0]))
         if not rows.size:
             continue
-        some, at, z = some[rows], at[rows], z[:, rows]
-        family = replace(family, given=some.fixed)
-        # As far beyond the border as it lies before it.
-        q = np.maximum(at.box().ends[:, :-1], Intervals.point(2 * z - at.z).ends[:, :-1])
-        ends = np.array([first[rows], last[rows]])
-        found = both_sides(family, q, ends)
-        kinds = found.kinds(own)
+        own_tubes, place, z, ends = own_tubes[rows], place[rows], z[:, rows], ends[:, rows]
+        family = replace(family, given=own_tubes.fixed)
+        # The box reaches as far behind the border as the state lies before it.
+        mirrored = Intervals.point(2 * z - place.z)
+        found = both_sides(family, np.maximum(place.box().ends, mirrored.ends)[:, :-1], ends)
         error = _distances(family, own, found, z, ends)
-        # Other borders than those at the point, some share of the range away, are not among these.
-        kinds[~(found.states[0, mine] & (error <= 1e-6 * np.abs(ends[1] - ends[0])))] = ""
-        behind = np.where(kinds == "passes", found.states[1].argmax(axis=0), mine)
+        # A border point elsewhere in the range is not the one at z.
+        is_at_z = found.states[0, current] & (error <= 1e-6 * np.abs(ends[1] - ends[0]))
+        kinds = np.where(is_at_z, found.kinds(own), "")
+        behind = np.where(kinds == "passes", found.states[1].argmax(axis=0), current)
         for kind, number in sorted({*zip(kinds.tolist(), behind.tolist(), strict=True)}):
             if not kind:
                 continue
-            picked = np.flatnonzero((kinds == kind) & (behind == number))
-            beyond, roots = replace(some[picked], balance=every[number]), found.roots[1, number]
-            there = np.vstack([Intervals(roots).middle, ends[1]])[:, picked]
-            place = beyond.place(there, error=relative_error(roots[..., picked], there[:-1]))
-            about = left[rows[picked]], found.near[:, picked], kind, z[:, picked], error[picked]
-            yield Crossed(*about, place, beyond)
+            chosen = np.flatnonzero((kinds == kind) & (behind == number))
+            beyond = replace(own_tubes[chosen], balance=balances[number])
+            roots = found.roots[1, number][..., chosen]
+            z_behind = np.vstack([Intervals(roots).middle, ends[1, chosen]])
+            yield BorderArrivals(
+                left[rows[chosen]],
+                found.near[:, chosen],
+                kind,
+                z[:, chosen],
+                error[chosen],
+                beyond.place(z_behind, error=relative_error(roots, z_behind[:-1])),
+                beyond,
+            )
         left = np.delete(left, rows[kinds != ""])
 
 
-def followed_across(tubes: Tubes, here: Place, goal: FloatArray) -> tuple[Tubes, Place]:
-    """One state as ``vary`` moves to a goal, past borders: the last place that is proved, and tubes
-    there.
+def _ranges(
+    border: FloatArray, v: FloatArray, goal: FloatArray, share: float
+) -> tuple[FloatArray, BoolArray]:
+    """Ranges of the parameter around its values at ``border``, and whether these lie between v and
+    the goal.
+
+    Ranges have the shape (2, N), the end next to v first. They extend by a ``share`` of the way
+    from v to the goal, but not beyond either.
     """
-    here = tubes.followed(here, goal)
-    while passed := [part for part in crossed(tubes, here, goal) if part.kind == "passes"]:
+    way = goal - v
+    forward, room = np.sign(way), share * np.abs(way)
+    ahead = (border - v) * forward
+    on_way = (ahead >= 0) & (ahead < np.abs(way))
+    first = np.where(on_way & (ahead > room), border - room * forward, v)
+    last = border + forward * np.minimum(room, np.abs(way) - ahead)
+    return np.array([first, last]), on_way
+
+
+def followed_across(tubes: Tubes, start: Place, goal: FloatArray) -> tuple[Tubes, Place]:
+    """One state as ``vary`` moves to a goal, past borders of contacts.
+
+    Returns the tubes of the last combination of touching contacts, and the last proved place.
+    """
+    place = tubes.followed(start, goal)
+    while passed := [one for one in border_arrivals(tubes, place, goal) if one.kind == "passes"]:
         tubes = passed[0].tubes
-        here = tubes.followed(passed[0].place, goal)
-    return tubes, here
+        place = tubes.followed(passed[0].place, goal)
+    return tubes, place
 
 
-def _border(family: Family, contact: int, z: FloatArray, steps: int) -> FloatArray:
-    """About the border point of a contact that is the next one to z, by Newton's method."""
+def _border_point(family: Family, contact: int, z: FloatArray, steps: int) -> FloatArray:
+    """Approximate border point of a contact, by Newton's method from z, shape (n + 1, N)."""
     system = Augmented(family, touch(contact))
     given = system.prepared_at(family.begin)
     with quiet():
@@ -128,24 +155,25 @@ def _border(family: Family, contact: int, z: FloatArray, steps: int) -> FloatArr
 def _distances(
     family: Family, own: BoolArray, found: BorderStates, z: FloatArray, ends: FloatArray
 ) -> FloatArray:
-    """How far along the parameter the border points of the states of combinations, its ``own``, may
-    be from z; infinite where not each is proved to be the only one in the box.
+    """Bounds of |v − v(z)| over all border points in the boxes, of the combinations ``own``.
+
+    A bound is infinite unless each of these points is proved to be unique in its box.
     """
     out, low, high = np.zeros(z.shape[1]), ends.min(axis=0), ends.max(axis=0)
     box = np.concatenate([found.box, Intervals.between(low, high).ends[:, None]], axis=1)
-    each = combinations_of(family.balance)
+    balances = combinations_of(family.balance)
     for number, row in itertools.product(np.flatnonzero(own).tolist(), range(len(found.near))):
-        asked = found.meets[number] & found.regular[number] & found.near[row]
-        if not asked.any():
+        possible = found.meets[number] & found.regular[number] & found.near[row]
+        if not possible.any():
             continue
         contact = family.balance.opens[row]
-        system = Augmented(replace(family, balance=each[number].extended()), touch(contact))
+        system = Augmented(replace(family, balance=balances[number].extended()), touch(contact))
         given = system.prepared_at(family.begin)
         with quiet():
-            there = stepped(system, box, given).ends
-            alone = contractors.inside(there, box)
+            root = stepped(system, box, given).ends
+            unique = contractors.inside(root, box)
             for _ in range(3):  # each doubles the number of digits
-                there = np.fmin(stepped(system, there, given).ends, there)
-        off = np.where(alone, contractors.distance(there, z)[-1], np.inf)
-        out = np.maximum(out, np.where(asked, off, 0.0))
+                root = np.fmin(stepped(system, root, given).ends, root)
+        distance = np.where(unique, contractors.distance(root, z)[-1], np.inf)
+        out = np.maximum(out, np.where(possible, distance, 0.0))
     return out

@@ -32,7 +32,7 @@ from ..statics.reference_state import chosen_state, least_slot, nearest_state
 from ..statics.search import balances_of, columns
 from ..statics.stability import with_a_zero
 from ..statics.states import as_decided, combination_of, one_each, with_state
-from .borders import borders, combination, met_by
+from .borders import borders, reachable, touching_at
 from .branches import clearly_nearest, linked
 from .defining_systems import Family, given_column
 from .folds import folds
@@ -300,7 +300,7 @@ class QuasiStaticContinuation:
         for touching, balance in self.balances.items():
             eq, slots = combination_of(self.eq, touching, balance.contact)
             turns = together([self.turns, self.passes]) if len(self.balances) > 1 else self.turns
-            turns = turns.select(met_by(turns, balance))
+            turns = turns.select(reachable(turns, balance))
             pairs = linked(self.p, self.vary, eq, turns, only=only, options=options)
             found = found or [{} for _ in pairs]
             for step, (every, part) in enumerate(zip(found, pairs, strict=True), only or 0):
@@ -491,7 +491,7 @@ class QuasiStaticContinuation:
         given = columns(
             self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters
         )
-        contact = combination(self.turns, number)
+        contact = touching_at(self.turns, number)
         return with_a_zero(Balance(self.p.model, contact), self.q[:, [number]], given)
 
     def followed(self, node: int, location: int) -> int:

@@ -62,7 +62,7 @@ from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.stability import with_a_zero
-from .borders import at_borders, at_point, borders
+from .borders import at_point, borders, enter_border_folds
 from .defining_systems import (
     FOLD,
     Augmented,
@@ -417,7 +417,7 @@ def ended(points: Points) -> Ended:
     parameter.
     """
     found = replace(nothing_ends(points), after=_afterwards)
-    at_borders(points, found)
+    enter_border_folds(points, found)
     for row in np.flatnonzero(points.kind == "fold") if len(points.vary) == 1 else ():
         try:
             found.ends[row], found.when[row] = _at(points, int(row))

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..bifurcation.crossings import crossed
+from ..bifurcation.crossings import border_arrivals
 from ..bifurcation.defining_systems import Augmented, Family, ranges, touch
 from ..bifurcation.paths import ModelEnd, first_end
 from ..bifurcation.points import slopes_at_infinity
@@ -492,7 +492,7 @@ class Followed:
             if not left.size:
                 break
             beyond = np.zeros(left.size, dtype=bool)
-            for part in crossed(tubes[left], at, goal[left]):
+            for part in border_arrivals(tubes[left], at, goal[left]):
                 rows, beyond[part.rows] = left[part.rows], True
                 if part.kind == "passes":
                     out.scatter(
@@ -501,7 +501,7 @@ class Followed:
                 else:
                     out.z[:, rows], out.error[rows] = part.z, part.error
                     out.decided[rows], out.border[rows] = True, part.kind
-                    out.near[:, rows] = part.near
+                    out.near[:, rows] = part.contacts
             left, at = left[~beyond], at[~beyond]
             fold = limit_points(tubes[left], at, forward)
             # What turns back beyond the goal has come to it.

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..bifurcation.crossings import crossed
+from ..bifurcation.crossings import border_arrivals
 from ..bifurcation.tubes import Place, Tubes, in_turn
 from ..bifurcation.turning_points import passed, size_of
 from ..core.error_states import in_usual_state
@@ -230,7 +230,7 @@ class Splitting(Claim):
         # Where a tube ends at a contact's border, the state passes it or ends there.
         tubes, start = Tubes.of_points(self.balance, self.vary, fixed), found.base[rows]
         start, goal = replace(start, by_p=start.by_p[:, :0]), points[-1, rows]
-        for part in crossed(tubes, tubes.followed(start, goal), goal):
+        for part in border_arrivals(tubes, tubes.followed(start, goal), goal):
             over = (part.kind != "passes") & (part.z[-1] + part.error < goal[part.rows])
             ends[rows[part.rows]] = over
         open_ = np.flatnonzero(~ends & (found.outcome == Decision.OPEN))

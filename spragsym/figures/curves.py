@@ -18,7 +18,7 @@ from scipy.optimize import linear_sum_assignment
 
 import spragsym as ss
 
-from ..bifurcation.borders import met_by
+from ..bifurcation.borders import reachable
 from ..bifurcation.branches import joined, linked, undecided_parts, undecided_points
 from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, SpragsymError, one_of, require_kind
@@ -184,7 +184,7 @@ def _pieces(
     onsets = list[float]()
     if turns is not None:
         combinations = [
-            (one.contact, turns.select(met_by(turns, one))) for one in balances_of(p.model)
+            (one.contact, turns.select(reachable(turns, one))) for one in balances_of(p.model)
         ]
         with suppress(SpragsymError):
             onsets = ss.flutter_onsets(p, vary, damping=damping)[vary].tolist()

@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
-from spragsym.bifurcation.crossings import crossed
+from spragsym.bifurcation.crossings import border_arrivals
 from spragsym.bifurcation.defining_systems import given_column
 from spragsym.bifurcation.tubes import Tubes
 from spragsym.statics.search import balances_of
@@ -47,10 +47,10 @@ def test_a_crossing_is_proved_from_states_far_before_the_border_and_close_to_it(
     tubes = Tubes.of_points(balance, "mu0", given_column(before, balance.parameters, ("mu0",)))
     q = [state[name].item() for name in p.model.coordinates]
     here = tubes.place(np.array([*q, before.mu0])[:, None], error=1e-14)
-    (part,) = crossed(tubes, here, np.array([1.5 * lifts]))
+    (part,) = border_arrivals(tubes, here, np.array([1.5 * lifts]))
     assert part.kind == "passes"
     assert part.z[-1, 0] == pytest.approx(lifts, rel=1e-12)
-    assert not list(crossed(tubes, here, np.array([0.9995 * lifts])))
+    assert not list(border_arrivals(tubes, here, np.array([0.9995 * lifts])))
 
 
 def test_without_the_torsion_spring_nothing_goes_on_where_the_rear_leg_lifts() -> None:

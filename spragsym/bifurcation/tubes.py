@@ -608,7 +608,7 @@ class Tubes(ByColumn):
                 return entries(at)
 
             key, sizes = ("tubes", name, self.vary, *names), (self.n + 1, len(vanishing))
-            return plans.given(balance.tapes.tape(key, rows, sizes, vanishing))
+            return plans.packed(balance.tapes.tape(key, rows, sizes, vanishing))
 
         try:
             return compiled, (

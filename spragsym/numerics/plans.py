@@ -1,10 +1,9 @@
-"""Plans by which compiled code looks at the boxes of a search: the tapes of all that is asked of a
-box.
+"""Plans: all tapes by which compiled code examines the boxes of a branch-and-prune search.
 
-``_search.c`` does what :mod:`.boxes` does by NumPy, with the same tests in the same order, so that
-both drop, prove and cut the same boxes and give the same bits, but where NumPy's exp, log, tanh and
-atan are not the C library's, as with AVX-512. Without the extension, and for systems with a step
-that no tape holds, NumPy serves.
+``_search.c`` performs the tests of :mod:`.boxes` in the same order. So both exclude, prove and
+bisect the same boxes, with the same bits, except where NumPy's exp, log, tanh and atan differ from
+those of the C library, as with AVX-512. NumPy is used if the extension was not built, or if a
+function of the system can't be recorded on a tape.
 """
 
 from __future__ import annotations
@@ -35,13 +34,15 @@ else:
             f"{' and no '.join(sorted(lacking))}; rebuild it: install spragsym again"
         )
 
-#: A border of a contact: which side of it holds no state, and how far beyond it states count.
+#: A border of a contact: a :class:`Side`, and how far beyond the border states are accepted.
 Border: TypeAlias = tuple[int, float]
 
 
 class Side(IntEnum):
-    """Where a contact has no state, in the order of ``_search.c``: beyond its border, where it
-    touches; before it, where it is open, or on it as well.
+    """Whether a contact touches or is open, in the numbers of ``_search.c``.
+
+    A contact that touches has no state where its gap is positive, an open one none where its gap is
+    negative, and one that is ``OPEN_AND_OFF`` none where it is 0 either.
     """
 
     TOUCHING = 0
@@ -55,16 +56,17 @@ def available() -> bool:
 
 
 def compiled_for(n: int) -> ModuleType | None:
-    """The extension module for so many unknowns, if it and those of its parts were built."""
+    """The extension module, if it and those that it needs were built and take n unknowns."""
     return compiled if tape.available() and contractors.compiled_for(n) is not None else None
 
 
 @dataclass(frozen=True)
 class LineTapes:
-    """Tapes of a line for boxes at its anchor, where its direction is not known.
+    """Tapes of one spring for boxes near its anchor, where its direction is unknown.
 
-    ``forces`` by the components of the direction, the ``direction`` over the box, and the
-    ``determinant`` of slopes times the length for directions on an arc.
+    ``forces`` gives the forces and their derivatives by the components of the direction,
+    ``direction`` the direction over the box, and ``determinant`` the length times det K for
+    directions on an arc.
     """
 
     forces: Tape | None = None
@@ -74,11 +76,14 @@ class LineTapes:
 
 @dataclass(frozen=True)
 class Exclusions:
-    """Tests that a box holds no root, beside values other than 0.
+    """Tests that exclude a box, in addition to residuals that are not 0. A box has no root if
 
-    ``gaps`` lie beyond their ``borders``; of ``lines``, where ``anchors`` are near, no direction
-    balances the forces, or all of them on the ``arcs``, shape (2, 2, arcs), leave the determinant
-    regular; and where ``turnings`` jump, values on all ``sides`` are not 0.
+    - one of its ``gaps`` lies beyond the border of its contact, in ``borders``,
+    - it is near the anchor of a spring, by ``anchors``, and by the tapes in ``lines`` no direction
+      of that spring balances the forces, or det K is regular for directions on each of the
+      ``arcs``, shape (2, 2, arcs),
+    - it holds the jump of a torsion angle, by ``turnings``, and the residuals on all ``sides`` of
+      the jumps are not 0.
     """
 
     gaps: Tape | None = None
@@ -92,37 +97,40 @@ class Exclusions:
 
 @dataclass(frozen=True)
 class Plan:
-    """Tapes of a system of n equations, as compiled code holds them."""
+    """Compiled plan of a system of n equations; ``handle`` is that of ``_search.c``."""
 
     n: int
-    held: Any
+    handle: Any
 
     def kept(
         self, given: FloatArray, parameters: Intervals, margin: float
     ) -> tuple[FloatArray, BoolArray]:
-        """Contracted boxes, shape (2, n, N), and which of them may hold a root."""
+        """Contracted boxes, shape (2, n, N), and the mask of those that may hold a root."""
         boxes, keep = np.empty(given.shape), np.empty(given.shape[2], np.bool_)
         ends = np.ascontiguousarray(given)
-        compiled.kept(self.held, ends, parameters.ends, margin, boxes, keep)
+        compiled.kept(self.handle, ends, parameters.ends, margin, boxes, keep)
         return boxes, keep
 
     def decided(
         self,
-        both: tuple[FloatArray, FloatArray],
+        contraction: tuple[FloatArray, FloatArray],
         parameters: Intervals,
         limits: FloatArray,
         marks: tuple[BoolArray, BoolArray],
         rules: Rules,
     ) -> tuple[FloatArray, Judged]:
-        """Boxes with room around, and what becomes of them: ``both`` before and after they were
-        contracted; ``marks`` are those of nodes with one point, and those whose work is spent.
+        """Boxes widened by a margin, and the verdicts on them.
+
+        ``contraction`` are the boxes before and after it, shape (2, n, N), and ``limits`` the
+        region. ``marks`` are masks of the boxes of a single point, and of those whose budget is
+        spent.
         """
-        given, boxes = both
+        given, boxes = contraction
         count = given.shape[2]
         wide, step, left = np.empty((3, *given.shape))
         verdicts, along = np.empty(count, dtype=np.int8), np.empty(count, dtype=int)
         compiled.decided(
-            self.held,
+            self.handle,
             np.ascontiguousarray(given),
             np.ascontiguousarray(boxes),
             parameters.ends,
@@ -149,12 +157,14 @@ class Plan:
         rules: Rules,
         most: tuple[int, int],
     ) -> tuple[int, list[FloatArray]]:
-        """A search at one point until no box is left, or ``most`` are: of those looked at in all,
-        and of those left. How many were looked at, and boxes with a root, where it is, undecided
-        and further ones.
+        """Search at one point until no box is left, or a limit in ``most`` is reached.
+
+        The limits are the number of boxes examined in all, and of boxes left. Returns the number of
+        boxes examined, and four arrays of boxes: those in which a root is unique, smaller ones that
+        hold these roots, undecided ones, and those left.
         """
         looks, *found = compiled.rounds(
-            self.held,
+            self.handle,
             np.ascontiguousarray(given),
             parameters.ends,
             self._limits(limits),
@@ -171,33 +181,35 @@ def planned(
     coordinates: int,
     parameters: int,
     equations: tuple[Tape, Tape, Tape | None],
-    besides: Exclusions,
+    tests: Exclusions,
 ) -> Plan | None:
-    """The plan of a system, by the tapes of its values, slopes and own contraction, if it has one;
-    None where compiled code has no room for it.
+    """The plan of a system; None if it exceeds the sizes of the arrays in compiled code.
+
+    ``n``, ``coordinates`` and ``parameters`` are numbers of rows. ``equations`` are the tapes of
+    residuals and Jacobian, and of the contraction with frozen directions, if there is one.
     """
-    sizes = len(besides.lines), len(besides.borders), len(besides.sides), besides.arcs.shape[2]
-    # As many lines, borders, sides and arcs as compiled code has room for.
-    if np.greater(sizes, (8, 8, 16, 64)).any():
+    sizes = len(tests.lines), len(tests.borders), len(tests.sides), tests.arcs.shape[2]
+    most = 8, 8, 16, 64  # MAX_LINES, MAX_BORDERS, MAX_SIDES and MAX_ARCS of _search.c
+    if np.greater(sizes, most).any():
         return None
-    tapes = *equations, besides.gaps, besides.anchors, besides.turnings
+    tapes = *equations, tests.gaps, tests.anchors, tests.turnings
     lines = tuple(
-        (given(line.forces), given(line.direction), given(line.determinant))
-        for line in besides.lines
+        (packed(line.forces), packed(line.direction), packed(line.determinant))
+        for line in tests.lines
     )
-    held = compiled.plan(
+    handle = compiled.plan(
         n,
         coordinates,
         parameters,
-        *map(given, tapes),
-        tuple(besides.borders),
+        *map(packed, tapes),
+        tuple(tests.borders),
         lines,
-        besides.arcs,
-        tuple(map(given, besides.sides)),
+        tests.arcs,
+        tuple(map(packed, tests.sides)),
     )
-    return Plan(n, held)
+    return Plan(n, handle)
 
 
-def given(of: Tape | None) -> tuple[bytes, bytes, int, int] | None:
+def packed(tape: Tape | None) -> tuple[bytes, bytes, int, int] | None:
     """A tape as compiled code takes it."""
-    return None if of is None else (of.code, of.numbers, of.outputs, of.slots)
+    return None if tape is None else (tape.code, tape.numbers, tape.outputs, tape.slots)

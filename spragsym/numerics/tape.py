@@ -1,12 +1,14 @@
-"""Functions of intervals, recorded once as a list of operations and run on many boxes by compiled
-code.
+"""Tapes: functions of intervals, recorded once as a list of operations and then run on many boxes
+by compiled code.
 
-A generated function is called with :class:`Recorded` intervals, which do nothing but note each
-operation; what two results have in common is noted once. The list, a :class:`Tape`, is run by
-``_tape.c`` on all boxes, block after block, with as many intermediate results as are alive at once.
-There each operation gives the bits that :mod:`.interval_arrays` gives, but for functions of the C
-library. So nothing but time depends on whether the extension was built: without it, and for what
-looks at the values of boxes and can't be recorded, functions are evaluated as they stand.
+A generated function is called with :class:`Recorded` intervals. They compute nothing, but record
+each operation; equal operations are recorded once (common subexpressions). The list is a
+:class:`Tape`. ``_tape.c`` runs it on all boxes, block after block. Intermediate results share slots
+as variables share registers, so that a block stays in the cache.
+
+Each operation gives the same bits as :mod:`.interval_arrays`, except for functions of the C
+library. Functions are evaluated by NumPy if the extension was not built, or if they can't be
+recorded because they look at the values of boxes.
 """
 
 from __future__ import annotations
@@ -27,13 +29,12 @@ try:
 except ImportError:  # there was no compiler
     compiled = None  # type: ignore[assignment]  # a module or nothing
 
-#: What an operation is, and the two things that it is done to: results by their numbers, or what
-#: the operation needs beside them.
+#: Name of an operation and its two arguments: indices of results that it reads, then constants.
 Operation: TypeAlias = tuple[str, int, int]
-#: Rows of a function of rows of unknowns and of parameters.
+#: A function of several inputs, each a sequence of rows; it returns the entries of its result.
 Rows: TypeAlias = Callable[..., Sequence[Any]]
 
-#: An angle, by the side of the ray where it jumps.
+#: Operation of an angle, by the side of the ray where it jumps from π to −π; 0 is any side.
 ANGLES = {None: "angle", 0: "any_angle", 1: "angle_above", -1: "angle_below"}
 
 
@@ -43,40 +44,42 @@ def available() -> bool:
 
 
 class NotRecorded(Exception):
-    """A step of a function that looks at the values of its intervals."""
+    """A function looks at the values of its intervals and so can't be recorded."""
 
 
 @dataclass
 class Recording:
-    """Operations in the order in which they were noted, each once, and the numbers in them."""
+    """Distinct operations in the order of evaluation, and distinct constants, each with its
+    index.
+    """
 
     operations: dict[Operation, int] = field(default_factory=dict)
-    numbers: dict[tuple[float, bool], int] = field(default_factory=dict)
+    constants: dict[tuple[float, bool], int] = field(default_factory=dict)
 
-    def noted(self, name: str, one: int = 0, other: int = 0) -> int:
-        """The number of the result of an operation."""
+    def operation(self, name: str, one: int = 0, other: int = 0) -> int:
+        """Index of the result of an operation, which is recorded unless it is already."""
         return self.operations.setdefault((name, one, other), len(self.operations))
 
-    def number(self, value: float) -> int:
-        """The place of a number; −0 is another one than 0."""
-        return self.numbers.setdefault((value, bool(np.signbit(value))), len(self.numbers))
+    def constant(self, value: float) -> int:
+        """Index of a constant; −0 and 0 are different constants."""
+        return self.constants.setdefault((value, bool(np.signbit(value))), len(self.constants))
 
 
 class Recorded(Intervals):
-    """An interval of each box of which only the operations are noted.
+    """Intervals that are known only as the result of a recorded operation, by its ``index``.
 
-    ``vanishes`` says of an input whether it is 0 in all boxes, where that may be asked.
+    ``vanishes`` says whether an input is 0 in all boxes; it is None if that is unknown.
     """
 
-    __slots__ = ("place", "recording", "size", "vanishes")
+    __slots__ = ("index", "recording", "size", "vanishes")
 
     def __init__(
-        self, recording: Recording, place: int, size: Shape, vanishes: bool | None = None
+        self, recording: Recording, index: int, size: Shape, vanishes: bool | None = None
     ) -> None:
-        self.recording, self.place, self.size, self.vanishes = recording, place, size, vanishes
+        self.recording, self.index, self.size, self.vanishes = recording, index, size, vanishes
 
     @property
-    def ends(self) -> NoReturn:  # type: ignore[override]  # it has none yet
+    def ends(self) -> NoReturn:  # type: ignore[override]  # there are no values while recording
         raise NotRecorded
 
     @property
@@ -96,12 +99,14 @@ class Recorded(Intervals):
     def __iter__(self) -> NoReturn:
         raise NotRecorded
 
-    def _noted(self, name: str, other: int = 0) -> Recorded:
-        return Recorded(self.recording, self.recording.noted(name, self.place, other), self.size)
+    def _apply(self, name: str, argument: int = 0) -> Recorded:
+        index = self.recording.operation(name, self.index, argument)
+        return Recorded(self.recording, index, self.size)
 
-    def _of(self, value: Number) -> Recorded | None:
-        """An operand: a recorded interval, or a number or interval that is the same in all
-        boxes.
+    def _operand(self, value: Number) -> Recorded | None:
+        """``value`` as a recorded interval, None if it is no number.
+
+        A number, or an interval that is the same in all boxes, becomes a constant.
         """
         if isinstance(value, Recorded):
             return value
@@ -116,53 +121,53 @@ class Recorded(Intervals):
             raise NotRecorded
         else:
             return None
-        low, high = (self.recording.number(float(end)) for end in ends)
-        return Recorded(self.recording, self.recording.noted("constant", low, high), self.size)
+        low, high = (self.recording.constant(float(end)) for end in ends)
+        return Recorded(self.recording, self.recording.operation("constant", low, high), self.size)
 
-    def _with(self, name: str, other: Number) -> Recorded:
-        operand = self._of(other)
-        return NotImplemented if operand is None else self._noted(name, operand.place)
+    def _combine(self, name: str, other: Number) -> Recorded:
+        operand = self._operand(other)
+        return NotImplemented if operand is None else self._apply(name, operand.index)
 
     def __add__(self, other: Number) -> Recorded:
         if isinstance(other, int | float) and other == 0:
             return self
-        return self._with("sum", other)
+        return self._combine("sum", other)
 
-    # An interval on the left asks these first, because they are not those of Intervals.
+    # With an interval on the left, Python calls these first: they override those of Intervals.
     def __radd__(self, other: Number) -> Recorded:
         return self.__add__(other)
 
     def __mul__(self, other: Number) -> Recorded:
         if other is self:
-            return self._noted("square")
+            return self._apply("square")
         if isinstance(other, int | float):
-            return self._noted("scaled", self.recording.number(exactly(other)))
-        return self._with("product", other)
+            return self._apply("scaled", self.recording.constant(exactly(other)))
+        return self._combine("product", other)
 
     def __rmul__(self, other: Number) -> Recorded:
         return self.__mul__(other)
 
     def __truediv__(self, other: Number) -> Recorded:
-        return self._with("quotient", other)
+        return self._combine("quotient", other)
 
     def __rtruediv__(self, other: Number) -> Recorded:
-        operand = self._of(other)
-        return NotImplemented if operand is None else operand._noted("quotient", self.place)
+        operand = self._operand(other)
+        return NotImplemented if operand is None else operand._apply("quotient", self.index)
 
     def __pow__(self, power: Number) -> Any:
         if isinstance(power, int) and power == 0:
-            return self._of(1)
+            return self._operand(1)
         if isinstance(power, int) and power > 2 and power % 2:
-            return self._noted("odd_power", power)
+            return self._apply("odd_power", power)
         return super().__pow__(power)
 
     def component(self, across: Intervals) -> Recorded:
-        """x/√(x² + y²)."""
-        return self._with("component", across)
+        """x/√(x² + y²) for the vector (x, y), where y is ``across``."""
+        return self._combine("component", across)
 
     def angle(self, cosine: Intervals, side: int | None) -> Recorded:
-        """The angle of a vector."""
-        return self._with(ANGLES[side], cosine)
+        """The angle of a vector with this sine and the given cosine."""
+        return self._combine(ANGLES[side], cosine)
 
 
 for _method, _operation in {
@@ -174,11 +179,11 @@ for _method, _operation in {
         for name in ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin", "sign", "not_negative")
     },
 }.items():
-    setattr(Recorded, _method, partialmethod(Recorded._noted, _operation))
+    setattr(Recorded, _method, partialmethod(Recorded._apply, _operation))
 
 
 class RecordedRows:
-    """Rows of recorded intervals: what a function takes as unknowns or parameters."""
+    """One input of a function that is recorded: unknowns or parameters, by row."""
 
     def __init__(self, rows: Sequence[Recorded], shape: Shape) -> None:
         self.rows, self.shape = rows, (len(rows), *shape)
@@ -192,7 +197,12 @@ class RecordedRows:
 
 @dataclass(frozen=True)
 class Tape:
-    """Operations with the places of their results; ``slots`` of these are alive at once."""
+    """A recorded function: operations on slots, as ``_operations.h`` reads them.
+
+    ``code`` holds four integers for each operation: its code, the slot of the result, and two
+    arguments. ``numbers`` holds the constants, ``outputs`` is the number of results, and ``slots``
+    the number of intermediate results that are needed at once.
+    """
 
     code: bytes
     numbers: bytes
@@ -200,7 +210,7 @@ class Tape:
     slots: int
 
     def __call__(self, *given: Intervals) -> Intervals:
-        """Results of shape (outputs, N) from inputs of shape (rows, N) each."""
+        """Results, shape (outputs, N), of inputs of shape (rows, N) each."""
         out = np.empty((2, self.outputs, given[0].shape[1]))
         compiled.run(self.code, self.numbers, tuple(part.ends for part in given), out, self.slots)
         return Intervals(out)
@@ -208,29 +218,33 @@ class Tape:
     def affine(
         self, values: FloatArray, terms: FloatArray, errors: FloatArray, intervals: Intervals
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Values, terms and errors of results of affine numbers of shape (rows, N), terms (sides,
-        rows, N), see :mod:`.affine`, and of intervals as the second input.
+        """Results in affine arithmetic, see :mod:`.affine`: values, terms and errors.
+
+        The first input is given by values and errors of shape (rows, N) and terms of shape (terms,
+        rows, N); the second input are intervals.
         """
         given = [np.ascontiguousarray(part) for part in (values, terms, errors)]
-        sides, count = len(terms), values.shape[1]
-        alone = self.outputs, count
-        out = np.empty(alone), np.empty((sides, *alone)), np.empty(alone)
+        shape = self.outputs, values.shape[1]
+        out = np.empty(shape), np.empty((len(terms), *shape)), np.empty(shape)
         compiled.affine(self.code, self.numbers, *given, intervals.ends, *out, self.slots)
         return out
 
 
 class Tapes:
-    """Functions of boxes by the tapes that are recorded of them at first."""
+    """Cache of the tapes of functions by keys; a function is recorded when it is first used."""
 
     def __init__(self) -> None:
         self.known: dict[Hashable, Tape | None] = {}
-        #: What is made of several of them.
+        #: Cache of plans, which combine several tapes.
         self.plans: dict[Hashable, Any] = {}
 
     def tape(
         self, key: Hashable, rows: Rows, given: Sequence[int], vanishing: Sequence[bool] = ()
     ) -> Tape:
-        """The tape of a function of inputs with so many rows each; NotRecorded if it has none."""
+        """The tape of a function whose inputs have ``given`` numbers of rows.
+
+        Raises NotRecorded if it can't be recorded.
+        """
         inputs = [Intervals(np.zeros((2, number, 1))) for number in given]
         if (found := self._found(key, rows, inputs, vanishing)) is None:
             raise NotRecorded
@@ -251,10 +265,11 @@ class Tapes:
         *given: Intervals,
         vanishing: Sequence[bool] = (),
     ) -> Intervals:
-        """``rows(*given)``, inputs of shape (…, N) each, as one array of shape (entries, N).
+        """``rows(*given)`` as one array of shape (entries, N), by its tape if there is one.
 
-        ``vanishing`` says of the first rows of the last input whether they are 0 in all boxes,
-        which may be asked of these alone; a tape holds for one such pattern.
+        Inputs have the shape (…, N). ``vanishing`` says for the first rows of the last input
+        whether they are 0 in all boxes. The function may branch on that, so each pattern has a tape
+        of its own.
         """
         shape = given[0].shape[1:]
         recordable = compiled is not None and shape != (0,)
@@ -263,13 +278,13 @@ class Tapes:
 
 
 def recorded(rows: Rows, *given: Intervals, vanishing: Sequence[bool] = ()) -> Tape | None:
-    """The tape of a function; None of one that looks at the values of its intervals."""
+    """The tape of a function; None if it looks at the values of its intervals."""
     recording, shape = Recording(), given[0].shape[1:]
     inputs = [
         RecordedRows(
             [
-                Recorded(recording, recording.noted("load", number, row), shape, nothing)
-                for row, nothing in itertools.zip_longest(
+                Recorded(recording, recording.operation("load", number, row), shape, vanishes)
+                for row, vanishes in itertools.zip_longest(
                     range(part.shape[0]), vanishing if part is given[-1] else ()
                 )
             ],
@@ -278,21 +293,21 @@ def recorded(rows: Rows, *given: Intervals, vanishing: Sequence[bool] = ()) -> T
         for number, part in enumerate(given)
     ]
     try:
-        found = [_place(recording, entry, shape) for entry in rows(*inputs)]
+        found = [_index(recording, entry, shape) for entry in rows(*inputs)]
     except NotRecorded:
         return None
     return _assembled(recording, found)
 
 
-def _place(recording: Recording, entry: Number, shape: Shape) -> int:
-    """The number of a result, or of an entry that is the same in all boxes."""
-    operand = Recorded(recording, 0, shape)._of(entry)
+def _index(recording: Recording, entry: Number, shape: Shape) -> int:
+    """Index of an entry of a result, which may be a constant."""
+    operand = Recorded(recording, 0, shape)._operand(entry)
     assert operand is not None
-    return operand.place
+    return operand.index
 
 
 def _operands(operation: Operation) -> tuple[int, ...]:
-    """Numbers of the results that an operation reads."""
+    """Indices of the results that an operation reads."""
     name, one, other = operation
     if name in ("load", "constant"):
         return ()
@@ -301,32 +316,37 @@ def _operands(operation: Operation) -> tuple[int, ...]:
 
 
 def _assembled(recording: Recording, found: Sequence[int]) -> Tape:
-    """Operations that the results need, each result in a slot that is free by then."""
+    """The tape of the operations on which the results ``found`` depend.
+
+    A slot is used again after the last operation that reads it.
+    """
     operations = list(recording.operations)
-    last = dict.fromkeys(found, len(operations))
-    for number in reversed(range(len(operations))):
-        if number in last:
-            for operand in _operands(operations[number]):
-                last.setdefault(operand, number)
+    last_use = dict.fromkeys(found, len(operations))
+    for index in reversed(range(len(operations))):
+        if index in last_use:
+            for operand in _operands(operations[index]):
+                last_use.setdefault(operand, index)
     codes = {name: code for code, name in enumerate(compiled.OPERATIONS)}
     slots: dict[int, int] = {}
     free: list[int] = []
     lines: list[tuple[int, int, int, int]] = []
-    used = 0
-    for number, (name, one, other) in enumerate(operations):
-        if number not in last:
+    count = 0
+    for index, operation in enumerate(operations):
+        if index not in last_use:
             continue
-        operands = _operands((name, one, other))
-        slot = free.pop() if free else used
-        used = max(used, slot + 1)
-        first, second = ([slots[operand] for operand in operands] + [one, other][len(operands) :])[
-            :2
-        ]
-        lines.append((codes[name], slot, first, second))
-        slots[number] = slot
-        free += [slots[operand] for operand in set(operands) if last[operand] == number]
+        operands = _operands(operation)
+        slot = free.pop() if free else count
+        count = max(count, slot + 1)
+        first, second = operation[1:]
+        if operands:
+            first = slots[operands[0]]
+        if len(operands) == 2:
+            second = slots[operands[1]]
+        lines.append((codes[operation[0]], slot, first, second))
+        slots[index] = slot
+        free += [slots[operand] for operand in set(operands) if last_use[operand] == index]
     lines += [(codes["store"], row, slots[index], 0) for row, index in enumerate(found)]
-    numbers = np.array([value for value, _ in recording.numbers], dtype=float)
+    numbers = np.array([value for value, _ in recording.constants], dtype=float)
     return Tape(
-        np.array(lines, dtype=np.int32).tobytes(), numbers.tobytes(), len(found), max(used, 1)
+        np.array(lines, dtype=np.int32).tobytes(), numbers.tobytes(), len(found), max(count, 1)
     )

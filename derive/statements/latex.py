@@ -9,18 +9,19 @@ from __future__ import annotations
 
 import itertools
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from . import tree
 from .lexer import Cursor, Token, Tokens, nested, split, texts
-from .matrices import Matrix, Value, determinant, identity, inverse, named, negative, node_of
+from .matrices import Matrix, Value, determinant, each, identity, inverse, named, negative, node_of
 from .matrices import of_blocks, paired, product, quotient, shape_of, total
 from .names import Name, Names, moved
 from .roots import without_signs
 from .tree import ONE, ZERO, Argument, Equation, Node, Unread, Vocabulary, leaf, printed
-from .tree import read_sympy
+from .tree import read_sympy, renamed, symbols
 
 #: Functions by their print, and what SymPy calls them.
 FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs", "Heaviside"}}
@@ -29,8 +30,9 @@ FUNCTIONS |= {"ln": "log", "sgn": "sign", "abs": "Abs"}
 
 _FRACTIONS = (r"\frac", r"\dfrac", r"\tfrac")
 _ROMAN = (r"\mathrm", r"\text", r"\mathit", r"\mathsf", r"\operatorname", r"\textrm", r"\rm")
-_BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
+_BOLD = (r"\mathbf", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
+_ACCENTS |= dict.fromkeys((r"\boldsymbol", r"\bm", r"\pmb"), r"\mathbf")
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array")
 _EQUAL = ("=", ":=", r"\equiv", r"\triangleq", r"\coloneqq")
@@ -86,9 +88,9 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     'm*ax + 1/2*k*x'
     """
     reader = _LatexReader(vocabulary)
-    items = nested(text)
-    while len(items) == 1 and items[0].items is not None and items[0].text == "{":
-        items = items[0].items
+    items: Tokens = nested(text)
+    while len(items) == 1 and (inside := _equations_inside(items[0])):
+        items = inside
     pieces = _pieces(items)
     limits = [piece for piece in pieces if _is_condition(piece)]
     pieces = [piece for piece in pieces if piece not in limits] or limits
@@ -99,6 +101,15 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     of_state = (one for one in limits if one[0].text.removeprefix("\\") not in times)
     conditions = tuple(reader.condition(one, one[0].at[0]) for one in of_state)
     return [replace(without_signs(it), conditions=conditions) for it in equations]
+
+
+def _equations_inside(item: Token) -> Tokens:
+    """Items in braces, or of an environment of equations."""
+    inside = item.items or ()
+    if item.text == r"\{" and texts(inside) == ["array"]:
+        return _equations_inside(inside[0])
+    is_table = item.text in ("cases", "array") and {*_EQUAL} & {*texts(inside)}
+    return inside[item.text == "array" :] if item.text == "{" or is_table else ()
 
 
 def _is_condition(items: Tokens) -> bool:
@@ -278,6 +289,9 @@ class _LatexReader:
                 explicit = True
                 continue
             factor = self.factor(here)
+            while here.text == "|at":
+                here.place += 2
+                factor = self.at_point(factor.value, here, place)
             if not explicit:
                 self.juxtaposed(factors[-1], factor, sign, place)
             factors.append(factor)
@@ -322,7 +336,8 @@ class _LatexReader:
     def factor(self, here: Cursor) -> Factor:
         """The factor that stands here."""
         begin, start, text = here.place, here.at, here.text
-        if (text in _FRACTIONS or text == "d") and (found := self.derivative(here)):
+        is_operator = text in ("d", r"\partial") or texts(_inside(here.items[begin:][:2])) == ["d"]
+        if (text in _FRACTIONS or is_operator) and (found := self.derivative(here)):
             return found
         if function := self.function(here):
             return self.call(function, here, start)
@@ -362,30 +377,71 @@ class _LatexReader:
         node = self.names.of(name, at)
         if not isinstance(matrix := self.matrix(node), Node):
             return Factor(self.matrix_power(matrix, power or (), at[0]))
-        bracket = _bracket(here.item)
-        if bracket is not None and self.is_time(bracket):
-            here.take()
-        elif bracket is not None and (argument := self.argument(node, bracket)):
-            here.take()
-            is_odd = node.value.count("diff(") % 2 == 0
-            if argument.at_rest:
-                node = replace(self.names.derived(node, "at rest"), at=at)
-            if is_odd and argument.sign < 0:
-                node = Node("neg", (node,), at=at)
-        elif bracket is not None and power is None:
-            self.product_only(node, bracket, here.at)
-        if power is None:
-            return self.powered(node, here, at[0]) if bracket is not None else Factor(node)
-        return Factor(_power(node, self.number(power), (at[0], here.end)))
+        bracketed = _bracket(here.item) is not None
+        node = self.applied(node, here, power is not None)
+        if power is not None:
+            return Factor(_power(node, self.number(power), (at[0], here.end)))
+        return self.powered(node, here, at[0]) if bracketed else Factor(node)
 
     def argument(self, node: Node, items: Tokens) -> Argument | None:
         """What a bracket is to a function or its derivative; None where it is a factor."""
         function = self.names.function_of(node)
         return None if function is None else self.arguments[function](self.number(items))
 
+    def called(self, node: Node, items: Tokens) -> Node | None:
+        """A function or its derivative of an argument; None where it is none of it."""
+        argument = self.argument(node, items)
+        if argument is None:
+            return None
+        is_odd = node.value.count("diff(") % 2 == 0
+        if argument.at_rest:
+            node = replace(self.names.derived(node, "at rest"), at=node.at)
+        return Node("neg", (node,), at=node.at) if is_odd and argument.sign < 0 else node
+
+    def applied(self, node: Node, here: Cursor, is_raised: bool = False) -> Node:
+        """A name with the bracket behind it, where that holds the time or its argument."""
+        bracket = _bracket(here.item)
+        if bracket is None:
+            return node
+        called = node if self.is_time(bracket) else self.called(node, bracket)
+        if called is None:
+            if not is_raised:
+                self.product_only(node, bracket, here.at)
+            return node
+        here.take()
+        return called
+
+    def at_point(self, value: Value, here: Cursor, start: int) -> Factor:
+        """A value where a quantity that moves has another one, as dμ/dv at v = v_0."""
+        place, items = here.at, _argument(here)
+        *by, at = split(items, "=", r"\to")
+        node, point = node_of(value, start), [*map(self.number, (*by, at))]
+        moving = {*self.names.next, *self.names.next.values()}
+
+        def there(name: str) -> Node | None:
+            one = leaf(name, node.at)
+            if self.names.function_of(one) is not None:
+                is_argument = not by or self.called(one, by[0]) is not None
+                return self.called(one, at) if is_argument else None
+            if printed(point[0]) == printed(point[-1]) or not self.names.moves(one):
+                return one if not by or self.names.moves(point[0]) else None
+            is_other = by and point[0].kind == "symbol" and name in moving
+            return (point[1] if name == point[0].value else one) if is_other else None
+
+        values = {name: there(name) for name in symbols(node)}
+        if unknown := [name for name, it in values.items() if it is None or by[1:]]:
+            said = "is not read; define it as a name of its own"
+            raise Unread(f"the value of {unknown[0]} at this point {said}", place)
+        known = {name: it for name, it in values.items() if it is not None}
+        return self.powered(replace(renamed(node, known), at=(start, here.end)), here, start)
+
     def is_time(self, items: Tokens) -> bool:
         """Whether a bracket holds the time alone."""
-        return len(items) == 1 and items[0].text.removeprefix("\\") in self.names.times()
+        return len(items) == 1 and self.is_times(texts(items))
+
+    def is_times(self, letters: Sequence[str]) -> bool:
+        """Whether these are the time, once or several times."""
+        return bool(letters) and {it.removeprefix("\\") for it in letters} <= self.names.times()
 
     def product_only(self, node: Node, bracket: Tokens, place: int) -> None:
         """Refuse f(x), a product or a function of x."""
@@ -393,7 +449,8 @@ class _LatexReader:
             raise Unread(f"{node.value} is no function that is known", place)
         inside = self.number(bracket)
         bare = inside.args[0] if inside.kind == "neg" else inside
-        if bare.kind in ("symbol", "number") or node.value in self.names.laws:
+        is_function = node.value in self.names.laws or self.names.function_of(node) is not None
+        if bare.kind in ("symbol", "number") or is_function:
             text = printed(inside)
             readings = (f"{node.value}*({text})", f"{node.value}({text})")
             raise Unread("a product, or a function of what stands in brackets", place, readings)
@@ -404,10 +461,10 @@ class _LatexReader:
             here.take()
             value = self.names.rate(node_of(value))
         if here.text == "_":
-            place = here.at
             here.take()
-            if texts(_argument(here)) != ["+"]:
-                raise Unread("an index behind what has no name", place)
+            if texts(_argument(replace(here))) != ["+"]:
+                return self.at_point(value, here, start)
+            here.take()
             value = Node("call", (node_of(value), ZERO), "max", (start, here.end))
         if here.text == "^":
             here.take()
@@ -603,41 +660,61 @@ class _LatexReader:
     def derivative(self, here: Cursor) -> Factor | None:
         """A derivative by time, as a fraction of differentials or its operator."""
         begin, start, following = here.place, here.at, here.items[here.place :]
-        is_fraction = here.text != "d"
-        if is_fraction:
-            here.take()
-            above, below = _argument(here), _argument(here)
-        else:
-            above, *behind = split(following, "/")
-            below = behind[0][: 4 if "^" in texts(behind[0][:3]) else 2] if behind else []
-            here.place += len(above) + 1 + len(below)
-        up, down = (texts(_flat(part)) for part in (above, below))
-        if len(down) < 2 or down[0] not in ("d", r"\partial") or up[:1] != down[:1]:
-            here.place = begin
-            return None
-        if down[1].removeprefix("\\") not in self.names.times():
-            return self.slope(above, below, here, start)
-        if down[0] == r"\partial":
-            raise Unread("a partial derivative by time is not read", start)
-        squared = down[2:] == ["^", "2"]
-        if (down[2:] and not squared) or (squared and up[1:3] != ["^", "2"]):
-            raise Unread("a derivative of this order is not read", start)
-        what = _inside(above)[3 if squared else 1 :]
+        is_fraction, is_partial = here.text in _FRACTIONS, here.text == r"\partial"
+        order, what = self.order_by_index(here) if is_partial else 0, list[Token]()
+        if not order:
+            if is_fraction:
+                here.take()
+                above, below = _argument(here), _argument(here)
+            else:
+                above, *behind = split(following, "/")
+                plain = _inside(behind[0]) if behind else []
+                below = plain[: 4 if "^" in texts(plain[:3]) else 2]
+                here.place += len(above) + 1 + sum(map(len, behind[:1])) - len(plain) + len(below)
+            up, down = (texts(_flat(part)) for part in (above, below))
+            if len(down) < 2 or down[0] not in ("d", r"\partial") or up[:1] != down[:1]:
+                here.place = begin
+                return None
+            if down[1].removeprefix("\\") not in self.names.times():
+                return self.slope(above, below, here, start)
+            is_partial, order = down[0] == r"\partial", 1 + (down[2:] == ["^", "2"])
+            if (down[2:] and order == 1) or (order == 2 and up[1:3] != ["^", "2"]):
+                raise Unread("a derivative of this order is not read", start)
+            what = [*_inside(above)[2 * order - 1 :]]
         if what:
-            value = self.number(what)
-        elif not is_fraction:
+            value = self.expression(what)
+        elif not (is_fraction or is_partial):
             raise Unread("a derivative of what stands behind it; print it as a fraction", start)
         elif here.item is None:
             raise Unread("a derivative of nothing", start)
         else:
             place, bracketed = here.at, here.text == "("
-            value = node_of(self.factor(here).value)
+            value = self.factor(here).value
             clear = bracketed or _bracket(here.items[here.place - 1]) is not None
-            if value.kind == "pow" or not (here.item is None or clear):
+            is_power = isinstance(value, Node) and value.kind == "pow"
+            if is_power or not (here.item is None or clear):
                 raise Unread("the derivative ends nowhere; print brackets", place)
-        for _ in range(1 + squared):
-            value = self.names.rate(value)
-        return self.powered(moved(value, (start, here.end)), here, start)
+        is_name = isinstance(value, Node) and value.kind == "symbol"
+        if is_partial and is_name and node_of(value).value not in self.names.next:
+            said = r"of a name by time alone; print \frac{d}{dt} where all of it is meant"
+            raise Unread(f"a partial derivative {said}", start)
+        at = start, here.end
+        for _ in range(order):
+            value = each(self.names.rate, value)
+        return self.powered(each(lambda it: moved(it, at), value), here, start)
+
+    def order_by_index(self, here: Cursor) -> int:
+        """The order of ∂_t, ∂_tt and ∂_t²; 0, and nothing is taken, of what is none of these."""
+        begin, marks = here.place, {"_": list[str](), "^": ["1"]}
+        here.take()
+        while here.text in marks:
+            sign = here.take().text
+            marks[sign] = texts(_flat(_argument(here)))
+        power = "".join(marks["^"])
+        if self.is_times(marks["_"]) and power.isdigit():
+            return len(marks["_"]) * int(power)
+        here.place = begin
+        return 0
 
     def slope(self, above: Tokens, below: Tokens, here: Cursor, start: int) -> Factor:
         """A derivative of a name by another: of a function by its argument, else a partial one."""
@@ -648,9 +725,13 @@ class _LatexReader:
             what = what[2:]
         if not what and here.text == "(":
             what = [*(here.take().items or ())]
-        name = self.only_name(what) if what else None
-        node = None if name is None else self.names.of(name, (start, here.end))
-        if node is None or node.kind != "symbol":
+        named = Cursor(what)
+        name, power = self.name(named)
+        node = self.names.of(name, (start, here.end)) if name and power is None else ZERO
+        inside = _bracket(named.item) if node.kind == "symbol" else None
+        argument = None if inside is None else self.argument(node, inside)
+        is_called = argument is not None and not argument.at_rest
+        if node.kind != "symbol" or named.items[named.place + is_called :]:
             raise Unread("a derivative of what is no name; define it", start)
         steps: list[Tokens] = []
         for part in split(_inside(below), sign.text)[1:]:
@@ -664,7 +745,18 @@ class _LatexReader:
             if argument is None and by.kind != "symbol":
                 raise Unread(f"a derivative by {printed(by)}, which is no name", start)
             node = self.names.derived(node, by.value if argument is None else "")
-        return self.powered(node, here, start)
+        return self.powered(self.applied(node, here), here, start)
+
+    def with_index(self, name: Name, index: Tokens) -> Name:
+        """A name with an index; x with ,tt is a rate where it is no name of the page."""
+        named = replace(name, sub=_label(index))
+        *parts, times = split(_flat(index), ",")
+        if parts and self.is_times(texts(times)) and self.names.known(named, (0, 0)) is None:
+            plain = replace(name, sub="".join(map(_label, parts)))
+            node = self.names.known(plain, (0, 0))
+            if node is not None and self.names.moves(node):
+                return replace(plain, order=name.order + len(times), has_dots=True)
+        return named
 
     def only_name(self, items: Tokens) -> Name | None:
         """The name that stands alone, without an exponent."""
@@ -723,7 +815,7 @@ class _LatexReader:
             if sign == "_":
                 if name.sub:
                     raise Unread("two indices", place)
-                name = replace(name, sub=label)
+                name = self.with_index(name, argument)
             elif primes and letters_of[:primes] == letters_of[:1] * primes:
                 name = replace(name, order=name.order + primes)
                 exponent = argument[primes:] or exponent

@@ -10,6 +10,7 @@ import itertools
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from .tree import Unread
 
@@ -86,11 +87,15 @@ def nested(text: str) -> tuple[Token, ...]:
     stack: list[tuple[str, int, list[Token], bool]] = [("", 0, [], False)]
     closing = {"(": ")", "[": "]", r"\{": r"\}", "{": "}", "|": "|"}
     closing[r"\langle"] = r"\rangle"
-    for token, start, stop, side in _tokens(text):
+    styles = {r"\rm": r"\mathrm", r"\bf": r"\mathbf", r"\cal": r"\mathcal"}
+    tokens = _tokens(text)
+    for (token, start, stop, side), following in itertools.zip_longest(tokens, tokens[1:]):
         opened, begin, inner, sized = stack[-1]
         bar = token == "|"
         closes = side == "right" if side else bool(inner) and not _awaits(inner)
-        if (token in closing and not bar) or (bar and not (opened == "|" and closes)):
+        if bar and opened != "|" and following is not None and following[0] == "_":
+            inner.append(Token("|at", (start, stop)))
+        elif (token in closing and not bar) or (bar and not (opened == "|" and closes)):
             stack.append((token, start, [], bool(side)))
         elif token.startswith(r"\begin"):
             stack.append((token[7:-1].rstrip("*"), start, [], True))
@@ -99,6 +104,9 @@ def nested(text: str) -> tuple[Token, ...]:
                 raise Unread(f"{token} closes nothing that is open", start)
             stack.pop()
             _one_way(inner)
+            # As in {\\bf K}, which is \\mathbf{K}.
+            if inner and inner[0].text in styles:
+                stack[-1][2].append(Token(styles[inner.pop(0).text], (begin, begin)))
             kind = "|bare" if bar and not sized else opened
             stack[-1][2].append(Token(kind, (begin, stop), tuple(inner)))
         else:
@@ -122,7 +130,25 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
         | (?<!\\)\\(?:displaystyle|textstyle|limits|nonumber|notag|,|;|:|!|>|\s) | ~""",
         re.VERBOSE,
     )
-    shown = unprinted.sub(lambda found: " " * len(found[0]), text).replace("−", "-")
+    shown = text.replace("−", "-")
+    for opening, closing, spelled in (
+        # A choice or equations behind a brace, and what is taken at a point.
+        (
+            r"\begin{cases}",
+            r"\end{cases}",
+            r"\\left\s*\\\{\s*\\begin\{array\}\s*\{[^{}]*\}(?P<inside>(?:(?!\\begin\{array).)*?)"
+            r"\\end\{array\}\s*\\right\s*\.",
+        ),
+        (
+            r"\left[",
+            r"\right]",
+            r"\\left\s*\.(?P<inside>(?:(?!\\left|\\right).|\\left(?:(?!\\left|\\right).)*\\right)*)"
+            r"\\right\s*(?:\||\\r?vert)(?=\s*_)",
+        ),
+    ):
+        instead = partial(_instead, opening, closing)
+        shown = re.sub(spelled, instead, shown, flags=re.DOTALL)
+    shown = unprinted.sub(lambda found: " " * len(found[0]), shown)
     tokens: list[tuple[str, int, int, str]] = []
     place, single = 0, 0
     bars = {r"\vert": "|", r"\mid": "|", r"\lvert": "|", r"\rvert": "|"}
@@ -151,6 +177,12 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
         side = {r"\lvert": "left", r"\rvert": "right"}.get(token, side)
         tokens.append((bars.get(token, token), start, place, side))
     return tokens
+
+
+def _instead(opening: str, closing: str, found: re.Match[str]) -> str:
+    """Other brackets around what stands inside, at its place."""
+    begin, end = (place - found.start() for place in found.span("inside"))
+    return opening.ljust(begin) + found["inside"] + closing.ljust(len(found[0]) - end)
 
 
 def _awaits(inner: Tokens) -> bool:

@@ -81,24 +81,22 @@ def node_of(value: Value, place: int = 0) -> Node:
     return entry
 
 
-def _each(do: Callable[..., Value], *matrices: Value) -> Matrix:
-    """A matrix made of the entries at each place."""
-    found: Matrix = np.frompyfunc(do, len(matrices), 1)(*matrices)
+def each(do: Callable[..., Value], *values: Value) -> Value:
+    """A number, or a matrix made of the entries at each place."""
+    if all(isinstance(it, Node) for it in values):
+        return do(*values)
+    found: Matrix = np.frompyfunc(do, len(values), 1)(*values)
     return found
 
 
 def quotient(above: Value, below: Node) -> Value:
     """A number or a matrix over a number."""
-    if isinstance(above, Node):
-        return Node("div", (above, below), at=above.at)
-    return _each(lambda it: quotient(it, below), above)
+    return each(lambda it: Node("div", (it, below), at=it.at), above)
 
 
 def negative(value: Value) -> Value:
     """A value with a minus before it."""
-    if isinstance(value, Node):
-        return minus(value)
-    return _each(lambda it: it if it is ZERO else negative(it), value)
+    return each(lambda it: it if it is ZERO else minus(it), value)
 
 
 def total(terms: Sequence[Value], place: int) -> Value:
@@ -109,7 +107,7 @@ def total(terms: Sequence[Value], place: int) -> Value:
     if others:
         raise Unread("terms of different shapes", place)
     if shape:
-        return _each(lambda *cells: total(cells, place), *terms)
+        return each(lambda *cells: total(cells, place), *terms)
     return _whole("add", [it for it in terms if it is not ZERO] or [ZERO])
 
 
@@ -123,7 +121,7 @@ def product(values: Sequence[Value]) -> Value:
         return last
     one = product(before)
     if isinstance(one, Node) or isinstance(last, Node):
-        return _each(lambda *pair: product(pair), one, last)
+        return each(lambda *pair: product(pair), one, last)
     if one.shape[1] != len(last):
         raise Unread("matrices whose sizes do not fit", one[0, 0].at[0])
     pairs = (zip(row, column, strict=True) for row in one for column in last.T)

@@ -123,6 +123,41 @@ def test_a_condition_beside_an_equation_has_to_hold_where_it_is_judged(
     assert status == "confirmed" or "say" in row.evidence
 
 
+@pytest.mark.parametrize(
+    ("slope", "status"),
+    [
+        (r"\left.\frac{d\mu}{dv}\right|_{v=v_0}", "confirmed"),
+        (r"\left.\left(\frac{d\mu(v)}{dv}\right)\right\vert_{v=v_0}", "confirmed"),
+        (r"\mu'\big|_{v=v_0}", "confirmed"),
+        (r"\mu'|_{v_0}", "confirmed"),
+        (r"\left[\frac{d\mu}{dv}\right]_{v \to v_0}", "confirmed"),
+        (r"\frac{d\mu}{dv}(v_0)", "confirmed"),
+        (r"2\frac{d\mu}{dv}(v_0)", "misprint"),
+        (r"\left.\mu\right|_{v=v_0}", "failed"),
+        (r"\left.\frac{d\mu}{dv}\right|_{v=v_s}", "unread"),
+        (r"\left.\frac{d\mu}{dv}\right|_{x=v_0}", "unread"),
+        (r"\left.x\frac{d\mu}{dv}\right|_{v=v_0}", "unread"),
+        (r"\frac{d\mu}{dv}(v_s + x)", "unread"),
+    ],
+)
+def test_a_slope_is_taken_at_the_point_that_is_printed(slope: str, status: str) -> None:
+    """Of the sliding speed at rest; at another point, or of another quantity, it is none."""
+    assert _only(f"c_e = c + {slope}N_0", "damping 1 1").status == status
+
+
+def test_a_value_at_a_point_is_that_of_what_moves() -> None:
+    """Of a coordinate by the number there; what is constant stays, and what may not is refused."""
+    found = rows(
+        PAGE,
+        ("energy V", r"U = kx^2/2 + k_3x^4/4"),
+        ("stiffness 1 1", r"\left. k\dot x/\dot x + 3k_3x^2\right|_{\dot x = 1}"),
+        ("stiffness 1 1", r"\left. k + 3k_3x^2\right|_{x = 0}"),
+        ("stiffness 1 1", r"\left. \frac{d^2U}{dx^2}\right|_{x = 0}"),
+        ("stiffness 1 1", r"\left. k + 3k_3x^2\right|_{k = 0}"),
+    )
+    assert [it.status for it in found] == ["confirmed", "confirmed", "misprint", "unread", "unread"]
+
+
 def test_a_derivative_changes_sign_with_a_coordinate_that_is_reversed() -> None:
     """∂V/∂x is a force along x of the print, and f(x) is printed in it."""
     found = rows(
@@ -166,7 +201,7 @@ def test_an_energy_counts_what_its_own_print_counts() -> None:
         (r"\frac{\partial (m x)}{\partial x} = 0", "no name; define it"),
         (r"\frac{\partial^2 m}{\partial x} = 0", "of this order"),
         (r"\frac{\partial m}{\partial N} = 0", "no coordinate, rate or parameter"),
-        (r"\frac{\partial x}{\partial t} = 0", "by time"),
+        (r"\frac{\partial N}{\partial t} = 0", r"print \frac{d}{dt}"),
         (r"\frac{d}{dt}\ddot x = 0", "the rate of"),
         (r"\dot\mu = 0", "holds mu"),
     ],

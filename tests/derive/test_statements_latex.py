@@ -87,6 +87,27 @@ READ = {
     ],
     r"k H(-y) x": ["k*Heaviside(-y)*x = 0"],
     r"\sqrt[3]{x} + \sqrt{y}": ["x**(1/3) + sqrt(y) = 0"],
+    r"m x_{,tt} + k_{,c} x_{,t} = \partial_t^2 y": ["m*ax + k_c*vx = ay"],
+    r"\partial_{tt}(m x) y + k\partial_t x": ["m*ax*y + k*vx = 0"],
+    r"m\frac{\partial^2 x}{\partial t^2} = \partial x/\partial t": ["m*ax = vx"],
+    r"\mathrm{d}^2x/\mathrm{d}t^2 + k\,{\rm d}x/{\rm d}t": ["ax + k*vx = 0"],
+    r"{\bf B} = \begin{Bmatrix}{\rm sgn}(x) \\ \frac{\rm d x}{\rm d t}\end{Bmatrix}": [
+        "mathbfB_1 = sign(x)",
+        "mathbfB_2 = vx",
+    ],
+    r"\boldsymbol{q} + k\bm{q} = \boldsymbol 0": [
+        "theta + k*theta = 0",
+        "x + k*x = 0",
+        "y + k*y = 0",
+    ],
+    r"N = \left\{\begin{array}{ll} -k y & y < 0 \\ 0 & y \ge 0 \end{array}\right.": [
+        "N = Piecewise(Tuple(-k*y, Lt(y, 0)), Tuple(0, Ge(y, 0)))"
+    ],
+    r"\left\{\begin{array}{rcl} m\ddot x &=& k x \\ a &=& 0 \end{array}\right.": [
+        "m*ax = k*x",
+        "a = 0",
+    ],
+    r"\begin{cases} m\ddot x = k x, \\ a = 0 \end{cases}": ["m*ax = k*x", "a = 0"],
     r"\sec\theta + \operatorname{arccosh} x + arcsin y": ["sec(theta) + acosh(x) + asin(y) = 0"],
 }
 
@@ -113,7 +134,9 @@ def test_a_print_is_read(text: str, expected: list[str]) -> None:
         r"2\frac{1}{2}",
         r"\sin^{-1} x",
         r"\log x",
-        r"\frac{\partial x}{\partial t}",
+        r"\frac{\partial \mu}{\partial t}",
+        r"\partial_t m x",
+        r"\partial_x m",
         r"\frac{d}{dt} x y",
         r"q = q x",
         r"x = 0,5",

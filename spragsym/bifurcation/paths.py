@@ -456,7 +456,7 @@ class QuasiStaticContinuation:
         stable = [
             slot for slot in range(count) if self.eq.undamped[0, slot] == EquilibriumType.STABLE
         ] or list(range(count))
-        met = self._met(0)
+        met = [number for number in self._met(0) if not self._has_slot(0, number)]
         if met and (self.mesh.size == 1 or count == len(self._links(0))):
             # Two states meet in a fold at the first value, and its float is just beyond both.
             firm = [
@@ -485,6 +485,16 @@ class QuasiStaticContinuation:
         return np.flatnonzero(
             (self.at == self.mesh[node]) & (self.kinds != "pitchfork") & ~self.far
         ).tolist()
+
+    def _has_slot(self, node: int, number: int) -> bool:
+        """Whether a state on a border is one of the equilibria at a node, as of a contact that just
+        touches without load.
+        """
+        border = str(self.kinds[number]).startswith("border")
+        states = np.array([self.eq[name][node] for name in self.balance.coordinates])
+        error = self.eq.error[node] + self.turns.error[number]
+        near = np.abs(states - self.q[:, [number]]) <= error * scale_of(states)
+        return border and bool(near.all(axis=0).any())
 
     def _stability_met(self, number: int) -> int:
         """Type of the state at the point of that number; one λ is 0, and the others decide."""

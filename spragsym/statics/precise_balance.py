@@ -5,18 +5,20 @@ Roots that float64 does not decide are decided in ball arithmetic, at one point 
 
 A search excludes boxes beyond a contact's border; a box that meets the border may hold a root on
 either side. So the sign of the gap is proved at the root itself: over its box in floats or, where
-that box meets the border, over a narrower box of balls. If balls do not tell the gap from 0, the
-root becomes an undecided box.
+that box meets the border, over a narrower box of balls. A gap that is 0, as of a contact without
+load, is proved where the coordinates on which it depends are proved to be floats. If balls do not
+tell the gap from 0 otherwise, the root becomes an undecided box.
 """
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 
-from ..numerics import contractors
+from ..numerics import balls, contractors
 from ..numerics.balls import Ball, UndecidedSign
 from ..numerics.certified_roots import Roots, different
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, width_of
@@ -189,13 +191,50 @@ def on_contact_side(system: StateSystem, given: FloatArray, found: Roots) -> Roo
         precise = PreciseBalance(system, given[:, found.point[row]], system.options.root_bits)
         with suppress(UndecidedSign, ZeroDivisionError):
             root = narrowed(precise, found.ends[:, :, row], found.alone[:, :, row])
-            gaps = [] if root is None else precise.state(root).gaps()
+            gaps = [] if root is None else precise.state(exact_in_part(precise, root)).gaps()
             if gaps and all(isinstance(gap, Ball) for gap in gaps):
-                inside[row : row + 1], beyond[row : row + 1] = precise.balance.sides(
-                    list(as_intervals(gaps))
-                )
+                # As floats they are rounded outward, but for a gap that is exactly 0.
+                nonzero = np.array([[not _is_zero(gap)] for gap in gaps])
+                bounds = Intervals(as_intervals(gaps).ends * nonzero)
+                inside[row : row + 1], beyond[row : row + 1] = precise.balance.sides(list(bounds))
     found = found.reopened(inside, ~(inside | beyond))
     return found.select(undecided=~beside_border(found.undecided, found.undecided_point)[1])
+
+
+def exact_in_part(system: PreciseBalance, root: Sequence[Ball]) -> list[Ball]:
+    """The box of a root with coordinates replaced by the floats that they are proved to be.
+
+    If all residuals are exactly 0 at the nearest floats, these are the root. If one residual is 0
+    for one coordinate at its float and all values of the others, and its slope by that coordinate
+    is not 0, the coordinate is that float, by the mean value theorem.
+    """
+    found, floats = list(root), [_nearest_float(part) for part in root]
+    at = [part if number is None else number for part, number in zip(found, floats, strict=True)]
+    if None not in floats and all(_is_zero(value) for value in system.values(at)):
+        return at
+    slopes = system.slopes(found)
+    for _ in found:  # what is exact may make the residual of another coordinate exact
+        for j, number in enumerate(floats):
+            if number is None:
+                continue
+            at = [*found[:j], number, *found[j + 1 :]]
+            rows = zip(system.values(at), slopes, strict=True)
+            if any(_is_zero(value) and balls.sign(row[j]) for value, row in rows):
+                found = at
+    return found
+
+
+def _nearest_float(part: Ball) -> Ball | None:
+    """0 or the float nearest to the midpoint, as an exact ball; None if it is not in the ball."""
+    low, high = balls.ends(part)
+    number = 0.0 if low <= 0 <= high else float((low + high) / 2)
+    return balls.ball(number, part.bits) if low <= Fraction(number) <= high else None
+
+
+def _is_zero(value: Ball | Fraction | int) -> bool:
+    """Whether a number is proved to be 0."""
+    low, high = balls.ends(value)
+    return low == high == 0
 
 
 def on_side(

@@ -15,8 +15,8 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
-from tests.oracles.gap_pages import HANDS
-from tests.oracles.user_pages import model_of
+from tests.design.test_just_touching import FLOOR
+from tests.oracles.user_pages import model_of, replaced
 
 pytestmark = pytest.mark.skipif(
     not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes"
@@ -73,19 +73,21 @@ def test_its_table_has_the_points_of_all_branches(born: ss.results.Diagram) -> N
 
 @pytest.mark.thorough
 def test_what_is_undecided_is_said_and_hatched() -> None:
-    """Where the mass just touches, at kappa = 0, no search tells a state from none."""
+    """Where the law has no slopes and the mass just touches, no search tells a state from none."""
     pytest.importorskip("sympy")
     axes = pytest.importorskip("matplotlib.figure").Figure().add_subplot()
     cycles = importlib.import_module("spragsym.figures.cycles")
-    p = model_of(HANDS["rail"].page, "rail").Parameters(mu0=0.0)
-    found = ss.diagram(p, "kappa", between={"kappa": (-0.012, 0.012)}, points=2)
+    hertz = ("depth: k_c * depth", "depth: k_c * depth * sqrt(depth / a)")
+    page = replaced(FLOOR, hertz, ("Page, tanh", "Page, sqrt, tanh"))
+    p = model_of(page, "hertz_floor").Parameters(mu=0.0)
+    found = ss.diagram(p, "F", between={"F": (-0.012, 0.012)}, points=2)
     ((low, high),) = found.undecided
     assert -0.012 < low < 0.0 < high < 0.012
-    assert any("may be missing for kappa" in text for text in found.remarks)
+    assert any("may be missing for F" in text for text in found.remarks)
     cycles.draw_diagram(found, axes)
     ((x, width),) = ((patch.get_x(), patch.get_width()) for patch in axes.patches)
     assert (x, x + width) == pytest.approx((low, high))
-    assert ss.diagram(p, "kappa", between={"kappa": (0.01, 0.02)}, points=2).undecided == ()
+    assert ss.diagram(p, "F", between={"F": (0.01, 0.012)}, points=2).undecided == ()
 
 
 @pytest.mark.thorough

@@ -2,6 +2,7 @@
 
 import re
 import time
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -33,6 +34,28 @@ page.contact(y, lambda depth: k_c * depth)
 page.friction(x, V, lambda v: mu * tanh(d * v), at_rest=mu)
 '''
 
+#: Above a floor at −s a spring k holds a mass that the load F pulls down.
+FLOOR = '''r"""A mass above a floor."""
+from spragsym.derive.model import Page, tanh
+page = Page("A mass that a spring holds above a floor.")
+m = page.unit("m", "kg", "mass")
+k_c = page.unit("k_c", "N/m", "stiffness of the floor")
+a = page.unit("a", "m", "length")
+mu = page.parameter("mu", "1", "friction", ">= 0", 0.3)
+F = page.parameter("F", "N", "load", "real", 0.0)
+s = page.parameter("s", "m", "height", "real", 0.0)
+k = page.parameter("k", "N/m", "stiffness", "> 0", 1.0)
+V = page.parameter("V", "m/s", "speed", "> 0", 0.5)
+x = page.coordinate("x", "m", "along")
+y = page.coordinate("y", "m", "across")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2)
+page.spring(k, along=x)
+page.spring(k, along=y)
+page.force(-F, along=y)
+page.contact(y + s, lambda depth: k_c * depth)
+page.friction(x, V, lambda v: mu * tanh(20 * v / V), at_rest=mu)
+'''
+
 LEVER = 'b = page.parameter("b", "m", "lever", "> 1", 1.6)'
 
 
@@ -42,6 +65,44 @@ def test_a_state_that_just_touches_is_no_line_of_states() -> None:
     assert not eq.complete
     assert [it.low == pytest.approx((0, 0), abs=1e-300) for it in eq.undecided] == [True]
     assert "just touches" in eq.undecided[0].reason
+
+
+@pytest.mark.thorough
+def test_gaps_of_exactly_zero_are_told_from_gaps_of_a_rounding() -> None:
+    """Without the floor y = −F/k, so that the mass touches where F ≥ k s of the floats given."""
+    rng = np.random.default_rng(5)
+    F, k = rng.integers(-9, 10, 40) / 8.0, rng.choice([0.5, 1.0, 3.0, 0.7], 40)
+    height = F / k
+    eq = ss.equilibria(model_of(FLOOR, "floor").Parameters(F=F, k=k, s=height))
+    excess = [Fraction(f) - Fraction(b) * Fraction(h) for f, b, h in zip(F, k, height, strict=True)]
+    assert eq.complete
+    assert eq.count.tolist() == [int(it >= 0) for it in excess]
+    assert {it > 0 for it in excess if it} == {True, False}
+    assert excess.count(0) > 10
+    touches = [it == 0 for it in excess]
+    np.testing.assert_allclose(eq["y"][touches, 0], -height[touches], rtol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("loads", "ends"),
+    [
+        ([0.0, 0.1, 0.3], []),
+        ([0.3, 0.0], []),
+        ([0.0], []),
+        ([0.3, -0.1], [0.0]),
+        ([0.0, -0.1], [0]),
+    ],
+)
+def test_paths_begin_and_end_where_it_just_touches(loads: list[float], ends: list[float]) -> None:
+    """(k + k_c) y = −F from there on; pulled up, the mass leaves the floor at once."""
+    p = model_of(FLOOR, "floor").Parameters()
+    if ends:
+        with pytest.raises(ss.errors.ConvergenceError, match=r"leaves the contact at F = 0\.0"):
+            ss.quasi_static_path(p, "F", loads)
+    else:
+        path = ss.quasi_static_path(p, "F", loads)
+        np.testing.assert_allclose(path["y"], -np.array(loads) / 2, rtol=1e-14)
+        assert path.jumps == ()
 
 
 @pytest.mark.thorough

@@ -19,7 +19,7 @@ import sympy as sp
 from spragsym.derive import pages
 from spragsym.derive.statements import papers, verdicts
 from spragsym.derive.statements.objects import Derivation
-from spragsym.derive.statements.reading import Item, opened, prepared
+from spragsym.derive.statements.reading import Item, read_paper, read_statement
 from spragsym.derive.statements.tree import Equation, Node, nodes, printed, with_part
 
 CASES = 600
@@ -42,8 +42,12 @@ class Case:
         own = self.item.statement
         other = replace(own, text=text, is_latex=False, transcribed="")
         begin = process_time()
-        item = prepared(other, self.item.book)
-        row = verdicts.judged(item) if isinstance(item, Item) else verdicts.uncompared(item)
+        item = read_statement(other, self.item.book)
+        row = (
+            verdicts.verdict_on(item)
+            if isinstance(item, Item)
+            else verdicts.row_without_comparison(item)
+        )
         return row, process_time() - begin
 
 
@@ -64,7 +68,7 @@ def sources() -> list[Case]:
     """Every right statement of the files."""
     found = []
     for _, paper, model in files():
-        _, items = opened(paper, model)
+        _, items = read_paper(paper, model)
         for item, row in zip(items, verdicts.check(paper, model).rows, strict=True):
             if row.status != "confirmed" or not isinstance(item, Item):
                 continue
@@ -89,7 +93,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         equation = item.equations[place]
         side, other = _side(equation, item, rng)
         for _ in range(2 if double else 1):
-            side = planted(side, item.it, rng)
+            side = planted(side, item.derivation, rng)
         wrong_text = f"{printed(other)} = {printed(side)}"
         texts = [f"{printed(one.left)} = {printed(one.right)}" for one in item.equations]
         row = case.verdict("; ".join([*texts[:place], wrong_text, *texts[place + 1 :]]))
@@ -113,7 +117,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
 def _form(text: str, item: Item) -> sp.Expr:
     """The form of an expression, its signs and the order of terms apart."""
     names = {name: sp.Symbol(name) for name in item.values}
-    names |= {name: sp.Symbol(name) for name in item.held.names}
+    names |= {name: sp.Symbol(name) for name in item.subject.names}
     try:
         return sp.sympify(text, locals=names | {"E": sp.Symbol("E")})
     except (sp.SympifyError, TypeError, SyntaxError):
@@ -124,7 +128,7 @@ def _side(equation: Equation, item: Item, rng: np.random.Generator) -> tuple[Nod
     """The side that gets a fault: of a residual the longer one more often; and the other."""
     left, right = equation.left, equation.right
     lengths = [len(list(_places(side))) for side in (left, right)]
-    if item.held.is_value and left.kind == "symbol":
+    if item.subject.is_value and left.kind == "symbol":
         return right, left
     chosen = rng.random() * sum(lengths) < lengths[0]
     return (left, right) if chosen or printed(right) == "0" else (right, left)
@@ -132,7 +136,7 @@ def _side(equation: Equation, item: Item, rng: np.random.Generator) -> tuple[Nod
 
 def _right_forms(equation: Equation, item: Item) -> list[sp.Expr]:
     left, right = printed(equation.left), printed(equation.right)
-    if item.held.is_value:
+    if item.subject.is_value:
         return [_form(left if right == "0" else right, item)]
     residual = _form(f"{left} - ({right})", item)
     return [residual, -residual]

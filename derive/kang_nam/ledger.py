@@ -16,7 +16,7 @@ from .. import pages
 from ..emit import targets
 from ..statements import verdicts
 from ..statements.papers import Paper
-from ..statements.reading import Item, Verdict, opened, prepared
+from ..statements.reading import Item, Verdict, read_paper, read_statement
 from ..statements.tree import symbols, to_sympy
 from . import article, explanations
 from .free_body import DIGITS, ParameterPoint
@@ -77,8 +77,8 @@ def run(paper: Paper | None = None) -> list[LedgerRow]:
     """Check every printed statement of the article, or of another file of them."""
     paper = article.printed() if paper is None else paper
     model = pages.read(pages.SHIPPED / "kang_nam.py")
-    _, found = opened(paper, model)
-    rows = verdicts.compared(paper, model, found).rows
+    _, found = read_paper(paper, model)
+    rows = verdicts.verdicts_on(paper, model, found).rows
     pairs = zip(found, rows, strict=True)
     return [_explained(row, _exact(item)) for item, row in pairs]
 
@@ -117,8 +117,8 @@ def _exact(item: Item | Verdict) -> str:
     approximation = explanations.APPROXIMATIONS.get(item.statement.id)
     if approximation is None or isinstance(item, Verdict):
         return ""
-    exact = prepared(replace(item.statement, text=approximation.exact, limit=""), item.book)
-    if isinstance(exact, Verdict) or verdicts.judged(exact).status != "confirmed":
+    exact = read_statement(replace(item.statement, text=approximation.exact, limit=""), item.book)
+    if isinstance(exact, Verdict) or verdicts.verdict_on(exact).status != "confirmed":
         return ""
     ours, theirs = item.equations[-1].left, exact.equations[-1].left
     names = {name: sp.Symbol(name) for name in symbols(ours) | symbols(theirs)}

@@ -74,7 +74,7 @@ def _linearization(model: Mechanics) -> bool:
 
 def _in_direction() -> bool:
     """Whether what printed equations are held against is what the elimination begins with."""
-    it = objects.derivation(mechanics.page(), mechanics.of_page(), "scaled")
+    it = objects.derivation_of(mechanics.page(), mechanics.of_page(), "scaled")
     D, b = equilibrium.matrix_form()
     directions = {sp.cos(nm.theta0): nm.c0, sp.sin(nm.theta0): nm.s0}
     pairs: list[tuple[Expr, Expr]] = []

@@ -1,4 +1,4 @@
-"""Limits that statements name, in which a print is what is derived."""
+"""Limits that statements name, as ``d*V -> oo`` or ``linear in x``, in which the print holds."""
 
 from __future__ import annotations
 
@@ -16,8 +16,10 @@ from .samples import numeric
 
 @dataclass(frozen=True)
 class LimitCase:
-    """A limit that a statement names: quantities, and where they go, each by itself or together; to
-    an ``order`` in what is small together where that is not 0.
+    """A limit that a statement names.
+
+    The ``symbols`` tend to ``end``, all ``together`` or each alone. If ``order`` is not 0, the
+    limit is the Taylor polynomial of that order in the symbols together.
     """
 
     symbols: tuple[Symbol, ...]
@@ -25,15 +27,18 @@ class LimitCase:
     together: bool = True
     order: int = 0
 
-    def forms(self, value: Expr, it: Comparison) -> list[Expr]:
-        """A value in its limit, once for each quantity that goes there by itself; nan where that is
-        not found.
+    def forms(self, value: Expr, comparison: Comparison) -> list[Expr]:
+        """The limit of an expression: one expression, or one for each symbol that tends alone.
+
+        A limit that is not found is nan.
         """
-        page = it.item.it
-        named = it.laws(it.item.held.side) | {Symbol(one): at for one, at in page.geometry.items()}
-        opened = {symbol: page.expanded(meaning) for symbol, meaning in named.items()}
-        moving = {one: at for one, at in opened.items() if at.free_symbols & {*self.symbols}}
-        value, size = value.xreplace(moving), Dummy(positive=True)
+        derivation = comparison.item.derivation
+        named = comparison.laws(comparison.item.subject.side) | {
+            Symbol(one): at for one, at in derivation.geometry.items()
+        }
+        expanded = {symbol: derivation.expanded(meaning) for symbol, meaning in named.items()}
+        depending = {one: at for one, at in expanded.items() if at.free_symbols & {*self.symbols}}
+        value, size = value.xreplace(depending), Dummy(positive=True)
         if not self.together:
             return [_limit(value, one, self.end) for one in self.symbols]
         if self.end == 0:
@@ -48,14 +53,14 @@ class LimitCase:
 
 
 def limit_of(item: Item) -> LimitCase | None:
-    """The limit of a statement, as ``d*V -> oo``, ``c_x, c_y -> 0``, ``linear in x, y`` or
-    ``cubic in x``; None where what stands there is none.
+    """The limit that a statement names, as ``d*V -> oo`` (a product: each factor alone),
+    ``c_x, c_y -> 0``, ``linear in x, y`` or ``cubic in x``; None if it can't be read.
     """
     word, to_order, small = item.statement.limit.partition(" in ")
     order = {"linear": 1, "quadratic": 2, "cubic": 3}.get(word, 0) if to_order else 0
     what, arrow, end = (small if order else item.statement.limit).partition("->")
     end, together = end.strip() or "0", "*" not in what
-    names = item.it.names
+    names = item.derivation.names
     symbols = [names.get(it.strip(), sp.nan) for it in what.split("," if together else "*")]
     if not all(it.is_Symbol for it in symbols) or bool(order) is bool(arrow):
         return None
@@ -64,42 +69,51 @@ def limit_of(item: Item) -> LimitCase | None:
     return LimitCase(tuple(symbols), sp.sympify(end), together, order)
 
 
-def is_approximation(it: Comparison, part: Component, limit: LimitCase) -> bool:
-    """Whether a print and what is derived have the same limit, whatever else they hold."""
-    ours = limit.forms(it.exactly(part.tree), it)
-    return any(all(map(it.equals, ours, limit.forms(exact, it))) for _, exact in part.targets)
+def is_approximation(comparison: Comparison, part: Component, limit: LimitCase) -> bool:
+    """Whether a printed side and one of its targets have the same limit, by exact algebra."""
+    ours = limit.forms(comparison.exactly(part.tree), comparison)
+    return any(
+        all(map(comparison.equals, ours, limit.forms(exact, comparison)))
+        for _, exact in part.targets
+    )
 
 
 def in_limit(item: Item, limit: LimitCase) -> Iterator[Item]:
-    """A statement beside the limit of what is derived: of what is small to some order with its
-    rates and accelerations as well.
+    """The statement with its object replaced by the object's limit.
+
+    If coordinates are small to some order, a second version takes their rates and accelerations as
+    small too.
     """
-    page, held = item.it, item.held
-    rows = zip(page.model.coordinates, page.model.rates, page.accelerations, strict=True)
-    more = tuple(it for row in rows if {*row} & {*limit.symbols} for it in row)
-    small = (*limit.symbols, *more)
-    ways = [limit, replace(limit, symbols=tuple(dict.fromkeys(small)))]
-    for way in ways if limit.order else ways[:1]:
-        it = Comparison(item)
+    derivation, subject = item.derivation, item.subject
+    rows = zip(
+        derivation.model.coordinates, derivation.model.rates, derivation.accelerations, strict=True
+    )
+    also_small = tuple(it for row in rows if {*row} & {*limit.symbols} for it in row)
+    small = (*limit.symbols, *also_small)
+    cases = [limit, replace(limit, symbols=tuple(dict.fromkeys(small)))]
+    for case in cases if limit.order else cases[:1]:
+        comparison = Comparison(item)
         entries = tuple(
-            way.forms(entry, it)[0] if place in held.index else entry
-            for place, entry in enumerate(held.entries)
+            case.forms(entry, comparison)[0] if place in subject.index else entry
+            for place, entry in enumerate(subject.entries)
         )
-        readings = tuple(replace(one, entry=way.forms(one.entry, it)[0]) for one in held.readings)
+        readings = tuple(
+            replace(one, entry=case.forms(one.entry, comparison)[0]) for one in subject.readings
+        )
         yield replace(
             item,
-            held=replace(held, entries=entries, readings=readings),
+            subject=replace(subject, entries=entries, readings=readings),
             targets=tuple(numeric(entry, item.values) for entry in entries),
             readings=tuple(numeric(one.entry, item.values) for one in readings),
         )
 
 
-def _limit(value: Expr, at: Symbol, end: Expr) -> Expr:
-    """The limit of a value where nonnegative parameters are positive; nan where it is not found."""
+def _limit(value: Expr, symbol: Symbol, end: Expr) -> Expr:
+    """The limit of an expression with positive parameters; nan if it is not found."""
     positive = {it: Dummy(it.name, positive=True) for it in value.free_symbols if it.is_nonnegative}
-    value, at = value.xreplace(positive), positive.get(at, at)
-    positive |= {it: Dummy(positive=True) for it in value.atoms(sp.Abs) if not it.has(at)}
-    found = _finite(_part_by_part(value.xreplace(positive), at, end))
+    value, symbol = value.xreplace(positive), positive.get(symbol, symbol)
+    positive |= {it: Dummy(positive=True) for it in value.atoms(sp.Abs) if not it.has(symbol)}
+    found = _finite(_part_by_part(value.xreplace(positive), symbol, end))
     return found.xreplace({symbol: it for it, symbol in reversed(positive.items())})
 
 
@@ -107,19 +121,20 @@ def _finite(value: Expr) -> Expr:
     return sp.nan if value.has(sp.nan, sp.oo, -sp.oo, sp.zoo, sp.AccumBounds) else value
 
 
-def _part_by_part(value: Expr, at: Symbol, end: Expr) -> Expr:
-    """The limit of a value from those of its parts, where they give one."""
-    if at not in value.free_symbols:
+def _part_by_part(value: Expr, symbol: Symbol, end: Expr) -> Expr:
+    """The limit of an expression from the limits of its parts; by SymPy's limit if these are not
+    finite or meet a jump.
+    """
+    if symbol not in value.free_symbols:
         return value
-    if value == at:
+    if value == symbol:
         return end
-    parts = [_part_by_part(part, at, end) for part in value.args]
+    parts = [_part_by_part(part, symbol, end) for part in value.args]
     found = value.func(*parts)
     is_jump = isinstance(value, sp.sign) and found == 0
     if not is_jump and _finite(found) is not sp.nan:
         return found
-    fixed, moving = value.as_independent(at)
-    # Operations of what SymPy's own limit is asked for.
-    most = 200
-    of_moving = sp.limit(moving, at, end) if sp.count_ops(moving) < most else sp.nan
+    fixed, moving = value.as_independent(symbol)
+    most = 200  # operations; SymPy's limit takes very long beyond
+    of_moving = sp.limit(moving, symbol, end) if sp.count_ops(moving) < most else sp.nan
     return value.func(fixed, of_moving) if value.is_Add or value.is_Mul else of_moving

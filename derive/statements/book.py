@@ -1,5 +1,7 @@
-"""The names of a paper beside its page: those that it lists, those of objects and of definitions,
-and what may stand in each statement.
+"""Names of a paper and their meanings on the page.
+
+A paper lists names under [symbols], gives names to objects of the page (energies, matrices) in its
+statements, and defines names of its own. From these follows the vocabulary of each statement.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from ..pages import PageModel
 from .derivatives import Slope, expressions, of_value
 from .matrices import entry_name
 from .names import MATRICES, function_behind
-from .objects import LAMBDA, MOVING, TIME, Derivation, NoObject, Object, derivation, derived
+from .objects import LAMBDA, MOVING, TIME, Derivation, NoObject, Object, derivation_of, derived
 from .papers import Paper, Statement
 from .repair import Values, evaluated, stem
 from .samples import numeric
@@ -28,45 +30,45 @@ from .tree import minus, printed, read_sympy, symbols, to_sympy
 
 @dataclass(frozen=True)
 class Book:
-    """A paper beside its page: what its names mean, besides those of the page.
+    """The names of a paper, besides those of the page.
 
-    A statement that gives the value of an object under a new name binds that name to the object
-    as it is derived, so that a mistake is found where it stands and not where it is used. The
+    A statement that gives the value of an object a new name binds that name to the object as
+    derived, so that a misprint is found where it is printed and not where the name is used. The
     names of definitions stand for what is printed.
     """
 
     forms: Mapping[str, Derivation]
     renamed: Mapping[str, str]
-    #: names by the statements that give them
+    #: names of objects, with the statements that give them
     bound: dict[str, Statement] = field(default_factory=dict)
     defined: dict[str, Node] = field(default_factory=dict)
     #: rows and columns of defined matrices
     shapes: dict[str, tuple[int, int]] = field(default_factory=dict)
-    #: what defined names are printed as functions of
+    #: arguments of defined names that are printed as functions
     arguments: dict[str, Node] = field(default_factory=dict)
     #: derivatives that are printed, by name
     slopes: dict[str, Slope] = field(default_factory=dict)
-    #: what is counted in bound energies, by form and name
+    #: the reading of each bound name, by form and name
     meant: dict[tuple[str, str], Expr] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
 
-    def objects(self, it: Derivation) -> Iterator[tuple[str, Object]]:
-        """Names that are bound to objects that the page has in this form."""
+    def objects(self, derivation: Derivation) -> Iterator[tuple[str, Object]]:
+        """Names and objects of those statements that apply to the page in this form."""
         for name, statement in self.bound.items():
-            if statement.form in ("", it.form):
+            if statement.form in ("", derivation.form):
                 with suppress(NoObject, ArithmeticError):
-                    yield name, derived(it, statement.about)
+                    yield name, derived(derivation, statement.about)
 
-    def values(self, it: Derivation) -> dict[str, Expr]:
-        """Bound names, and those of the entries of matrices, as derived."""
+    def values(self, derivation: Derivation) -> dict[str, Expr]:
+        """Derived expressions of bound names, and of the entries of bound matrices."""
         found: dict[str, Expr] = {}
-        for name, held in self.objects(it):
-            if held.shape is None:
-                found[name] = _meant(name, held, it, self)
+        for name, subject in self.objects(derivation):
+            if subject.shape is None:
+                found[name] = _meant(name, subject, derivation, self)
                 continue
-            for place in held.index:
-                i, j = divmod(place, held.shape[1])
-                found[entry_name(name, held.shape, i, j)] = held.entries[place]
+            for place in subject.index:
+                i, j = divmod(place, subject.shape[1])
+                found[entry_name(name, subject.shape, i, j)] = subject.entries[place]
         return found
 
 
@@ -74,17 +76,18 @@ _FORMS: dict[tuple[str, str], dict[str, Derivation]] = {}
 
 
 def forms_of(model: PageModel) -> dict[str, Derivation]:
-    """A page in both forms, kept for the next paper."""
+    """The derivations of a page with units and scaled, cached by its digest."""
     key = model.name, model.digest
     if key not in _FORMS:
         both = ("units", "scaled")
-        _FORMS[key] = {form: derivation(model.page, model.mechanics, form) for form in both}
+        _FORMS[key] = {form: derivation_of(model.page, model.mechanics, form) for form in both}
     return _FORMS[key]
 
 
-def begun(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
-    """The names that a paper lists; of an object by the words for it, as "damping", they are bound
-    to it.
+def book_of(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
+    """The book of the names under [symbols].
+
+    A name whose meaning is the word for an object, as "damping", is bound to that object.
     """
     renamed, letters, bound = dict(paper.renamed), dict[str, str](), dict[str, Statement]()
     for text, meaning in paper.renamed.items():
@@ -94,8 +97,10 @@ def begun(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
             bound[renamed[text]] = Statement(meaning, meaning, "", is_latex=False)
         if renamed[text].isidentifier():
             letters[renamed[text]] = text
-    it = forms["units"]
-    for row in zip(it.model.coordinates, it.model.rates, it.accelerations, strict=True):
+    derivation = forms["units"]
+    for row in zip(
+        derivation.model.coordinates, derivation.model.rates, derivation.accelerations, strict=True
+    ):
         name, rate, second = map(str, row)
         if letter := letters.get(name):
             dotted = {rate: rf"\dot{{{letter}}}", second: rf"\ddot{{{letter}}}"}
@@ -104,37 +109,37 @@ def begun(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
 
 
 def bind(statement: Statement, book: Book) -> None:
-    """Let the name on the left of an object's value stand for that object."""
+    """Bind the name on the left of a statement to the object whose value it gives, if it is new."""
     statement = replace(statement, transcribed="" if statement.is_latex else statement.transcribed)
     left, equal, _ = statement.text.partition("=")
     if not equal or statement.word in ("definition", "scale", "other", "notation"):
         return
-    it = book.forms[statement.form or "units"]
-    known = it.names.keys() | book.renamed.keys()
+    derivation = book.forms[statement.form or "units"]
+    known = derivation.names.keys() | book.renamed.keys()
     if left.strip() in book.renamed:
         return
     try:
-        (equation,) = equations_of(f"{left} = 0", statement, it, book, matrices=False)
-        held = derived(it, statement.about)
+        (equation,) = equations_of(f"{left} = 0", statement, derivation, book, matrices=False)
+        subject = derived(derivation, statement.about)
     except (Unread, NoObject, ArithmeticError, ValueError):
         return
     named = by_name(equation).left
     name = named.value
-    if named.kind == "symbol" and held.is_value and name not in known:
+    if named.kind == "symbol" and subject.is_value and name not in known:
         book.bound[name] = statement
         letter = left.strip()
         if named is not equation.left:
             letter = left[named.at[0] : named.at[1]]
         if statement.is_latex:
-            print_name(name, letter, statement, it, book)
-        for i, j in itertools.product(*map(range, held.shape or (0, 0))):
-            entry = entry_name(name, held.shape or (0, 0), i, j)
+            print_name(name, letter, statement, derivation, book)
+        for i, j in itertools.product(*map(range, subject.shape or (0, 0))):
+            entry = entry_name(name, subject.shape or (0, 0), i, j)
             whole = f"({letter})" if "_" in letter else letter
             book.letters[entry] = f"{whole}_{{{entry.rpartition('_')[2]}}}"
 
 
 def by_name(equation: Equation) -> Equation:
-    """The value of a name of which a multiple is printed, as in 2 T = m v²."""
+    """An equation for a multiple of a name, as 2 T = m v², solved for the name."""
     left, right = equation.left, equation.right
     if left.kind == "neg" and left.args[0].kind == "symbol":
         return replace(equation, left=left.args[0], right=minus(right))
@@ -144,103 +149,122 @@ def by_name(equation: Equation) -> Equation:
     return equation
 
 
-def print_name(name: str, left: str, statement: Statement, it: Derivation, book: Book) -> None:
-    """Keep how a name is printed, and the argument with which it is, as in f(x) = …."""
+def print_name(
+    name: str, left: str, statement: Statement, derivation: Derivation, book: Book
+) -> None:
+    """Keep the LaTeX of a name, and its argument if it is printed with one, as in f(x) = …."""
     left = re.sub(r"\\(?:left|right)(?=[()])|\\[,;:!]", "", left).strip()
     book.letters[name] = left
     if with_argument := re.fullmatch(r"([^()]*)\((.*)\)", left):
         book.letters[name] = with_argument[1]
         with suppress(Unread):  # several arguments are not kept
-            argument = equations_of(with_argument[2], statement, it, book)[0].left
+            argument = equations_of(with_argument[2], statement, derivation, book)[0].left
             book.arguments[name] = argument
 
 
 def equations_of(
-    text: str, statement: Statement, it: Derivation, book: Book, *, matrices: bool = True
+    text: str, statement: Statement, derivation: Derivation, book: Book, *, matrices: bool = True
 ) -> list[Equation]:
-    """Equations of a text in the language of a statement, with the names of its paper."""
-    vocabulary = _vocabulary(statement, it, book, matrices)
+    """Parse a text in the language of a statement, with the names of its paper.
+
+    ``matrices=False`` leaves out the names of matrices.
+    """
+    vocabulary = _vocabulary(statement, derivation, book, matrices)
     if statement.is_latex and not statement.transcribed:
         from .latex import read_latex
 
-        is_scale = statement.word == "scale"
-        for sign in (r"\to",) * is_scale + (r"\approx", r"\simeq") * bool(statement.limit):
-            text = text.replace(sign, f"{'=':^{len(sign)}}")
+        equal_signs: list[str] = []
+        if statement.word == "scale":
+            equal_signs.append(r"\to")
+        if statement.limit:
+            equal_signs += [r"\approx", r"\simeq"]
+        for sign in equal_signs:  # of the same length, so that offsets stay
+            text = text.replace(sign, "=".center(len(sign)))
         found = read_latex(text, vocabulary)
     else:
         found = read_sympy(text, vocabulary)
-    if "frequency" in it.names or not vocabulary.has_roots:
+    if "frequency" in derivation.names or not vocabulary.has_roots:
         return found
     return [replace(it, left=_in_lambda(it.left), right=_in_lambda(it.right)) for it in found]
 
 
-def _vocabulary(statement: Statement, it: Derivation, book: Book, matrices: bool) -> Vocabulary:
-    """Names that may stand in a statement."""
-    objects = book.objects(it) if matrices else ()
+def _vocabulary(
+    statement: Statement, derivation: Derivation, book: Book, matrices: bool
+) -> Vocabulary:
+    """The vocabulary of a statement."""
+    objects = book.objects(derivation) if matrices else ()
     shapes = {name: held.shape for name, held in objects if held.shape is not None}
-    values = _expressions(it, book)
+    values = _expressions(derivation, book)
     given = book.defined.keys() | book.shapes.keys() | book.bound.keys() | values.keys()
     has_roots = statement.word == "characteristic"
-    names = {*it.names, *given, *(["frequency"] if has_roots else [])}
+    names = {*derivation.names, *given, *(["frequency"] if has_roots else [])}
     names -= {str(TIME)} if statement.word != "scale" else set()
     return Vocabulary(
         frozenset(names),
-        tuple(map(str, it.model.coordinates)),
+        tuple(map(str, derivation.model.coordinates)),
         book.renamed,
         shapes | book.shapes,
-        frozenset(map(str, (*it.normals, *it.coefficients))),
-        frozenset(name for name, value in values.items() if _is_fixed(value, it)),
+        frozenset(map(str, (*derivation.normals, *derivation.coefficients))),
+        frozenset(name for name, value in values.items() if _is_fixed(value, derivation)),
         has_roots,
-        _arguments(statement, it, book, values),
-        partial(_slope, it, book),
+        _arguments(statement, derivation, book, values),
+        partial(_slope, derivation, book),
     )
 
 
-def _is_ambiguous(statement: Statement, it: Derivation) -> bool:
-    """Whether a name is bound by words alone to an object that may mean several values."""
-    return not statement.text and bool(derived(it, statement.about).readings)
+def _is_ambiguous(statement: Statement, derivation: Derivation) -> bool:
+    """Whether a name is listed for an object with several readings, and no statement prints it."""
+    return not statement.text and bool(derived(derivation, statement.about).readings)
 
 
-def _slope(it: Derivation, book: Book, of: str, by: str) -> str:
-    """The name of a derivative, which is kept; beside one by a coordinate or a rate those by the
-    others, one of which may be meant where a print is wrong.
+def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
+    """Keep the derivative of a name by another, and give its name.
+
+    Beside the derivative by a coordinate or a rate, those by all others are kept, for a repair.
+
+    Raises
+    ------
+    Unread
+        If there is no such derivative, or it has several readings.
     """
-    own = Slope(of, by)
-    if not by and own.law({*map(str, it.coefficients)}) is None:
+    slope = Slope(of, by)
+    if not by and slope.law({*map(str, derivation.coefficients)}) is None:
         argument = book.arguments.get(function_behind(of, book.arguments) or "")
         if argument is None or argument.kind != "symbol":
             raise Unread(f"the derivative of {of}, which is printed as no function; say by what")
-        own = Slope(of, argument.value)
-    if of in book.bound and _is_ambiguous(book.bound[of], it):
+        slope = Slope(of, argument.value)
+    if of in book.bound and _is_ambiguous(book.bound[of], derivation):
         raise Unread(
             f"{of} may count the potential of a constant force or leave it out; print it in a "
             f"statement about {book.bound[of].about}"
         )
-    rows = [[*map(str, row)] for row in (it.model.coordinates, it.model.rates)]
-    added, letters = dict[str, Slope](), it.letters
-    for each in next((row for row in rows if own.by in row), [own.by]):
-        one = Slope(of, each)
-        added[one.name] = one
-        letter, by_letter = (book.letters.get(name, letters.get(name, name)) for name in (of, each))
-        book.letters[one.name] = one.latex(letter, by_letter if by else "")
-    values = _expressions(it, book, added)
+    rows = [[*map(str, row)] for row in (derivation.model.coordinates, derivation.model.rates)]
+    added, letters = dict[str, Slope](), derivation.letters
+    for other in next((row for row in rows if slope.by in row), [slope.by]):
+        other_slope = Slope(of, other)
+        added[other_slope.name] = other_slope
+        letter, by_letter = (
+            book.letters.get(name, letters.get(name, name)) for name in (of, other)
+        )
+        book.letters[other_slope.name] = other_slope.latex(letter, by_letter if by else "")
+    values = _expressions(derivation, book, added)
     if of not in values:
         raise Unread(f"the derivative of {of}, which is no name that is known")
-    if own.name not in values:
-        of_value(values[of], own.by, it)  # which says why
+    if slope.name not in values:
+        of_value(values[of], slope.by, derivation)  # raises, and says why
     book.slopes.update(added)
-    return own.name
+    return slope.name
 
 
-def _is_fixed(value: Expr, it: Derivation) -> bool:
-    """Whether a value is constant in time, a parameter or made of these; lengths of lines, phases
-    and names that the page has not are none.
-    """
-    return {str(symbol) for symbol in value.free_symbols} <= it.parameters.keys()
+def _is_fixed(value: Expr, derivation: Derivation) -> bool:
+    """Whether an expression holds parameters only, and so is constant in time."""
+    return {str(symbol) for symbol in value.free_symbols} <= derivation.parameters.keys()
 
 
 def in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tuple[str, Node]]:
-    """Those of definitions that stand on known names and on each other, each after these."""
+    """Definitions in an order in which each uses known names and earlier ones; others are left
+    out.
+    """
     pending, found = dict(trees), {*known}
     while ready := [name for name, tree in pending.items() if symbols(tree) <= found]:
         found |= {*ready}
@@ -248,13 +272,15 @@ def in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tupl
 
 
 def _arguments(
-    statement: Statement, it: Derivation, book: Book, names: Mapping[str, Expr]
+    statement: Statement, derivation: Derivation, book: Book, names: Mapping[str, Expr]
 ) -> dict[str, Callable[[Node], Argument | None]]:
-    """Of names that are printed as functions, what an expression is to them: the argument with
-    which a definition is printed, or of a friction coefficient the sliding speed.
+    """For each name that is printed as a function: the test of an expression for its argument.
+
+    A definition has the argument with which it is printed, a friction coefficient its sliding
+    speed, or minus that if its law is odd.
     """
     is_moving = statement.word in (*MOVING, "friction", "definition")
-    still = dict.fromkeys(it.model.rates, 0)
+    still = dict.fromkeys(derivation.model.rates, 0)
 
     def as_printed(argument: Node, inside: Node) -> Argument | None:
         return Argument() if printed(inside) == printed(argument) else None
@@ -270,7 +296,7 @@ def _arguments(
 
     found: dict[str, Callable[[Node], Argument | None]] = {}
     for symbol, speed, friction in zip(
-        it.coefficients, it.speeds, it.model.frictions, strict=False
+        derivation.coefficients, derivation.speeds, derivation.model.frictions, strict=False
     ):
         is_odd = sp.expand(friction.ahead + friction.behind) == 0
         found[str(symbol)] = partial(as_speed, speed, is_odd)
@@ -278,15 +304,17 @@ def _arguments(
 
 
 def _expressions(
-    it: Derivation, book: Book, more: Mapping[str, Slope] | None = None
+    derivation: Derivation, book: Book, more: Mapping[str, Slope] | None = None
 ) -> dict[str, Expr]:
-    """What names of the page, of objects, definitions and derivatives are, in names of the page."""
-    known = {**it.names, **book.values(it)}
-    return expressions(known, book.defined, {**book.slopes, **(more or {})}, it)
+    """Expressions, in the page's symbols, of all names: of the page, of objects, of definitions and
+    of derivatives.
+    """
+    known = {**derivation.names, **book.values(derivation)}
+    return expressions(known, book.defined, {**book.slopes, **(more or {})}, derivation)
 
 
 def _in_lambda(tree: Node) -> Node:
-    """Even powers of a frequency ω in those of λ = iω."""
+    """A tree with the even powers of a frequency ω written in λ = iω: ω² is −λ²."""
     base, power = tree.args if tree.kind == "pow" else (tree, Node("number", value="1"))
     if base.kind == "symbol" and base.value == "frequency":
         if not (power.value.isdigit() and int(power.value) % 2 == 0):
@@ -296,27 +324,29 @@ def _in_lambda(tree: Node) -> Node:
     return replace(tree, args=tuple(map(_in_lambda, tree.args)))
 
 
-def _meant(name: str, held: Object, it: Derivation, book: Book) -> Expr:
-    """The value that a name is bound to; of those that it may mean the one that is printed."""
-    key = it.form, name
+def _meant(name: str, subject: Object, derivation: Derivation, book: Book) -> Expr:
+    """The expression that a name is bound to: of an object's readings the one whose symbols differ
+    least from those in the print.
+    """
+    key = derivation.form, name
     if key not in book.meant:
-        book.meant[key] = held.entries[held.index[0]]
+        book.meant[key] = subject.entries[subject.index[0]]
         statement = book.bound[name]
-        if held.readings and statement.text:
+        if subject.readings and statement.text:
             with suppress(Unread, NoObject, KeyError):
-                *_, equation = equations_of(statement.judged, statement, it, book)
+                *_, equation = equations_of(statement.judged, statement, derivation, book)
                 equation = by_name(equation)
-                # By its names, since a print may count its coordinates in another way.
-                own = to_sympy(equation.right, _expressions(it, book)).free_symbols
+                # Only symbols are compared: the print's coordinates may have other signs.
+                own = to_sympy(equation.right, _expressions(derivation, book)).free_symbols
                 book.meant[key] = min(
-                    (reading.entry for reading in held.readings),
+                    (reading.entry for reading in subject.readings),
                     key=lambda entry: len(own ^ entry.free_symbols),
                 )
     return book.meant[key]
 
 
 def _used(equations: Iterable[Equation], book: Book) -> set[str]:
-    """Names in equations, and in the definitions of these."""
+    """Names in equations, in the definitions of these names, and so on."""
     found: set[str] = set()
     pending = {name for one in equations for name in symbols(one.right) | symbols(one.left)}
     while pending:
@@ -329,27 +359,34 @@ def _used(equations: Iterable[Equation], book: Book) -> set[str]:
 
 def named(
     equations: Sequence[Equation],
-    held: Object,
+    subject: Object,
     values: dict[str, Values],
-    it: Derivation,
+    derivation: Derivation,
     book: Book,
 ) -> tuple[dict[str, Expr], dict[str, Node]]:
-    """What names of objects and of definitions in equations are; of the first the values are added
-    to those at samples.
+    """Expressions of the bound names and derivatives in equations, and trees of the defined names.
+
+    The values of the former at the samples are added to ``values``.
     """
-    objects = book.values(it)
-    whole = expressions({**it.names, **objects}, book.defined, book.slopes, it, steady=held.steady)
+    objects = book.values(derivation)
+    whole = expressions(
+        {**derivation.names, **objects},
+        book.defined,
+        book.slopes,
+        derivation,
+        steady=subject.steady,
+    )
     names = (objects.keys() | book.slopes.keys()) & whole.keys()
     stems = {stem(name) for name in _used(equations, book) & names}
     bound = {name: whole[name] for name in sorted(names) if stem(name) in stems}
     for name, value in bound.items():
         values[name] = numeric(value, values)
-    # Not those in names that this form lacks.
+    # Definitions in names that this form of the page lacks are left out.
     return bound, dict(in_order(book.defined, values))
 
 
 def with_defined(values: Mapping[str, Values], defined: Mapping[str, Node]) -> dict[str, Values]:
-    """Values of the names of definitions beside those that they stand on."""
+    """Values at samples, with those of defined names added."""
     found = dict(values)
     for name, tree in defined.items():
         found[name] = evaluated(tree, found)

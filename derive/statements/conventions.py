@@ -1,4 +1,4 @@
-"""Conventions of a paper: signs and origins of its coordinates, the same in all statements."""
+"""Search for the signs and origins of a paper's coordinates, the same in all its statements."""
 
 from __future__ import annotations
 
@@ -12,48 +12,59 @@ from .objects import Derivation
 from .reading import Item
 
 
-def settled(items: Sequence[Item]) -> Conventions:
-    """The signs and origins of coordinates in which the fewest statements fail.
+def conventions_of(items: Sequence[Item]) -> Conventions:
+    """The conventions in which the fewest statements fail; empty for those of the page.
 
-    One statement that would hold otherwise is no convention but a misprint: it takes two.
+    Signs and origins of one coordinate, or of two, are tried. A convention is accepted only if at
+    least two more statements hold in it: one that would hold may be a misprint.
     """
 
-    def failing(conventions: Conventions, most: int) -> int:
-        """Number of samples that fail, or ``most``; those that failed last stand first, and end it
-        early.
+    def failing(conventions: Conventions, limit: int) -> int:
+        """Number of statements that fail, counted up to ``limit``.
+
+        Statements that failed are tried first the next time, so that the count ends early.
         """
         failed = []
         for item in order:
             if not Comparison(item, conventions).agrees:
                 failed.append(item)
-                if len(failed) == most:
+                if len(failed) == limit:
                     break
         order.sort(key=lambda item: not any(item is one for one in failed))
         return len(failed)
 
     order = [*items]
     best: Conventions = {}
-    first = fewest = failing(best, len(order) + 1)
+    failing_as_printed = fewest = failing(best, len(order) + 1)
     if fewest < 2:
         return best
-    it = items[0].it
-    choices = {str(entry.symbol): _choices(it, entry.unit) for entry in it.page.coordinates}
+    derivation = items[0].derivation
+    choices = {
+        str(entry.symbol): _choices(derivation, entry.unit) for entry in derivation.page.coordinates
+    }
     for count in (1, 2) if len(choices) < 3 else (1,):
         for names in itertools.combinations(choices, count):
-            for ways in itertools.product(*(choices[name] for name in names)):
-                tried = best | dict(zip(names, ways, strict=True))
+            for choice in itertools.product(*(choices[name] for name in names)):
+                tried = best | dict(zip(names, choice, strict=True))
                 if (failed := failing(tried, fewest)) < fewest:
                     best, fewest = tried, failed
                 if not fewest:
                     break
-    return best if fewest <= first - 2 else {}
+    return best if fewest <= failing_as_printed - 2 else {}
 
 
-def _choices(it: Derivation, unit: str) -> list[Convention]:
+def _choices(derivation: Derivation, unit: str) -> list[Convention]:
+    """Conventions that are tried for a coordinate: either sign, and shifts by a quarter or half
+    turn, or by a quantity of the same unit.
+    """
     shifts: list[sp.Expr] = [sp.S.Zero]
     if unit == "rad":
         shifts += [sp.pi, sp.pi / 2, -sp.pi / 2]
     else:
-        same_unit = [datum for datum in (*it.page.units, *it.page.parameters) if datum.unit == unit]
+        same_unit = [
+            datum
+            for datum in (*derivation.page.units, *derivation.page.parameters)
+            if datum.unit == unit
+        ]
         shifts += [way * datum.symbol for datum in same_unit for way in (1, -1)]
     return [Convention(sign, shift) for shift in shifts for sign in (1, -1)]

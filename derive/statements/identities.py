@@ -1,5 +1,8 @@
-"""Whether an expression is 0: modulo sin² + cos² = 1 of all angles, and the identities of functions
-that papers print.
+"""Zero tests of expressions by exact algebra.
+
+Expressions are compared modulo sin² + cos² = 1 of every angle (:mod:`..algebra`), with multiple and
+half angles expanded, hyperbolic functions written in exponentials, and absolute values and signs
+resolved case by case.
 """
 
 from __future__ import annotations
@@ -17,17 +20,17 @@ from .. import algebra
 
 
 def is_zero(expression: Expr) -> bool:
-    """Whether an expression is 0 on all unit circles."""
+    """Whether an expression is proved to be 0."""
     if _vanishes(expression):
         return True
-    forms = [*_by_signs(expression)]
-    return forms != [expression] and all(map(_vanishes, forms))
+    cases = [*_by_signs(expression)]
+    return cases != [expression] and all(map(_vanishes, cases))
 
 
 def normal_form(expression: Expr) -> Expr:
-    """An expression modulo sin² + cos² = 1 of every angle: 0 exactly where it is 0."""
+    """An expression reduced modulo sin² + cos² = 1 of every angle; 0 if it is 0 on all circles."""
     plain, shown, circles = _on_circles(expression)
-    if not plain.has(sp.Piecewise):  # a choice that is not made is compared with nothing
+    if not plain.has(sp.Piecewise):  # the reduction is one of polynomials
         plain = algebra.difference(plain, S.Zero, circles)
     return plain.xreplace(shown)
 
@@ -36,20 +39,22 @@ def normal_form(expression: Expr) -> Expr:
 def quotients(
     expression: Expr, coordinates: tuple[Symbol, ...], moving: tuple[Symbol, ...]
 ) -> tuple[tuple[Expr, Expr], ...]:
-    """Products of some of an expression's factors that hold coordinates, and nothing else that
-    moves, each beside what is left, which holds a state as well.
+    """Divisors of an expression that depend on coordinates, each with the quotient.
+
+    A divisor is a product of factors without ``moving`` symbols; the quotient still depends on the
+    state. Up to three such factors are combined.
     """
     above, below = sp.fraction(normal_form(expression))
     number, factors = sp.factor_list(above)
     powers = [base**power for base, power in factors]
     states = [it for it in powers if it.has(*coordinates, *moving)]
-    # Factors of which products are tried.
-    still = [it for it in states if not it.has(*moving)][:3]
-    sizes = range(1, min(len(states), len(still) + 1))
+    candidates = [it for it in states if not it.has(*moving)][:3]
+    sizes = range(1, min(len(states), len(candidates) + 1))
     found = []
-    for some in itertools.chain(*(itertools.combinations(still, size) for size in sizes)):
-        rest = [it for it in powers if it not in some]
-        found.append((sp.Mul(*some), sp.expand(sp.Mul(number, *rest)) / below))
+    for size in sizes:
+        for divisors in itertools.combinations(candidates, size):
+            rest = [it for it in powers if it not in divisors]
+            found.append((sp.Mul(*divisors), sp.expand(sp.Mul(number, *rest)) / below))
     return tuple(found)
 
 
@@ -59,23 +64,27 @@ def _vanishes(expression: Expr) -> bool:
 
 
 def _by_signs(expression: Expr) -> Iterator[Expr]:
-    """An expression in exponentials of single terms, with each choice of signs of what stands in
-    sizes, signs and conditions.
+    """An expression in each combination of signs of its absolute values, signs and conditions.
+
+    Hyperbolic functions are written in exponentials, and these in exponentials of single terms.
     """
     plain = expression.rewrite((sp.sinh, sp.cosh, sp.tanh), sp.exp)
     plain = plain.replace(sp.Abs, lambda size: size * _sign(size)).replace(sp.sign, _sign)
     conditions = (it for it in plain.atoms(Relational) if not it.has(sp.sign))
     plain = plain.xreplace({it: it.func(_sign(it.lhs - it.rhs), 0) for it in conditions})
     found = plain.atoms(sp.sign)
-    # So many signs are chosen one by one.
-    most = 5
-    for signs in itertools.product((1, -1), repeat=len(found) * (len(found) <= most)):
+    most = 5  # of more signs no combinations are tried: they double with each
+    count = len(found) if len(found) <= most else 0
+    for signs in itertools.product((1, -1), repeat=count):
         chosen = plain.xreplace(dict(zip(found, map(sp.Integer, signs), strict=False)))
         yield chosen.replace(sp.exp, lambda power: sp.expand_power_exp(sp.exp(sp.expand(power))))
 
 
 def _sign(size: Expr) -> Expr:
-    """The sign of a size by those of its factors, of sums that begin with a plus."""
+    """The sign of an expression as the product of those of its factors.
+
+    A factor and its negative give the same symbol, with another sign before it.
+    """
     found: Expr = S.One
     for factor in sp.Mul.make_args(sp.factor(size)):
         if not factor.is_nonnegative:
@@ -85,7 +94,9 @@ def _sign(size: Expr) -> Expr:
 
 
 def _on_circles(expression: Expr) -> tuple[Expr, Mapping[Expr, Expr], algebra.Circles]:
-    """An expression in symbols for cosines and sines, what these stand for, and their pairs."""
+    """An expression with symbols c, s for the cosine and sine of each angle; the meanings of the
+    symbols; and the pairs (c, s), which lie on unit circles.
+    """
     plain = expression.replace(sp.cot, lambda angle: sp.cos(angle) / sp.sin(angle))
     plain = plain.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle))
     plain, parts = _in_parts(plain)
@@ -100,8 +111,9 @@ def _on_circles(expression: Expr) -> tuple[Expr, Mapping[Expr, Expr], algebra.Ci
 
 
 def _in_parts(expression: Expr) -> tuple[Expr, Mapping[Expr, Expr]]:
-    """An expression with whole multiples of angles, of θ/2 where that stands beside θ, and what the
-    symbols for such parts are.
+    """An expression in whole multiples of its angles, and the meanings of new symbols.
+
+    If θ/2 stands beside θ, both are multiples of a symbol for θ/2.
     """
     waves = sorted(expression.atoms(sp.cos, sp.sin), key=sp.default_sort_key)
     terms = [[it.as_coeff_Mul() for it in sp.Add.make_args(sp.expand(w.args[0]))] for w in waves]

@@ -1,8 +1,9 @@
-r"""LaTeX as papers print equations, read into trees.
+r"""Parser of LaTeX, as papers print equations, by recursive descent.
 
-A print is a sequence of items (:mod:`.lexer`); an expression is its terms, a term its factors, a
-factor a name, a number, a bracket or a function with what is attached to it. What can be taken in
-two ways is refused, with both readings. Nothing is evaluated.
+The lexer (:mod:`.lexer`) gives items, which may be groups. Equations are separated by lines,
+commas and ``=``. A side is a sum of terms, a term a product of factors, a factor a name, a number,
+a bracket or a function, with its exponent. An ambiguous print is refused with its readings.
+Nothing is evaluated.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from .roots import without_signs
 from .tree import ONE, ZERO, Argument, Equation, Node, Unread, Vocabulary, leaf, printed
 from .tree import read_sympy, renamed, symbols
 
-#: Functions by their print, and what SymPy calls them.
+#: SymPy's names of functions by their names in LaTeX.
 FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs", "Heaviside"}}
 FUNCTIONS |= {f"arc{name[1:]}": name for name in FUNCTIONS if name.startswith("a")}
 FUNCTIONS |= {"ln": "log", "sgn": "sign", "abs": "Abs"}
@@ -52,14 +53,19 @@ _RELATIONS = {
 
 @dataclass(frozen=True)
 class Factor:
-    """A factor, and the function whose argument has no brackets, so that it may go on."""
+    """A factor that was read.
+
+    ``open`` is empty, or says that the factor ends with the argument of a function without
+    brackets, which the next factor may continue: "number" if that argument is a number so far,
+    "argument" otherwise.
+    """
 
     value: Value
     open: str = ""
 
 
 def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
-    r"""Equations of a print in LaTeX.
+    r"""Parse equations printed in LaTeX.
 
     Parameters
     ----------
@@ -67,7 +73,7 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
         One equation or several; ``a = b = c`` is ``a = b`` and ``a = c``. A matrix equation is one
         equation for each entry. An expression without ``=`` is one that is 0.
     vocabulary : Vocabulary
-        The names that may stand in it.
+        The names that may be printed.
 
     Returns
     -------
@@ -77,7 +83,7 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     Raises
     ------
     Unread
-        What can't be read, or can be read in two ways, with its place.
+        If a part can't be read or is ambiguous, with its offset.
 
     Examples
     --------
@@ -92,19 +98,19 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     while len(items) == 1 and (inside := _equations_inside(items[0])):
         items = inside
     pieces = _pieces(items)
-    limits = [piece for piece in pieces if _is_condition(piece)]
-    pieces = [piece for piece in pieces if piece not in limits] or limits
+    relations = [piece for piece in pieces if _is_condition(piece)]
+    pieces = [piece for piece in pieces if piece not in relations] or relations
     equations = [it for piece in pieces for it in reader.equations(piece)]
     if not equations:
         raise Unread("nothing stands here", 0)
-    times = reader.names.times()
-    of_state = (one for one in limits if one[0].text.removeprefix("\\") not in times)
+    times = reader.names.times()  # a relation as t > 0 says nothing of the state
+    of_state = (one for one in relations if one[0].text.removeprefix("\\") not in times)
     conditions = tuple(reader.condition(one, one[0].at[0]) for one in of_state)
     return [replace(without_signs(it), conditions=conditions) for it in equations]
 
 
 def _equations_inside(item: Token) -> Tokens:
-    """Items in braces, or of an environment of equations."""
+    """The items inside braces, or inside an environment that holds equations; else none."""
     inside = item.items or ()
     if item.text == r"\{" and texts(inside) == ["array"]:
         return _equations_inside(inside[0])
@@ -113,30 +119,32 @@ def _equations_inside(item: Token) -> Tokens:
 
 
 def _is_condition(items: Tokens) -> bool:
-    """Whether a relation stands here that is no equation."""
+    """Whether the items hold a relation other than equality."""
     return any(it.text in _RELATIONS and it.text not in _EQUAL for it in items)
 
 
 def _pieces(items: Tokens) -> list[list[Token]]:
-    """Equations that stand beside or below each other; a line may go on with an operator."""
+    """Equations that are printed side by side or below each other.
+
+    A line that begins with an operator continues the line above it.
+    """
     pieces: list[list[Token]] = [[]]
-    broken = False
+    is_new_line = False
     for number, it in enumerate(items):
         if it.text in ("\\\\", r"\quad", r"\qquad", ",", ";"):
-            neighbours = [
-                one.text[0] for one in (*items[number - 1 : number], *items[number + 1 :][:1])
-            ]
-            if it.text == "," and len(neighbours) == 2 and "".join(neighbours).isdigit():
+            neighbours = texts((*items[number - 1 : number], *items[number + 1 : number + 2]))
+            digits = [text for text in neighbours if text[0].isdigit()]
+            if it.text == "," and len(digits) == 2:
                 raise Unread("a comma between digits: a decimal comma, or two values", it.at[0])
-            broken = broken or it.text == "\\\\"
+            is_new_line = is_new_line or it.text == "\\\\"
             pieces.append([])
         elif it.text != "&" and (it.text != "." or number < len(items) - 1):
-            if broken and not pieces[-1] and it.text in ("+", "-", *_TIMES, *_EQUAL):
+            if is_new_line and not pieces[-1] and it.text in ("+", "-", *_TIMES, *_EQUAL):
                 line = split(items[number + 1 :], "\\\\")[0]
                 if it.text in _EQUAL or all(one.text not in _EQUAL for one in line):
                     pieces = [piece for piece in pieces if piece] or [[]]
             pieces[-1].append(it)
-            broken = False
+            is_new_line = False
     pieces = [piece for piece in pieces if piece]
     for piece in pieces if len(pieces) > 1 else ():
         if all(it.text not in (*_EQUAL, *_RELATIONS) for it in piece):
@@ -145,7 +153,10 @@ def _pieces(items: Tokens) -> list[list[Token]]:
 
 
 class _LatexReader:
-    """Recursive descent over items, with the names of one vocabulary."""
+    """Recursive descent over items, with the names of one vocabulary.
+
+    Methods that take a cursor ``here`` leave it behind what they read.
+    """
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.names = Names(vocabulary)
@@ -163,7 +174,10 @@ class _LatexReader:
                 self.names.renamed[name] = self.page(page)
 
     def page(self, text: str) -> Node:
-        """A name or an expression in the page's names; a prime is a rate."""
+        """The tree of a text under [symbols]: a name of the page, or an expression in such names.
+
+        A prime behind a name is its derivative by time.
+        """
 
         def unprimed(found: re.Match[str]) -> str:
             node = leaf(found[1])
@@ -180,7 +194,9 @@ class _LatexReader:
             raise Unread(f"{text!r} under [symbols]: {error.reason}") from error
 
     def equations(self, items: Tokens) -> list[Equation]:
-        """Equations of one piece: each side with the first one."""
+        """Equations of one piece: ``a = b = c`` is ``a = b``, ``a = c``; a number in the chain is
+        compared with the side behind it, since it is no name.
+        """
         for it in items:
             if it.text in (r"\approx", r"\simeq"):
                 raise Unread("say in which limit, as limit = 'linear in x, y'", it.at[0])
@@ -197,7 +213,10 @@ class _LatexReader:
         return found
 
     def side(self, items: Tokens, place: int, named: bool) -> Value:
-        """A side of an equation; a name alone on it need not be one of the page."""
+        """The tree of one side of an equation.
+
+        If ``named``, a side that is a new name, or a multiple of one, is read too.
+        """
         if not items:
             raise Unread("a side of the equation is empty", place)
         multiple = self.only_name(items[1:]) if named and items[0].text.isdigit() else None
@@ -220,8 +239,8 @@ class _LatexReader:
         return node_of(value) if {*shape_of(value)} == {1} else value
 
     def is_named_law(self, node: Node, bracket: Token | None) -> bool:
-        """Whether a law is named with an argument of the print's own, as μ(v) of any speed v, or
-        with several arguments.
+        """Whether the bracket behind a law holds arguments that the law is not known to have: any
+        speed v as in μ(v), or several arguments.
         """
         inside = _bracket(bracket) or ()
         if "," in texts(inside) and self.names.moves(node):
@@ -233,7 +252,7 @@ class _LatexReader:
         return node.value in self.names.laws and argument is None
 
     def matrix(self, node: Node) -> Value:
-        """Matrix that a name stands for: entries, where it is one of a matrix or a column."""
+        """The entries of the matrix or column that a name stands for; else the name itself."""
         if node.kind == "symbol" and node.value in self.names.columns:
             return np.array([[replace(node, value=it)] for it in self.names.columns[node.value]])
         shape = self.matrices.get(node.value) if node.kind == "symbol" else None
@@ -245,7 +264,7 @@ class _LatexReader:
         return known is not None and not isinstance(self.matrix(known), Node)
 
     def number(self, items: Tokens) -> Node:
-        """An expression that is no matrix."""
+        """The tree of an expression, which must not be a matrix."""
         value = self.expression(items)
         return node_of(value, items[0].at[0])
 
@@ -273,7 +292,9 @@ class _LatexReader:
         return terms[0] if len(terms) == 1 else _over(total(terms, items[0].at[0]), items)
 
     def term(self, items: Tokens) -> Value:
-        """A product of factors, by juxtaposition or by a sign, over one factor behind a slash."""
+        """A product of factors, printed with or without signs between them; a slash divides it by
+        one factor.
+        """
         factors: list[Factor] = []
         here, explicit = Cursor(items), True
         while here.item is not None:
@@ -300,7 +321,7 @@ class _LatexReader:
         return whole if len(factors) == 1 else _over(whole, items)
 
     def slash(self, factors: list[Factor], here: Cursor, place: int) -> Value:
-        """Expression before a slash, over the one factor behind it."""
+        """The quotient of the factors before a slash and the single factor behind it."""
         above = product([it.value for it in factors])
         if factors[-1].open:
             name = printed(node_of(factors[-1].value))
@@ -316,7 +337,9 @@ class _LatexReader:
         return quotient(above, node_of(below))
 
     def juxtaposed(self, before: Factor, factor: Factor, sign: str, at: int) -> None:
-        """Refuse factors that stand beside each other and may be something else than a product."""
+        """Refuse two factors without a sign between them that may be no product: an index, a mixed
+        number, or an argument that goes on.
+        """
         value = factor.value if isinstance(factor.value, Node) else Node("matrix")
         if value.kind == "number" and value.value != "pi":
             raise Unread("a number behind a factor: an index, a digit, or a product", at)
@@ -334,7 +357,7 @@ class _LatexReader:
             raise Unread("the argument of a function ends here, or goes on", at, readings)
 
     def factor(self, here: Cursor) -> Factor:
-        """The factor that stands here."""
+        """The next factor."""
         begin, start, text = here.place, here.at, here.text
         is_operator = text in ("d", r"\partial") or texts(_inside(here.items[begin:][:2])) == ["d"]
         if (text in _FRACTIONS or is_operator) and (found := self.derivative(here)):
@@ -356,12 +379,12 @@ class _LatexReader:
         name, power = self.name(here)
         if name is None:
             return self.powered(self.base(here), here, start)
-        raised = [it.at[0] for it in here.items[begin : here.place] if it.text == "^"]
-        stop = raised[-1] if power is not None and raised else here.end
+        carets = [it.at[0] for it in here.items[begin : here.place] if it.text == "^"]
+        stop = carets[-1] if power is not None and carets else here.end
         return self.named(name, power, here, (start, stop))
 
     def named(self, name: Name, power: Tokens | None, here: Cursor, at: tuple[int, int]) -> Factor:
-        """A name with its exponent, or as a function of time."""
+        """The factor that begins with a name, with its exponent and its argument in brackets."""
         known = self.names.known(name, at)
         if name == Name("e") and power is not None:
             exponent = self.number(power)
@@ -384,12 +407,12 @@ class _LatexReader:
         return self.powered(node, here, at[0]) if bracketed else Factor(node)
 
     def argument(self, node: Node, items: Tokens) -> Argument | None:
-        """What a bracket is to a function or its derivative; None where it is a factor."""
+        """The argument that a bracket gives to a function or its derivative; None for a factor."""
         function = self.names.function_of(node)
         return None if function is None else self.arguments[function](self.number(items))
 
     def called(self, node: Node, items: Tokens) -> Node | None:
-        """A function or its derivative of an argument; None where it is none of it."""
+        """A function or its derivative with the argument in brackets; None if that is a factor."""
         argument = self.argument(node, items)
         if argument is None:
             return None
@@ -399,7 +422,11 @@ class _LatexReader:
         return Node("neg", (node,), at=node.at) if is_odd and argument.sign < 0 else node
 
     def applied(self, node: Node, here: Cursor, is_raised: bool = False) -> Node:
-        """A name with the bracket behind it, where that holds the time or its argument."""
+        """A name, and the bracket behind it if that holds the time or its argument.
+
+        Another bracket is left where it is; without an exponent (``is_raised``) it is refused if it
+        may be an argument.
+        """
         bracket = _bracket(here.item)
         if bracket is None:
             return node
@@ -412,13 +439,15 @@ class _LatexReader:
         return called
 
     def at_point(self, value: Value, here: Cursor, start: int) -> Factor:
-        """A value where a quantity that moves has another one, as dμ/dv at v = v_0."""
+        """A value with another value of one variable inserted, as dμ/dv at v = v_0."""
         place, items = here.at, _argument(here)
         *by, at = split(items, "=", r"\to")
-        node, point = node_of(value, start), [*map(self.number, (*by, at))]
+        node = node_of(value, start)
+        point = [*map(self.number, (*by, at))]
         moving = {*self.names.next, *self.names.next.values()}
 
-        def there(name: str) -> Node | None:
+        def at_the_point(name: str) -> Node | None:
+            """The tree that a name has there; None if that is not known."""
             one = leaf(name, node.at)
             if self.names.function_of(one) is not None:
                 is_argument = not by or self.called(one, by[0]) is not None
@@ -428,7 +457,7 @@ class _LatexReader:
             is_other = by and point[0].kind == "symbol" and name in moving
             return (point[1] if name == point[0].value else one) if is_other else None
 
-        values = {name: there(name) for name in symbols(node)}
+        values = {name: at_the_point(name) for name in symbols(node)}
         if unknown := [name for name, it in values.items() if it is None or by[1:]]:
             said = "is not read; define it as a name of its own"
             raise Unread(f"the value of {unknown[0]} at this point {said}", place)
@@ -436,15 +465,15 @@ class _LatexReader:
         return self.powered(replace(renamed(node, known), at=(start, here.end)), here, start)
 
     def is_time(self, items: Tokens) -> bool:
-        """Whether a bracket holds the time alone."""
+        """Whether a bracket holds the time and nothing else."""
         return len(items) == 1 and self.is_times(texts(items))
 
     def is_times(self, letters: Sequence[str]) -> bool:
-        """Whether these are the time, once or several times."""
+        """Whether all of the letters are names of time."""
         return bool(letters) and {it.removeprefix("\\") for it in letters} <= self.names.times()
 
     def product_only(self, node: Node, bracket: Tokens, place: int) -> None:
-        """Refuse f(x), a product or a function of x."""
+        """Refuse f(x) where it may be a product or a function of x."""
         if any(it.text == "," for it in bracket):
             raise Unread(f"{node.value} is no function that is known", place)
         inside = self.number(bracket)
@@ -456,7 +485,7 @@ class _LatexReader:
             raise Unread("a product, or a function of what stands in brackets", place, readings)
 
     def powered(self, value: Value, here: Cursor, start: int) -> Factor:
-        """A value with primes and an exponent behind it."""
+        """A value with the primes, the index + (its positive part) and the exponent behind it."""
         while here.text == "'":
             here.take()
             value = self.names.rate(node_of(value))
@@ -477,7 +506,7 @@ class _LatexReader:
         return Factor(value)
 
     def matrix_power(self, matrix: Matrix, exponent: Tokens, start: int) -> Matrix:
-        """A matrix transposed, inverted or as it stands."""
+        """A matrix with an exponent: transposed, inverted, or itself without one."""
         match texts(_flat(exponent)):
             case []:
                 return matrix
@@ -488,7 +517,7 @@ class _LatexReader:
         raise Unread("only the transpose and the inverse of a matrix are read", start)
 
     def base(self, here: Cursor) -> Value:
-        """A number, a bracket, a root, a fraction or an environment."""
+        """A number, a bracket, a root, a fraction or an environment, without its exponent."""
         it = here.take()
         if it.text in _FRACTIONS:
             value = quotient(self.expression(_argument(here)), self.number(_argument(here)))
@@ -540,7 +569,7 @@ class _LatexReader:
         return of_blocks([[self.expression(cell) for cell in row] for row in rows], item.at[0])
 
     def diagonal(self, here: Cursor) -> Factor | None:
-        """A diagonal matrix by its entries, as \\mathrm{diag}(m, m); nothing is taken for none."""
+        """A diagonal matrix, printed as \\mathrm{diag}(m, m); else None, and nothing is read."""
         count = 2 if here.text in _ROMAN else 1
         following = here.items[here.place :][: count + 1]
         word = "".join(texts(_flat(following[:count]))).removeprefix("\\")
@@ -554,28 +583,34 @@ class _LatexReader:
         return Factor(found)
 
     def choice(self, rows: list[list[list[Token]]], item: Token) -> Node:
-        """Values with the conditions under which they hold."""
+        """A piecewise value, from rows of a value and its condition."""
         pairs = []
         for value, condition in rows:
-            value = value[: len(value) - (value[-1:] != [] and value[-1].text == ",")]
+            if value and value[-1].text == ",":
+                value = value[:-1]
             pair = (self.number(value), self.condition(condition, item.at[0]))
             pairs.append(Node("call", pair, "Tuple", (value[0].at[0], condition[-1].at[1])))
         return Node("call", tuple(pairs), "Piecewise", item.at)
 
     def condition(self, items: Tokens, place: int) -> Node:
-        """A relation, or a chain of them, behind a word as "if"."""
+        """A relation, or a chain of relations, with or without a word as "if" before it.
+
+        The word "otherwise" is the relation 0 = 0.
+        """
         unread = (r"\quad", r"\qquad", r"\text", r"\mathrm", ",", ".")
-        kept = [it for it in items if it.text not in unread]
-        count = next((n for n, it in enumerate(kept) if it.text not in ("{", "i", "f")), len(kept))
-        word = "".join(texts(_flat(kept[:count])))
-        if word in ("otherwise", "else") and count == len(kept):
+        items = [it for it in items if it.text not in unread]
+        # A word is a group of letters; "if" may also be printed as two letters.
+        in_word = itertools.takewhile(lambda it: it.text in ("{", "i", "f"), items)
+        count = len([*in_word])
+        word = "".join(texts(_flat(items[:count])))
+        if word in ("otherwise", "else") and count == len(items):
             return Node("call", (ZERO, ZERO), "Eq", (place, place))
         if word not in ("", "if", "for", "when", "where"):
             raise Unread(f"the word {word} is not read", place)
-        signs = [_RELATIONS[it.text] for it in kept if it.text in _RELATIONS]
+        signs = [_RELATIONS[it.text] for it in items if it.text in _RELATIONS]
         if not signs:
             raise Unread("a condition without a relation", place)
-        values = map(self.number, split(kept[count:], *_RELATIONS))
+        values = map(self.number, split(items[count:], *_RELATIONS))
         relations = tuple(
             Node("call", (a, b), sign, (a.at[0], b.at[1]))
             for sign, (a, b) in zip(signs, itertools.pairwise(values), strict=True)
@@ -583,7 +618,7 @@ class _LatexReader:
         return relations[0] if len(relations) == 1 else Node("call", relations, "And")
 
     def function(self, here: Cursor) -> str:
-        """A function that stands here, by SymPy's name; empty, and nothing is taken, for none."""
+        """SymPy's name of the function that comes next; else empty, and nothing is read."""
         if self.names.functions:
             name, power = self.name(ahead := replace(here))
             if name in self.names.functions and power is None:
@@ -592,9 +627,11 @@ class _LatexReader:
         text, following = here.text, here.items[here.place :][:6]
         if text == r"\log":
             raise Unread(r"\log is natural or decadic; print \ln", here.at, ("log", "log10"))
-        count, word = 1, text.removeprefix("\\")
+        count = 1
+        word = text.removeprefix("\\")
         if text in _ROMAN:
-            count, word = 2, re.sub(r"[\W_]", "", "".join(texts(_flat(following[:2]))))
+            count = 2
+            word = re.sub(r"[\W_]", "", "".join(texts(_flat(following[:2]))))
         elif word not in FUNCTIONS:
             letters = "".join(
                 it.text if re.fullmatch("[a-z]", it.text) else " " for it in following
@@ -610,8 +647,9 @@ class _LatexReader:
         return FUNCTIONS[word]
 
     def call(self, name: str, here: Cursor, begin: int) -> Factor:
-        """A function with its argument, in brackets or without."""
-        power, is_open = None, ""
+        """A function with its exponent and its argument, in brackets or without."""
+        power = None
+        open_end = ""
         if here.text == "^":
             here.take()
             power = self.number(_argument(here))
@@ -625,7 +663,7 @@ class _LatexReader:
             whole = here.take().items or ()
             arguments = tuple(map(self.number, split(whole if bracket is None else bracket, ",")))
         else:
-            argument, is_open = self.bare_argument(name, here)
+            argument, open_end = self.bare_argument(name, here)
             arguments = (argument,)
         if (len(arguments) > 1) is not (name in tree.OF_SEVERAL):
             raise Unread(f"{name} with {len(arguments)} in brackets", begin)
@@ -634,10 +672,13 @@ class _LatexReader:
             if bracket is None or here.text == "'" or power is not None:
                 raise Unread(f"what is attached belongs to {name} or to its argument", begin)
             return self.powered(value, here, begin)
-        return Factor(value if power is None else _power(value, power, value.at), is_open)
+        return Factor(value if power is None else _power(value, power, value.at), open_end)
 
     def bare_argument(self, name: str, here: Cursor) -> tuple[Node, str]:
-        """An argument without brackets: a number, a name, or a number times one of these."""
+        """An argument without brackets: a number, a name, or a number times one of these.
+
+        The text says how it may go on, as ``Factor.open`` does.
+        """
         start, is_group = here.at, here.item is not None and here.item.items is not None
         if self.function(replace(here)) or here.text in ("+", "-"):
             raise Unread(f"the argument of {name} has no brackets", start)
@@ -658,7 +699,9 @@ class _LatexReader:
         return node_of(product([argument, more])), "argument"
 
     def derivative(self, here: Cursor) -> Factor | None:
-        """A derivative by time, as a fraction of differentials or its operator."""
+        """A derivative printed with differentials, dx/dt, d/dt x or ∂V/∂x; else None, and nothing
+        is read.
+        """
         begin, start, following = here.place, here.at, here.items[here.place :]
         is_fraction, is_partial = here.text in _FRACTIONS, here.text == r"\partial"
         order, what = self.order_by_index(here) if is_partial else 0, list[Token]()
@@ -690,9 +733,9 @@ class _LatexReader:
         else:
             place, bracketed = here.at, here.text == "("
             value = self.factor(here).value
-            clear = bracketed or _bracket(here.items[here.place - 1]) is not None
+            has_end = bracketed or _bracket(here.items[here.place - 1]) is not None
             is_power = isinstance(value, Node) and value.kind == "pow"
-            if is_power or not (here.item is None or clear):
+            if is_power or not (here.item is None or has_end):
                 raise Unread("the derivative ends nowhere; print brackets", place)
         is_name = isinstance(value, Node) and value.kind == "symbol"
         if is_partial and is_name and node_of(value).value not in self.names.next:
@@ -704,7 +747,7 @@ class _LatexReader:
         return self.powered(each(lambda it: moved(it, at), value), here, start)
 
     def order_by_index(self, here: Cursor) -> int:
-        """The order of ∂_t, ∂_tt and ∂_t²; 0, and nothing is taken, of what is none of these."""
+        """The order of ∂_t, ∂_tt or ∂_t²; 0, and nothing is read, if none of these comes next."""
         begin, marks = here.place, {"_": list[str](), "^": ["1"]}
         here.take()
         while here.text in marks:
@@ -717,7 +760,7 @@ class _LatexReader:
         return 0
 
     def slope(self, above: Tokens, below: Tokens, here: Cursor, start: int) -> Factor:
-        """A derivative of a name by another: of a function by its argument, else a partial one."""
+        """The derivative of a name by its argument, or a partial derivative by another name."""
         sign, *what = _inside(above)
         order = ONE
         if texts(what[:1]) == ["^"]:
@@ -748,7 +791,7 @@ class _LatexReader:
         return self.powered(self.applied(node, here), here, start)
 
     def with_index(self, name: Name, index: Tokens) -> Name:
-        """A name with an index; x with ,tt is a rate where it is no name of the page."""
+        """A name with an index; x with the index ,tt is its second rate unless that is a name."""
         named = replace(name, sub=_label(index))
         *parts, times = split(_flat(index), ",")
         if parts and self.is_times(texts(times)) and self.names.known(named, (0, 0)) is None:
@@ -759,13 +802,15 @@ class _LatexReader:
         return named
 
     def only_name(self, items: Tokens) -> Name | None:
-        """The name that stands alone, without an exponent."""
+        """The name that the items are; None if they are more, or have an exponent."""
         here = Cursor(items)
         name, power = self.name(here)
         return name if here.item is None and power is None else None
 
     def name(self, here: Cursor) -> tuple[Name | None, Tokens | None]:
-        """A name with indices and primes, and its exponent; where none is, nothing is taken."""
+        """The next name, with indices and primes, and its exponent; else None twice, and nothing
+        is read.
+        """
         begin, it = here.place, here.item
         if it is None:
             return None, None
@@ -809,28 +854,27 @@ class _LatexReader:
                 name = replace(name, order=name.order + 1)
                 continue
             argument = _argument(here)
-            letters_of, label = texts(_flat(argument)), _label(argument)
-            primes = letters_of.count(r"\prime") + letters_of.count("'")
-            # What stands in the place of an exponent, and is an index.
+            label = _label(argument)
+            raised = texts(_flat(argument))
+            primes = raised.count(r"\prime") + raised.count("'")
+            is_roman = bool(argument) and argument[0].text in _ROMAN
             if sign == "_":
                 if name.sub:
                     raise Unread("two indices", place)
                 name = self.with_index(name, argument)
-            elif primes and letters_of[:primes] == letters_of[:1] * primes:
+            elif primes and raised[:primes] == raised[:1] * primes:
                 name = replace(name, order=name.order + primes)
                 exponent = argument[primes:] or exponent
             elif label in ("*", "+", "-", "ast", "star") or (
-                argument
-                and argument[0].text in _ROMAN
-                and not (label == "T" and self.is_matrix(name))
+                is_roman and not (label == "T" and self.is_matrix(name))
             ):
-                name = replace(name, sup=label)
+                name = replace(name, sup=label)  # an upper index, no exponent
             elif exponent is not None:
                 raise Unread("two exponents", place)
             else:
                 exponent = argument
         if exponent is not None and not name.sup:
-            # An index that is listed so, as in k^{NL}.
+            # An upper index that is listed under [symbols], as in k^{NL}.
             listed = replace(name, sup=_label(exponent))
             if listed in self.names.renamed:
                 return listed, None
@@ -838,7 +882,7 @@ class _LatexReader:
 
 
 def _rows(item: Token) -> list[list[list[Token]]]:
-    """Cells of the rows of an environment; an array begins with its columns."""
+    """Cells of the rows of an environment, without the column specification of an array."""
     inner = (item.items or ())[item.text == "array" :]
     return [split(row, "&") for row in split(inner, "\\\\") if row]
 
@@ -856,7 +900,7 @@ def _argument(here: Cursor) -> Tokens:
 
 
 def _flat(items: Tokens) -> list[Token]:
-    """Tokens without braces and styles."""
+    """Tokens with braces opened and styles left out."""
     flat: list[Token] = []
     for it in items:
         if it.text == "{":
@@ -867,26 +911,34 @@ def _flat(items: Tokens) -> list[Token]:
 
 
 def _label(items: Tokens) -> str:
-    """An index in letters."""
+    """The text of an index."""
     return "".join(text.removeprefix("\\") for text in texts(_flat(items)))
 
 
 def _inside(items: Tokens) -> Tokens:
-    """Tokens without a style on the first of them: \\mathrm{d} x as d x."""
+    """Tokens without a style on the first one: \\mathrm{d} x as d x."""
     if items and items[0].text in _ROMAN:
         return [*_flat(items[1:2]), *items[2:]]
     return items
 
 
 def _bracket(it: Token | None, kinds: tuple[str, ...] = ("(",)) -> Tokens | None:
-    """Content of a bracket here, with braces around it or without."""
+    """The items inside a bracket of one of the kinds, with or without braces around it; else
+    None.
+    """
     while it is not None and it.text == "{" and it.items is not None and len(it.items) == 1:
         it = it.items[0]
     return it.items if it is not None and it.text in kinds else None
 
 
 def _is_sign(items: Tokens, number: int) -> bool:
-    """Whether a sign stands between terms, not in an exponent or behind another operator."""
+    """Whether the item of a number is a sign before a term, not one in an exponent or index.
+
+    Raises
+    ------
+    Unread
+        If the sign stands behind an operator.
+    """
     if items[number].text not in ("+", "-", r"\pm", r"\mp"):
         return False
     before = items[number - 1].text if number else ""
@@ -896,21 +948,19 @@ def _is_sign(items: Tokens, number: int) -> bool:
 
 
 def _span(items: Tokens) -> tuple[int, int]:
-    """The place of all items."""
+    """The range of characters of the items in the print."""
     return items[0].at[0], items[-1].at[1]
 
 
 def _over(value: Value, items: Tokens) -> Value:
-    """A value at the place of all that it was read from, brackets too."""
-    return (
-        replace(value, at=_span(items))
-        if isinstance(value, Node) and value.kind != "number"
-        else value
-    )
+    """A value whose place in the print is that of all items it was read from, brackets too."""
+    if isinstance(value, Node) and value.kind != "number":
+        return replace(value, at=_span(items))
+    return value
 
 
 def _numeric(value: Value) -> bool:
-    """Whether it is a number or a quotient of numbers."""
+    """Whether a value is a number or a quotient of numbers."""
     if not isinstance(value, Node):
         return False
     if value.kind == "div":

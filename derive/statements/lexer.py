@@ -1,7 +1,7 @@
-r"""LaTeX as nested tokens: a group is what stands between two brackets.
+r"""Lexer of LaTeX: tokens, nested where brackets or environments group them.
 
-What prints nothing (spaces, sizes of brackets, labels, alignment environments) is gone after this
-step, and a bare ``|`` has become the bracket that it is.
+Source that prints nothing (spaces, sizes of brackets, labels, alignment environments) is removed,
+and each bare ``|`` is classified as an opening or a closing bracket.
 """
 
 from __future__ import annotations
@@ -17,7 +17,10 @@ from .tree import Unread
 
 @dataclass(frozen=True)
 class Token:
-    """A token, or a group whose ``text`` is its opening bracket or its environment."""
+    """A token, or a group with ``items``, whose ``text`` is the opening bracket or environment.
+
+    ``at`` is its range of characters in the print.
+    """
 
     text: str
     at: tuple[int, int]
@@ -28,12 +31,12 @@ Tokens = Sequence[Token]
 
 
 def texts(items: Tokens) -> list[str]:
-    """The tokens and brackets that stand in a row."""
+    """The texts of the items: tokens and opening brackets."""
     return [it.text for it in items]
 
 
 def split(items: Tokens, *signs: str) -> list[list[Token]]:
-    """Parts between signs."""
+    """The runs of items between the given signs."""
     parts: list[list[Token]] = [[]]
     for it in items:
         if it.text in signs:
@@ -45,33 +48,39 @@ def split(items: Tokens, *signs: str) -> list[list[Token]]:
 
 @dataclass
 class Cursor:
-    """A place among items."""
+    """A position in a sequence of items, for a recursive descent."""
 
     items: Tokens
     place: int = 0
 
     @property
     def item(self) -> Token | None:
-        """Item at this place, or nothing behind the last one."""
+        """The current item, None behind the last one."""
         return self.items[self.place] if self.place < len(self.items) else None
 
     @property
     def text(self) -> str:
-        """The token or the bracket that stands here."""
+        """The text of the current item, empty behind the last one."""
         return "" if self.item is None else self.item.text
 
     @property
     def at(self) -> int:
-        """Place in the print."""
+        """Offset of the current item in the print."""
         return self.end if self.item is None else self.item.at[0]
 
     @property
     def end(self) -> int:
-        """Place in the print where the last item ends."""
+        """Offset in the print at which the item before this one ends."""
         return self.items[self.place - 1].at[1]
 
     def take(self) -> Token:
-        """Item at this place, behind which the place moves."""
+        """Return the current item and advance.
+
+        Raises
+        ------
+        Unread
+            Behind the last item.
+        """
         if self.item is None:
             raise Unread("an argument is missing", self.end)
         self.place += 1
@@ -83,7 +92,13 @@ BINARY = ("+", "/", r"\cdot", r"\times", "*", "=", ":=", ",", ";", "<", ">", "^"
 
 
 def nested(text: str) -> tuple[Token, ...]:
-    """Tokens of a print in LaTeX."""
+    """Tokens of a print in LaTeX, grouped by brackets and environments.
+
+    Raises
+    ------
+    Unread
+        If brackets do not match, or bars can be paired in two ways.
+    """
     stack: list[tuple[str, int, list[Token], bool]] = [("", 0, [], False)]
     closing = {"(": ")", "[": "]", r"\{": r"\}", "{": "}", "|": "|"}
     closing[r"\langle"] = r"\rangle"
@@ -103,7 +118,7 @@ def nested(text: str) -> tuple[Token, ...]:
             if not opened or token != closing.get(opened, rf"\end{{{opened}}}"):
                 raise Unread(f"{token} closes nothing that is open", start)
             stack.pop()
-            _one_way(inner)
+            _refuse_ambiguous_bars(inner)
             # As in {\\bf K}, which is \\mathbf{K}.
             if inner and inner[0].text in styles:
                 stack[-1][2].append(Token(styles[inner.pop(0).text], (begin, begin)))
@@ -114,12 +129,14 @@ def nested(text: str) -> tuple[Token, ...]:
     opened, begin, inner, _ = stack[-1]
     if opened:
         raise Unread(f"{opened} is not closed", begin)
-    _one_way(inner)
+    _refuse_ambiguous_bars(inner)
     return tuple(inner)
 
 
 def _tokens(text: str) -> list[tuple[str, int, int, str]]:
-    """Tokens with their places, and for brackets the side that the source gives them."""
+    """Tokens as text, start, end, and for a bracket the side that the source gives it: "left",
+    "right", or "" where it does not say.
+    """
     aligned = r"(?:aligned|align|alignat|equation|gather|gathered|multline|split|eqnarray)\*?"
     # Parts of the source that print nothing, or only lay the equations out.
     unprinted = re.compile(
@@ -150,47 +167,42 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
         shown = re.sub(spelled, instead, shown, flags=re.DOTALL)
     shown = unprinted.sub(lambda found: " " * len(found[0]), shown)
     tokens: list[tuple[str, int, int, str]] = []
-    place, single = 0, 0
+    place = 0
+    single_digits = 0  # arguments that follow, each of one digit if it is a number without braces
     bars = {r"\vert": "|", r"\mid": "|", r"\lvert": "|", r"\rvert": "|"}
+    sides = dict.fromkeys((r"\left", r"\lvert", "l"), "left")
+    sides |= dict.fromkeys((r"\right", r"\rvert", "r"), "right")
     a_token = re.compile(
         r"(?P<size>\\(?:left|right|middle|(?:big|Big|bigg|Bigg)[lrm]?)(?![A-Za-z])\s*)?"
         r"(?P<text>\\(?:begin|end)\{\w+\*?\}|\\[A-Za-z]+|\\.|:=|\d+(?:\.\d+)?|\.\d+|\S)"
     )
     while found := a_token.search(shown, place):
         token, (start, place) = found["text"], found.span()
-        if single and token[0].isdigit():
+        if single_digits and token[0].isdigit():
             token, place = token[0], found.start("text") + 1
-            single -= 1
+            single_digits -= 1
+        elif token in (r"\frac", r"\dfrac", r"\tfrac"):
+            single_digits = 2
         else:
-            # Commands whose next argument is a single digit, if it is a number
-            # without braces.
-            single = (
-                (1 + ("frac" in token))
-                if token in ("^", "_", r"\frac", r"\dfrac", r"\tfrac", r"\sqrt")
-                else 0
-            )
-        size = found["size"] or ""
-        side = (
-            {"l": "left", "r": "right"}.get(size.strip()[-1:], "") if "big" in size.lower() else ""
-        )
-        side = size.strip()[1:] if size.strip() in (r"\left", r"\right") else side
-        side = {r"\lvert": "left", r"\rvert": "right"}.get(token, side)
+            single_digits = int(token in ("^", "_", r"\sqrt"))
+        size = (found["size"] or "").strip()
+        side = sides.get(token) or sides.get(size) or sides.get(size[-1:], "")  # \bigl ends in l
         tokens.append((bars.get(token, token), start, place, side))
     return tokens
 
 
 def _instead(opening: str, closing: str, found: re.Match[str]) -> str:
-    """Other brackets around what stands inside, at its place."""
+    """The match with its outer brackets replaced; what is inside keeps its offset."""
     begin, end = (place - found.start() for place in found.span("inside"))
     return opening.ljust(begin) + found["inside"] + closing.ljust(len(found[0]) - end)
 
 
 def _awaits(inner: Tokens) -> bool:
-    """Whether an operand has to follow."""
+    """Whether the last item is an operator, so that an operand has to follow."""
     return inner[-1].items is None and inner[-1].text in (*BINARY, "-")
 
 
-def _one_way(inner: Tokens) -> None:
+def _refuse_ambiguous_bars(inner: Tokens) -> None:
     """Refuse bars that can be paired in two ways: |a| b |c|."""
     bars = [number for number, it in enumerate(inner) if it.text == "|bare"]
     for one, other in itertools.pairwise(bars):

@@ -1,4 +1,4 @@
-"""Expressions in SymPy's syntax as MathML, which a page of HTML shows without loading anything."""
+"""MathML of expressions in SymPy's syntax, which browsers show without any library."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .tree import FUNCTIONS, Node, Unread, Vocabulary, read_sympy
 
 
 def rendered(text: str, coordinates: Sequence[str]) -> str | None:
-    """MathML of equations between semicolons, with dots on rates; nothing where they can't be read.
+    """MathML of equations separated by semicolons, with dots on rates; None if they can't be read.
 
     Examples
     --------
@@ -73,11 +73,12 @@ def _shown(node: Node, dotted: dict[str, tuple[str, str]]) -> str:
 
 
 def _bracketed(node: Node, text: str, kinds: tuple[str, ...]) -> str:
+    """MathML of an operand, in brackets if its node is of one of the kinds."""
     return f"<mrow><mo>(</mo>{text}<mo>)</mo></mrow>" if node.kind in kinds else text
 
 
 def _name(name: str) -> str:
-    """A name with its index, Greek where it is a Greek letter."""
+    """MathML of a name with its index; names of Greek letters become these letters."""
     letters_and_index = re.compile(r"([^\W\d_]+)_?(\w*)")
     found = letters_and_index.fullmatch(name)
     base, index = (found[1], found[2]) if found else (name, "")
@@ -89,6 +90,7 @@ def _name(name: str) -> str:
 
 
 def _greek(word: str) -> str:
+    """The Greek letter of a name as "alpha"; any other word itself."""
     size = "SMALL" if word.islower() else "CAPITAL"
     letter = word.upper().replace("LAMBDA", "LAMDA").removesuffix("_")
     try:

@@ -1,4 +1,4 @@
-"""Printed matrices, entry by entry: their algebra makes trees, and evaluates nothing."""
+"""Algebra of printed matrices, as NumPy arrays of syntax trees; nothing is evaluated."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def entry_name(name: str, shape: Shape, i: int, j: int) -> str:
 
 
 def named(node: Node, shape: Shape) -> Matrix:
-    """The matrix that a name stands for, by the names of its entries."""
+    """The matrix of the names of its entries, for the name of a matrix."""
     found = np.empty(shape, object)
     for i, j in np.ndindex(shape):
         found[i, j] = leaf(entry_name(node.value, shape, i, j), node.at)
@@ -31,7 +31,7 @@ def named(node: Node, shape: Shape) -> Matrix:
 
 
 def matrix_of(entries: Sequence[str]) -> tuple[str, tuple[int, int]] | None:
-    """The matrix of which these are the names of all entries, with its shape; None of none."""
+    """Name and shape of the matrix whose entries, row by row, have these names; else None."""
     base, count = entries[0].rpartition("_")[0], len(entries)
     for rows in range(1, count + 1) if base and count > 1 else ():
         shape = (rows, count // rows)
@@ -43,7 +43,7 @@ def matrix_of(entries: Sequence[str]) -> tuple[str, tuple[int, int]] | None:
 
 
 def of_blocks(cells: Sequence[Sequence[Value]], place: int) -> Matrix:
-    """A matrix of numbers, or of matrices, where a 0 fills its block."""
+    """A matrix from cells that are numbers or blocks; a 0 fills its block."""
     heights = [max((*shape_of(it), 1)[0] for it in row) for row in cells]
     widths = [max((*shape_of(it), 1, 1)[1] for it in column) for column in zip(*cells, strict=True)]
 
@@ -67,12 +67,18 @@ def identity(size: int) -> Matrix:
 
 
 def shape_of(value: Value) -> Shape:
-    """Rows and columns; none of a number."""
+    """Rows and columns of a matrix; an empty tuple for a number."""
     return () if isinstance(value, Node) else value.shape
 
 
 def node_of(value: Value, place: int = 0) -> Node:
-    """A number, or the one entry of a matrix."""
+    """The tree of a number, or of the entry of a matrix with one entry.
+
+    Raises
+    ------
+    Unread
+        For a larger matrix.
+    """
     if isinstance(value, Node):
         return value
     if value.size > 1:
@@ -82,7 +88,7 @@ def node_of(value: Value, place: int = 0) -> Node:
 
 
 def each(do: Callable[..., Value], *values: Value) -> Value:
-    """A number, or a matrix made of the entries at each place."""
+    """An operation on numbers, or entry by entry on matrices."""
     if all(isinstance(it, Node) for it in values):
         return do(*values)
     found: Matrix = np.frompyfunc(do, len(values), 1)(*values)
@@ -90,7 +96,7 @@ def each(do: Callable[..., Value], *values: Value) -> Value:
 
 
 def quotient(above: Value, below: Node) -> Value:
-    """A number or a matrix over a number."""
+    """A number or a matrix divided by a number."""
     return each(lambda it: Node("div", (it, below), at=it.at), above)
 
 
@@ -100,7 +106,10 @@ def negative(value: Value) -> Value:
 
 
 def total(terms: Sequence[Value], place: int) -> Value:
-    """A sum of numbers, or of matrices of one shape; one entry beside a number is a number."""
+    """A sum of numbers, or of matrices of one shape.
+
+    A matrix of one entry counts as a number beside a number.
+    """
     if any(isinstance(it, Node) for it in terms):
         terms = [node_of(it) if shape_of(it) == (1, 1) else it for it in terms]
     shape, *others = set(map(shape_of, terms))
@@ -112,7 +121,7 @@ def total(terms: Sequence[Value], place: int) -> Value:
 
 
 def product(values: Sequence[Value]) -> Value:
-    """A product, from the left."""
+    """A product of numbers and matrices, multiplied from the left."""
     *before, last = values
     if all(isinstance(it, Node) for it in values):
         rest = [it for it in values if it is not ONE] or [ONE]
@@ -162,7 +171,10 @@ def _signed(value: Value, place: int) -> Value:
 
 
 def paired(left: Value, right: Value, place: int) -> list[Equation]:
-    """Equations of two sides, entry by entry; a name stands for the matrix on the other side."""
+    """Equations between the entries of two sides.
+
+    A name or a 0 on one side has the shape of the other side.
+    """
     if isinstance(left, Node) and isinstance(right, Node):
         return [Equation(left, right)]
     shape = max(shape_of(left), shape_of(right))

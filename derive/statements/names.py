@@ -1,4 +1,4 @@
-"""Names in a print, and what they are on the page."""
+"""Printed names, with accents, indices and dots, and the quantities of the page they stand for."""
 
 from __future__ import annotations
 
@@ -23,22 +23,25 @@ MATRICES = ("mass", "damping", "gyroscopic", "stiffness")
 
 @dataclass(frozen=True)
 class Name:
-    """A printed name: letter or word with accents and indices, and its order of derivative."""
+    """A printed name: letter or word with accents and indices.
+
+    ``order`` is the number of dots or primes on it.
+    """
 
     base: str
     sub: str = ""
     sup: str = ""
     order: int = 0
-    has_dots: bool = field(default=False, compare=False)  #: not primes, which may be by an argument
+    has_dots: bool = field(default=False, compare=False)  #: dots are by time, primes may not be
 
     @property
     def spelled(self) -> str:
-        """The name in letters, digits and underscores."""
+        """The name in letters, digits and underscores, with a prime for each order."""
         parts = [re.sub(r"\W+", "", part) for part in (self.base, self.sub, self.sup)]
         return "_".join(part for part in parts if part) + "'" * self.order
 
     def __str__(self) -> str:
-        """The name as it is printed, and what a bold one may stand for."""
+        """The name in messages, in LaTeX if it has an accent or a style."""
         style, _, letter = self.base.rpartition(" ")
         if not style:
             return self.spelled
@@ -47,14 +50,14 @@ class Name:
 
     @property
     def remedy(self) -> str:
-        """What may stand under [symbols]: a name of the page, and words for objects."""
+        """The end of a message: what may be written for this name under [symbols]."""
         if " " in self.base:
             return f" by a name of the page, or as {', '.join((*COLUMNS, *MATRICES))}"
         return f", or as energy {self.base}" if self.spelled in ("T", "V", "L") else ""
 
 
 class Names:
-    """Names of the page by their print."""
+    """Lookup of printed names among those of the page, and their derivatives."""
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.symbols, self.laws = vocabulary.symbols, vocabulary.laws
@@ -71,8 +74,8 @@ class Names:
         self.renamed: dict[Name, Node] = {}
         #: functions by their printed names, as SymPy calls them
         self.functions: dict[Name, str] = {}
-        #: columns of coordinates, rates and accelerations, by the words for them; none where the
-        #: page has one of these words, of which the rates would be those of another quantity
+        #: names in the columns of coordinates, rates and accelerations, by the words for these;
+        #: empty if the page itself has a quantity with one of these words as its name
         self.columns: dict[str, tuple[str, ...]] = {}
         if not {*COLUMNS} & self.symbols:
             row = vocabulary.coordinates
@@ -82,11 +85,17 @@ class Names:
             self.next |= dict(itertools.pairwise(COLUMNS))
 
     def times(self) -> set[str]:
-        """Names of time, which the page gives to nothing else."""
+        """Letters that stand for time: t and tau, unless the page has such a quantity."""
         return {*("t", "tau")} - self.symbols
 
     def of(self, name: Name, at: tuple[int, int]) -> Node:
-        """Meaning of a name on the page."""
+        """The tree that a printed name stands for.
+
+        Raises
+        ------
+        Unread
+            If the page has no such name, or two.
+        """
         found = self.known(name, at)
         if found is None:
             remedy = f"say what it is under [symbols]{name.remedy}"
@@ -94,7 +103,7 @@ class Names:
         return found
 
     def known(self, name: Name, at: tuple[int, int]) -> Node | None:
-        """Meaning of a name on the page, or nothing."""
+        """The tree that a printed name stands for, or None."""
         if name in self.renamed:
             return moved(self.renamed[name], at)
         if name.order:
@@ -114,11 +123,11 @@ class Names:
         return Node("number", value="pi", at=at) if name == Name("pi") else None
 
     def function_of(self, node: Node) -> str | None:
-        """The name of which it is the function, or a derivative; None of others."""
+        """The function of one argument that a symbol is, or is a derivative of; else None."""
         return function_behind(node.value, self.functions_of_one)
 
     def derived(self, node: Node, by: str) -> Node:
-        """The derivative of a name by another, or by its argument where none is given."""
+        """The derivative of a symbol by another name; by its argument if ``by`` is empty."""
         if self.derivative is None:
             raise Unread("a derivative is not read here", node.at[0])
         try:
@@ -127,7 +136,7 @@ class Names:
             raise Unread(error.reason, node.at[0]) from error
 
     def rate(self, node: Node) -> Node:
-        """The derivative by time, by the rules for sums, products, powers and functions."""
+        """The derivative of a tree by time."""
         if not self.moves(node):
             return Node("number", value="0", at=node.at)
         match node.kind:
@@ -148,19 +157,17 @@ class Names:
         raise Unread(f"the rate of {printed(node)} is not read; print it in rates", node.at[0])
 
     def _by_chain(self, node: Node) -> Node:
-        """The derivative by time of an operation on what moves: its slopes times the rates."""
-        places = [sp.Symbol(f"u{number}", real=True) for number in range(len(node.args))]
-        names = {str(symbol): symbol for symbol in places}
-        operands = dict(zip(names, node.args, strict=True))
-        pairs = zip(names, node.args, strict=True)
-        plain = tuple(it if it.kind == "number" else leaf(one) for one, it in pairs)
-        value = to_sympy(replace(node, args=plain), names)
+        """The derivative of an operation by time, by the chain rule: sum of ∂f/∂u_k u_k'."""
+        operands = {f"u{number}": operand for number, operand in enumerate(node.args)}
+        names = {name: sp.Symbol(name, real=True) for name in operands}
+        plain = (it if it.kind == "number" else leaf(name) for name, it in operands.items())
+        value = to_sympy(replace(node, args=tuple(plain)), names)
         terms = []
-        for symbol, operand in zip(places, node.args, strict=True):
+        for name, operand in operands.items():
             if self.moves(operand):
-                text = str(sp.diff(value, symbol))
-                slope = read_sympy(text, Vocabulary(frozenset(names), (), {}))[0].left
-                terms.append(Node("mul", (renamed(slope, operands), self.rate(operand))))
+                text = str(sp.diff(value, names[name]))
+                partial = read_sympy(text, Vocabulary(frozenset(names), (), {}))[0].left
+                terms.append(Node("mul", (renamed(partial, operands), self.rate(operand))))
         return joined("add", terms)
 
     def moves(self, node: Node) -> bool:
@@ -172,8 +179,13 @@ class Names:
         return node.value in {*self.next, *self.next.values(), *self.laws}
 
     def word(self, items: Tokens, place: int) -> int:
-        """Number of items that spell a name of the page that has several letters: a k c that
-        is kc.
+        """Number of items, from a place on, that spell a name of several letters: 2 for ``k c``
+        on a page with kc; 0 if none does.
+
+        Raises
+        ------
+        Unread
+            If each letter is a name of the page as well.
         """
         letters = ""
         for it in items[place:]:
@@ -192,7 +204,7 @@ class Names:
 
 
 def function_behind(value: str, functions: Collection[str]) -> str | None:
-    """Which of some functions a name is, or is a derivative of: f of diff(diff(f, x), x)."""
+    """The function that a name is or is a derivative of: f for diff(diff(f, x), x); else None."""
     while value not in functions and value.startswith("diff("):
         inner, comma, by = value.removeprefix("diff(").removesuffix(")").rpartition(", ")
         value = inner if comma else by
@@ -200,12 +212,12 @@ def function_behind(value: str, functions: Collection[str]) -> str | None:
 
 
 def moved(node: Node, at: tuple[int, int]) -> Node:
-    """The same tree at another place of the print."""
+    """The same tree, every node of it at another place in the print."""
     return replace(node, at=at, args=tuple(moved(it, at) for it in node.args))
 
 
 def _spellings(name: Name) -> Sequence[str]:
-    """Spellings that a printed name may have on a page."""
+    """Spellings that a printed name may have on a page, k_c or kc."""
     labels = [re.sub(r"\W+", "", it) for it in (name.sub, name.sup) if it]
     bases = {"ell": ("ell", "l"), "lambda": ("lambda_", "lamda", "lam")}.get(
         name.base, (name.base,)

@@ -1,4 +1,6 @@
-"""Objects of a derivation that a statement can be about, from the functions that derive them."""
+"""Objects that a statement can be about, as ``motion x`` or ``stiffness 1 2``, and how each is
+derived from a page.
+"""
 
 from __future__ import annotations
 
@@ -19,22 +21,22 @@ from ..model import Datum, Page, expression_of
 from ..motion import Motion
 from ..units import Dimension
 
-#: Normal force, frequency parameter of the characteristic polynomial, time.
+#: Symbols of a print: normal force, eigenvalue of the characteristic polynomial, time.
 NORMAL, LAMBDA, TIME = Symbol("N", real=True), Symbol("lam"), Symbol("t", real=True)
 
-#: Behind the side of these words ``belt ahead`` may stand: then a friction has one sign.
+#: Words of objects that may be restricted to ``belt ahead``, where every friction has one sign.
 MOVING = ("motion", "acceleration")
 
 T = TypeVar("T")
 
 
 class NoObject(LookupError):
-    """An object that a page does not have, or that can't be derived; with the remedy."""
+    """An object that a page does not have or that can't be derived; the text says the remedy."""
 
 
 @dataclass(frozen=True)
 class Reading:
-    """One of the values that a name may mean, and what is counted in it."""
+    """One of the values that a name may mean, and in words what is counted in it."""
 
     entry: Expr
     said: str
@@ -42,38 +44,37 @@ class Reading:
 
 @dataclass(frozen=True)
 class Object:
-    """Object that a statement is held against.
+    """The derived object that a statement is compared with: a residual, or a value with a name.
 
-    ``entries`` are all components of a ``law`` of transformation between coordinates: scalar,
-    covector, vector or form; ``index`` are the places of those that the statement is about. A
-    residual may have a factor: "none", "constant" to be added, "parameters" of any kind, or a
-    "monomial" of them. A value has the names by which it is called; where authors differ in what
-    they count in it, ``readings`` has every value that may be meant, the entry first. ``shape`` has
-    the rows and columns of a matrix. Lengths and inclinations of lines stand by their names.
+    Lengths and inclinations of lines are symbols in ``entries``.
     """
 
-    entries: Row
-    by: str
+    entries: Row  #: all components of a vector or a matrix, row by row
+    by: str  #: the function that derives them
+    #: how components transform with the coordinates: "scalar", "covector", "vector", "form"
     law: str = "scalar"
-    index: tuple[int, ...] = (0,)
+    index: tuple[int, ...] = (0,)  #: numbers of the entries that the statement is about
+    #: by what the print may differ: "none", "constant" (a summand), or a factor that is a
+    #: "monomial" of parameters or any expression in "parameters"
     factor: str = "none"
-    names: frozenset[str] = frozenset()
+    names: frozenset[str] = frozenset()  #: names of a value; empty for a residual
     steady: bool = False  #: friction is that at steady sliding
-    side: str = "contact"  #: the contacts that touch, one of the model's sides, or both of them
-    ahead: bool = False  #: every belt is ahead of what slides on it
+    side: str = "contact"  #: key of ``Derivation.sides``, or "both" for all of these
+    ahead: bool = False  #: every belt is faster than what slides on it
     unit: Dimension | None = None
+    #: all values that the name may have where authors differ, the entry first
     readings: tuple[Reading, ...] = ()
-    shape: tuple[int, int] | None = None
+    shape: tuple[int, int] | None = None  #: rows and columns of a matrix
 
     @property
     def is_value(self) -> bool:
-        """A value that is called by a name, not a residual that is 0."""
+        """Whether this is a value with a name, not a residual that is 0."""
         return bool(self.names)
 
 
 @dataclass(frozen=True)
 class Derivation:
-    """A page in one form, with units or scaled, in plain expressions of its symbols."""
+    """A page in one form, with units or scaled, in expressions of the symbols that papers print."""
 
     page: Page
     model: Mechanics
@@ -81,18 +82,22 @@ class Derivation:
 
     @property
     def form(self) -> str:
-        """As files of statements say it."""
+        """The name of the form in files of statements."""
         return "scaled" if self.scaled else "units"
 
     @cached_property
     def found(self) -> dict[tuple[str, str], object]:
-        """Object that is asked for by its word and the rest, or the reason why the page does not
-        have it.
-        """
+        """Cache of :meth:`kept`: what was derived, or the error."""
         return {}
 
     def kept(self, word: str, rest: str, derive: Callable[[], T]) -> T:
-        """Derived object, derived once; or the reason why it can't be."""
+        """The result of ``derive()``, computed once for a pair of words.
+
+        Raises
+        ------
+        NoObject
+            If it failed now or before.
+        """
         if (word, rest) not in self.found:
             try:
                 self.found[word, rest] = derive()
@@ -105,37 +110,39 @@ class Derivation:
 
     @cached_property
     def plain(self) -> dict[Expr, Expr]:
-        """Expressions for directions, lengths, turnings and angles of the general derivation."""
+        """Meanings of the mechanics' symbols for lengths, directions, torsions and angles."""
         found = dict(self._angles)
-        for line, (length, turn, dx, dy) in zip(self.model.lines, self._lines, strict=True):
-            named, size = self.geometry.keys(), sp.sqrt(dx**2 + dy**2)
-            found[line.l] = Symbol(length) if length in named else size
-            is_named = turn in named
-            found[line.c] = sp.cos(Symbol(turn)) if is_named else dx / size
-            found[line.s] = sp.sin(Symbol(turn)) if is_named else dy / size
+        for line, (length, angle, dx, dy) in zip(self.model.lines, self._lines, strict=True):
+            size = sp.sqrt(dx**2 + dy**2)
+            found[line.l] = Symbol(length) if length in self.geometry else size
+            is_named = angle in self.geometry
+            found[line.c] = sp.cos(Symbol(angle)) if is_named else dx / size
+            found[line.s] = sp.sin(Symbol(angle)) if is_named else dy / size
         for torsion in self.model.torsions:
             found[torsion.phi] = torsion.least.subs(found)
         return found
 
     @cached_property
     def sides(self) -> dict[str, frozenset[str]]:
-        """The contacts that touch, by their names, in every combination of those that can open."""
+        """Names of the touching contacts, for every combination of those that can open."""
         opening = [it.name for it in self.model.contacts if it.unilateral]
         never = frozenset(it.name for it in self.model.contacts) - {*opening}
-        found = {"lift-off": never} if opening else {}
+        sides = {"lift-off": never} if opening else {}
         for count in range(1, len(opening)):
-            for some in itertools.combinations(opening, count):
-                found[f"contact of {', '.join(some)} alone"] = never | {*some}
-        return found | {"contact": never | {*opening}}
+            for touching in itertools.combinations(opening, count):
+                sides[f"contact of {', '.join(touching)} alone"] = never | {*touching}
+        return sides | {"contact": never | {*opening}}
 
     def pushing(self, contact: NormalForce, side: str) -> Expr:
-        """1 where a contact touches on a side, else 0; a symbol where it may do either."""
+        """Contact indicator on a side: 1 if the contact touches, 0 if it is open; on "both" sides a
+        symbol.
+        """
         if side == "both" and contact.unilateral:
             return of_contact(PUSHING, contact.name)
         return sp.Integer(side == "both" or contact.name in self.sides[side])
 
     def contact(self, name: str) -> NormalForce:
-        """The contact of a name, or the only one, which has none.
+        """The contact of a name; a single contact may have the empty name.
 
         Raises
         ------
@@ -149,7 +156,7 @@ class Derivation:
         return found[name]
 
     def spelled(self, expression: Expr, side: str = "contact") -> Expr:
-        """In coordinates, parameters, lengths and inclinations, on a side of the contact."""
+        """An expression of the mechanics in the symbols of a print, on a side of the contacts."""
         rubs = zip(self.model.frictions, self.coefficients, strict=True)
         known = {friction.mu: symbol for friction, symbol in rubs}
         for contact in self.model.contacts:
@@ -158,11 +165,11 @@ class Derivation:
         return sp.sympify(expression).xreplace(known).xreplace(self.plain)
 
     def steady(self, expression: Expr, side: str = "contact") -> Expr:
-        """The same, with the friction at steady sliding."""
+        """:meth:`spelled`, with the friction coefficients at steady sliding."""
         return self.spelled(expression, side).xreplace(self.at_rest)
 
     def expanded(self, expression: Expr) -> Expr:
-        """With lengths and inclinations of lines in coordinates."""
+        """An expression with lengths and inclinations of lines written in coordinates."""
         return expression.xreplace({Symbol(name): it for name, it in self.geometry.items()})
 
     @cached_property
@@ -177,7 +184,7 @@ class Derivation:
 
     @cached_property
     def parameters(self) -> dict[str, Symbol]:
-        """Parameters by name; with units the page's quantities."""
+        """Symbols of the parameters by name: with units the page's quantities, else its numbers."""
         if self.scaled:
             return {datum.becomes: number(datum) for datum in self.page.parameters}
         return {
@@ -186,7 +193,7 @@ class Derivation:
 
     @cached_property
     def _angles(self) -> dict[Expr, Expr]:
-        """Cosines and sines of the page's angles for their symbols."""
+        """Cosines and sines of the page's angles, for the mechanics' symbols of them."""
         found: dict[Expr, Expr] = {}
         for angle in self.model.angles:
             found |= {angle.c: sp.cos(angle.symbol), angle.s: sp.sin(angle.symbol)}
@@ -194,7 +201,7 @@ class Derivation:
 
     @cached_property
     def _lines(self) -> list[tuple[str, str, Expr, Expr]]:
-        """Names of the length and the inclination of every line, and its vector."""
+        """For every line the names of its length and inclination, and its vector."""
         found = []
         for index, line in enumerate(self.model.lines, 1):
             mark = f"_{index}" if len(self.model.lines) > 1 else ""
@@ -204,7 +211,9 @@ class Derivation:
 
     @cached_property
     def geometry(self) -> dict[str, Expr]:
-        """Length L and inclination theta of every line, numbered where there are several."""
+        """Length L and inclination theta of every line in coordinates, numbered if there are
+        several lines; without those whose names the page gives to something else.
+        """
         found: dict[str, Expr] = {}
         for length, angle, dx, dy in self._lines:
             found |= {length: sp.sqrt(dx**2 + dy**2), angle: sp.atan2(dy, dx)}
@@ -213,7 +222,7 @@ class Derivation:
 
     @cached_property
     def normals(self) -> dict[Symbol, Expr]:
-        """The normal force of every contact, by its symbol in a print: its law where it touches."""
+        """The law of the normal force of every touching contact, by the symbol of that force."""
         return {of_contact(NORMAL, it.name): self.spelled(it.force) for it in self.model.contacts}
 
     @cached_property
@@ -223,14 +232,14 @@ class Derivation:
 
     @cached_property
     def friction(self) -> dict[Symbol, Expr]:
-        """The friction coefficients of a motion; 0 of a page without friction."""
+        """The friction coefficients at any state of motion; 0 on a page without friction."""
         slides = [(it.law, it.belt - self.page.rate(it.along)) for it in self.page.frictions]
         values = [self._in_form(law(speed)) for law, speed in slides]
         return dict(zip(self.coefficients, values or [S.Zero], strict=True))
 
     @cached_property
     def speeds(self) -> list[Expr]:
-        """The sliding speed of every friction: that of the belt less that of what slides on it."""
+        """The sliding speed of every friction: speed of the belt minus that of the sliding body."""
         frictions = self.page.frictions
         return [self._in_form(it.belt - self.page.rate(it.along)) for it in frictions]
 
@@ -240,25 +249,25 @@ class Derivation:
 
     @cached_property
     def at_rest(self) -> dict[Symbol, Expr]:
-        """The friction coefficients at steady sliding, as the page's statics takes them."""
+        """The friction coefficients at steady sliding, as statics takes them."""
         values = (self.spelled(laws.friction_at_rest(it)) for it in self.model.frictions)
         return dict(zip(self.coefficients, values, strict=True))
 
     @cached_property
     def switches(self) -> tuple[Symbol, ...]:
-        """PUSHING of every contact in a print."""
+        """Symbols of the contact indicators in a print."""
         return tuple(of_contact(PUSHING, it.name) for it in self.model.contacts)
 
     @cached_property
     def names(self) -> dict[str, Expr]:
-        """Meanings of all names of a print."""
+        """Expressions of all names that a print may use."""
         symbols = (*self.model.coordinates, *self.model.rates, *self.accelerations)
         symbols = (*self.coefficients, *self.normals, *self.switches, LAMBDA, TIME, *symbols)
         return self.geometry | {str(symbol): symbol for symbol in symbols} | self.parameters
 
     @cached_property
     def letters(self) -> dict[str, str]:
-        """LaTeX of every name."""
+        """LaTeX of every name that a print may use."""
         data = self.page.parameters
         found = {str(it.symbol): it.latex for it in (*self.page.units, *data)}
         if self.scaled:
@@ -278,7 +287,7 @@ class Derivation:
 
     @cached_property
     def kinds(self) -> dict[str, Dimension]:
-        """The dimension of every name; of a number that of the quantity behind it."""
+        """The dimension of every name; a scaled number has that of its quantity."""
         data = (*self.page.units, *self.page.parameters)
         known = {self.name_of(it): units.read(it.unit) for it in data}
         for entry, second in zip(self.page.coordinates, self.accelerations, strict=True):
@@ -294,7 +303,7 @@ class Derivation:
 
     @cached_property
     def turning(self) -> tuple[str, ...]:
-        """Names of angles of which a print may take cosine and sine."""
+        """Names of angles."""
         angles = [self.name_of(it) for it in self.page.parameters if it.unit == "rad"]
         angles += [str(it.symbol) for it in self.page.coordinates if it.unit == "rad"]
         return (*angles, *(name for name in self.geometry if name.startswith("theta")))
@@ -304,7 +313,7 @@ class Derivation:
         return datum.becomes if self.scaled else str(datum.symbol)
 
     def measured(self, length: Expr) -> Expr:
-        """A quantity of the page in this form."""
+        """A quantity of the page in this form, cached."""
         if length not in self._measured:
             self._measured[length] = length if length.is_number else self.model.scaled(length)
         return self._measured[length]
@@ -314,7 +323,7 @@ class Derivation:
         return {}
 
     def places(self, name: str) -> tuple[int, ...]:
-        """The place of a coordinate, or those of all where none is named.
+        """The index of a coordinate; the indices of all if the name is empty.
 
         Raises
         ------
@@ -329,28 +338,41 @@ class Derivation:
         return (names.index(name),)
 
 
-def _motion(it: Derivation, name: str, side: str) -> Object:
-    normals = zip(it.normals, it.model.contacts, strict=True)
-    forces = (S.Zero if it.pushing(one, side) == 0 else symbol for symbol, one in normals)
-    rows = tuple(it.spelled(row, side) for row in it.motion.balance(*forces))
-    return Object(rows, "motion.Motion.balance", "covector", it.places(name), "parameters")
+def _motion(derivation: Derivation, name: str, side: str) -> Object:
+    """The equations of motion, as residuals."""
+    normals = zip(derivation.normals, derivation.model.contacts, strict=True)
+    forces = (S.Zero if derivation.pushing(one, side) == 0 else symbol for symbol, one in normals)
+    rows = tuple(derivation.spelled(row, side) for row in derivation.motion.balance(*forces))
+    return Object(rows, "motion.Motion.balance", "covector", derivation.places(name), "parameters")
 
 
-def _acceleration(it: Derivation, name: str, side: str) -> Object:
-    places = it.places(name)
-    solved = {symbol: it.spelled(value, side) for symbol, value in it.motion.inverted.items()}
-    # Entries of the inverse of M are over its determinant, which is itself a shorthand.
-    slipping = {one.unknown: one.mu * one.normal.rubbing for one in it.motion.holding}
-    whole = (it.spelled(row.xreplace(slipping), side) for row in it.motion.accelerations)
+def _acceleration(derivation: Derivation, name: str, side: str) -> Object:
+    """The accelerations: the equations of motion solved for them."""
+    places = derivation.places(name)
+    solved = {
+        symbol: derivation.spelled(value, side)
+        for symbol, value in derivation.motion.inverted.items()
+    }
+    # Substituted twice: entries of the inverse of M hold a symbol for its determinant.
+    slipping = {one.unknown: one.mu * one.normal.rubbing for one in derivation.motion.holding}
+    whole = (
+        derivation.spelled(row.xreplace(slipping), side) for row in derivation.motion.accelerations
+    )
     rows = tuple(row.subs(solved).subs(solved) for row in whole)
-    second = frozenset(str(it.accelerations[place]) for place in places)
+    second = frozenset(str(derivation.accelerations[place]) for place in places)
     return Object(rows, "motion.Motion.accelerations", "vector", places, names=second)
 
 
-def _energy(it: Derivation, name: str, side: str) -> Object:
-    """An energy, V also as U; V and L count potentials of constant applied forces or do not."""
-    kinetic = it.spelled(it.model.kinetic + it.model.linear + it.model.still)
-    potential = it.spelled(it.model.potential + it.model.still)
+def _energy(derivation: Derivation, name: str, side: str) -> Object:
+    """The kinetic energy T, the potential energy V (or U) or the Lagrangian L.
+
+    The potentials of constant applied forces may be counted in V and L or not: each choice is a
+    reading.
+    """
+    kinetic = derivation.spelled(
+        derivation.model.kinetic + derivation.model.linear + derivation.model.still
+    )
+    potential = derivation.spelled(derivation.model.potential + derivation.model.still)
     if name == "T":
         by, names = "mechanics.Mechanics.kinetic", frozenset({name})
         return Object((kinetic,), by, names=names, unit=units.ENERGY)
@@ -358,13 +380,13 @@ def _energy(it: Derivation, name: str, side: str) -> Object:
     if name not in values:
         raise NoObject(f"there is no energy {name}; there are T, V and L")
     sign = 1 if name == "V" else -1
-    works = _potentials_of_forces(it)
+    works = _potentials_of_forces(derivation)
     readings = []
-    ways = [(True,) * len(works), (False,) * len(works)]
-    # Applied forces that may be counted in an energy one by one; of more all are, or none.
     if len(works) <= 3:
-        ways = list(itertools.product((True, False), repeat=len(works)))
-    for counted in ways:
+        choices = list(itertools.product((True, False), repeat=len(works)))
+    else:  # all are counted, or none
+        choices = [(True,) * len(works), (False,) * len(works)]
+    for counted in choices:
         said = (
             f"potential of an applied force {'counted' if is_in else 'left out'}: {work}"
             for work, is_in in zip(works, counted, strict=True)
@@ -372,56 +394,70 @@ def _energy(it: Derivation, name: str, side: str) -> Object:
         added = sp.Add(*itertools.compress(works, counted))
         readings.append(Reading(values[name] + sign * added, "; ".join(said)))
     by = "mechanics.Mechanics.potential"
-    other = {"U"} - it.names.keys() if name == "V" else set()
-    names = frozenset({name, *other})
-    entries, several = (readings[0].entry,), tuple(readings) if works else ()
+    names = frozenset({name})
+    if name == "V" and "U" not in derivation.names:
+        names |= {"U"}
     return Object(
-        entries, by, "scalar", (0,), "constant", names, unit=units.ENERGY, readings=several
+        (readings[0].entry,),
+        by,
+        "scalar",
+        (0,),
+        "constant",
+        names,
+        unit=units.ENERGY,
+        readings=tuple(readings) if works else (),
     )
 
 
-def _potentials_of_forces(it: Derivation) -> list[Expr]:
-    """Potentials of the applied forces that are constant: weights and pushes."""
-    moving = {*it.page.places, *it.page.rates}
+def _potentials_of_forces(derivation: Derivation) -> list[Expr]:
+    """Potentials of the constant applied forces, as weights."""
+    moving = {*derivation.page.places, *derivation.page.rates}
     found = []
-    for force in it.page.forces:
+    for force in derivation.page.forces:
         if not any(moving & component.free_symbols for component in force.components):
             pairs = zip(force.components, force.place, strict=True)
-            work = sp.Add(*(it.measured(part) * it.measured(at) for part, at in pairs))
-            found.append(-it.spelled(work))
+            work = sp.Add(
+                *(derivation.measured(part) * derivation.measured(at) for part, at in pairs)
+            )
+            found.append(-derivation.spelled(work))
     return found
 
 
-def _balance(it: Derivation, name: str, side: str) -> Object:
-    """Forces of the motion at rest, with the friction at the belt's speed."""
-    values = (it.spelled(laws.friction_at_speed(one)) for one in it.model.frictions)
-    mu = dict(zip(it.coefficients, values, strict=True))
-    rows = tuple(it.spelled(row, side).xreplace(mu) for row in it.model.residuals)
-    return Object(rows, "mechanics.Mechanics.residuals", "covector", it.places(name), "parameters")
-
-
-def _equilibrium(it: Derivation, name: str, side: str) -> Object:
+def _balance(derivation: Derivation, name: str, side: str) -> Object:
+    """The equations of motion at rest, with friction at the sliding speed of the belt."""
+    values = (derivation.spelled(laws.friction_at_speed(one)) for one in derivation.model.frictions)
+    mu = dict(zip(derivation.coefficients, values, strict=True))
+    rows = tuple(derivation.spelled(row, side).xreplace(mu) for row in derivation.model.residuals)
     return Object(
-        tuple(it.steady(row, side) for row in it.model.residuals),
+        rows, "mechanics.Mechanics.residuals", "covector", derivation.places(name), "parameters"
+    )
+
+
+def _equilibrium(derivation: Derivation, name: str, side: str) -> Object:
+    """The equations of equilibrium, with friction at steady sliding."""
+    return Object(
+        tuple(derivation.steady(row, side) for row in derivation.model.residuals),
         "mechanics.Mechanics.residuals",
         "covector",
-        it.places(name),
+        derivation.places(name),
         "parameters",
         steady=True,
     )
 
 
-def _state(it: Derivation, name: str, side: str) -> Object:
-    """The coordinates at steady sliding where all forces are linear, which is one state."""
-    rows = [it.expanded(it.steady(row, side)) for row in it.model.residuals]
+def _state(derivation: Derivation, name: str, side: str) -> Object:
+    """The coordinates of the equilibrium at steady sliding, for linear forces."""
+    rows = [derivation.expanded(derivation.steady(row, side)) for row in derivation.model.residuals]
     try:
-        stiffness, loads = sp.linear_eq_to_matrix(rows, it.model.coordinates)
+        stiffness, loads = sp.linear_eq_to_matrix(rows, derivation.model.coordinates)
     except NonlinearError as error:
         raise NoObject("forces are not linear; print the equations as equilibrium") from error
-    if stiffness.has(*it.model.coordinates) or stiffness.det().equals(0):
+    if stiffness.has(*derivation.model.coordinates) or stiffness.det().equals(0):
         raise NoObject("there is not one state; print the equations as equilibrium")
-    place = it.places(name)
-    names = frozenset(f"{it.model.coordinates[one]}{mark}" for one in place for mark in ("", "_0"))
+    place = derivation.places(name)
+    names = frozenset(
+        f"{derivation.model.coordinates[one]}{mark}" for one in place for mark in ("", "_0")
+    )
     by, solved = "mechanics.Mechanics.residuals", stiffness.LUsolve(loads)
     entries = tuple(map(sp.factor, solved))
     return Object(entries, by, "vector", place, names=names, steady=True)
@@ -430,8 +466,10 @@ def _state(it: Derivation, name: str, side: str) -> Object:
 def _entries(
     of: Callable[[Derivation], Matrix], letter: str, by: str
 ) -> Callable[[Derivation, str, str], Object]:
-    def derived(it: Derivation, name: str, side: str) -> Object:
-        matrix = of(it)
+    """The deriver of a matrix: of one entry if its row and column are named, else of all."""
+
+    def derived(derivation: Derivation, name: str, side: str) -> Object:
+        matrix = of(derivation)
         n = matrix.rows
         places = [int(part) - 1 for part in name.split() if part.isdigit()]
         if places and (len(places) != 2 or not all(0 <= place < n for place in places)):
@@ -440,107 +478,130 @@ def _entries(
         mark = "".join(str(place + 1) for place in places)
         names = frozenset({f"{letter}_{mark}", f"{letter}{mark}"} if places else {letter})
         shape = None if places else (n, n)
-        entries = tuple(it.steady(entry, side) for entry in matrix)
+        entries = tuple(derivation.steady(entry, side) for entry in matrix)
         return Object(entries, by, "form", index, names=names, steady=True, shape=shape)
 
     return derived
 
 
-def _system(it: Derivation) -> Matrix:
-    """A of z′ = A z for small deviations z, the coordinates and then their rates."""
-    mass = it.model.mass.inv()
-    K, C = statics.jacobian(it.model), linearization.damping(it.model) + it.model.gyroscopic
-    n = mass.rows
+def _system(derivation: Derivation) -> Matrix:
+    """The matrix A of z′ = A z, the linearization in coordinates and rates."""
+    inverse = derivation.model.mass.inv()
+    K = Matrix(statics.jacobian(derivation.model))
+    C = _rate_matrix(derivation)
+    n = inverse.rows
     above = sp.zeros(n).row_join(sp.eye(n))
-    return above.col_join((-mass * Matrix(K)).row_join(-mass * C))
+    return above.col_join((-inverse * K).row_join(-inverse * C))
 
 
-def _characteristic(it: Derivation, name: str, side: str) -> Object:
-    mass, C = it.model.mass, linearization.damping(it.model) + it.model.gyroscopic
-    K = Matrix(statics.jacobian(it.model))
-    whole = LAMBDA**2 * mass + LAMBDA * C + K
-    polynomial = whole.applyfunc(lambda entry: it.steady(entry, side)).det(method="laplace")
+def _rate_matrix(derivation: Derivation) -> Matrix:
+    """Damping and gyroscopic matrix, C + G."""
+    return linearization.damping(derivation.model) + derivation.model.gyroscopic
+
+
+def _characteristic(derivation: Derivation, name: str, side: str) -> Object:
+    """The characteristic polynomial det(λ² M + λ (C + G) + K), as a residual."""
+    K = Matrix(statics.jacobian(derivation.model))
+    whole = LAMBDA**2 * derivation.model.mass + LAMBDA * _rate_matrix(derivation) + K
+    polynomial = whole.applyfunc(lambda entry: derivation.steady(entry, side)).det(method="laplace")
     by = "linearization.damping, statics.jacobian"
     return Object((polynomial,), by, factor="parameters", steady=True)
 
 
-def _threshold(it: Derivation, name: str, side: str) -> Object:
-    K = Matrix(statics.jacobian(it.model)).applyfunc(lambda entry: it.steady(entry, side))
-    if K.applyfunc(it.expanded).has(*it.model.coordinates):
+def _threshold(derivation: Derivation, name: str, side: str) -> Object:
+    """The condition of a stability threshold, as a residual.
+
+    Divergence sets in at det K = 0; flutter without damping, of two coordinates, where the two
+    eigenvalues of M⁻¹ K are equal.
+    """
+    K = Matrix(statics.jacobian(derivation.model)).applyfunc(
+        lambda entry: derivation.steady(entry, side)
+    )
+    if K.applyfunc(derivation.expanded).has(*derivation.model.coordinates):
         raise NoObject("the threshold depends on the state; only those of linear forces are judged")
-    A = it.model.mass.inv() * K
-    flutter = S.One
-    if A.rows == 2:
-        flutter = sp.numer(sp.together((A[0, 0] - A[1, 1]) ** 2 + 4 * A[0, 1] * A[1, 0]))
-    choice = flutter if name in ("", "flutter") and A.rows == 2 else K.det()
-    entries = (sp.factor(choice),)
+    condition = K.det()
+    if name in ("", "flutter") and K.rows == 2:
+        A = derivation.model.mass.inv() * K
+        condition = sp.numer(sp.together((A[0, 0] - A[1, 1]) ** 2 + 4 * A[0, 1] * A[1, 0]))
+    entries = (sp.factor(condition),)
     return Object(entries, "statics.jacobian", factor="monomial", steady=True)
 
 
-def _scale(it: Derivation, name: str, side: str) -> Object:
-    groups = physical_checks.groups(it.page)
+def _scale(derivation: Derivation, name: str, side: str) -> Object:
+    """A dimensionless number, a quantity over its scale, or the scale of time, length or force."""
+    groups = physical_checks.groups(derivation.page)
     named = {"time": units.TIME, "length": units.LENGTH, "force": units.FORCE}
-    measured = {str(it): it for it in (*it.model.coordinates, *it.normals)}
-    measured |= {name: Symbol(name) for name in it.geometry} | {"time": TIME}
+    measured = {str(it): it for it in (*derivation.model.coordinates, *derivation.normals)}
+    measured |= {name: Symbol(name) for name in derivation.geometry} | {"time": TIME}
     by, names = "physical_checks.groups", frozenset({name})
-    scale = physical_checks.scale(it.page, named.get(name) or it.kinds.get(name, units.NONE))
+    scale = physical_checks.scale(
+        derivation.page, named.get(name) or derivation.kinds.get(name, units.NONE)
+    )
     if name in groups:
         return Object((groups[name],), by, "scale", names=names, unit=units.NONE)
     if scale is None or name not in measured | named:
         raise NoObject(f"{name} is no number, coordinate, time, length, force or N of the page")
     value = measured[name] / scale if name in measured else scale
-    both = (Reading(value, "time over its scale"), Reading(scale, "the scale itself"))
-    unit = units.NONE if name not in named else named[name] if name != "time" else None
-    return Object(
-        (value,), by, "scale", names=names, unit=unit, readings=both if name == "time" else ()
-    )
+    if name == "time":  # of either unit, since both are printed as t
+        both = (Reading(value, "time over its scale"), Reading(scale, "the scale itself"))
+        return Object((value,), by, "scale", names=names, readings=both)
+    unit = named.get(name, units.NONE)
+    return Object((value,), by, "scale", names=names, unit=unit)
 
 
-def _normal(it: Derivation, name: str, side: str) -> Object:
-    contact = it.contact(name)
-    value = it.spelled(contact.force, side)
+def _normal(derivation: Derivation, name: str, side: str) -> Object:
+    """The law of a normal force."""
+    contact = derivation.contact(name)
+    value = derivation.spelled(contact.force, side)
     names = frozenset({str(of_contact(NORMAL, name))})
     return Object((value,), "mechanics.NormalForce.force", names=names)
 
 
-def _friction(it: Derivation, name: str, side: str) -> Object:
-    symbol = of_contact(MU, it.contact(name).name)
-    if symbol not in it.friction:
-        offered = ", ".join(map(str, it.friction))
+def _friction(derivation: Derivation, name: str, side: str) -> Object:
+    """The law of a friction coefficient."""
+    symbol = of_contact(MU, derivation.contact(name).name)
+    if symbol not in derivation.friction:
+        offered = ", ".join(map(str, derivation.friction))
         raise NoObject(f"there is no friction on {name}; there are {offered}")
-    return Object((it.friction[symbol],), "laws.smooth_friction", names=frozenset({str(symbol)}))
+    return Object(
+        (derivation.friction[symbol],), "laws.smooth_friction", names=frozenset({str(symbol)})
+    )
 
 
-def _gap(it: Derivation, name: str, side: str) -> Object:
-    contact = it.contact(name)
+def _gap(derivation: Derivation, name: str, side: str) -> Object:
+    """The gap of a contact."""
+    contact = derivation.contact(name)
     if contact.gap is None:
         raise NoObject("the normal force is given, and the contact has no gap")
     own = frozenset({str(of_contact(Symbol("gap", real=True), name))})
-    value = it.spelled(contact.gap)
+    value = derivation.spelled(contact.gap)
     return Object((value,), "mechanics.NormalForce.gap", names=own, unit=units.LENGTH)
 
 
-def _pushing(it: Derivation, name: str, side: str) -> Object:
-    contact = it.contact(name)
+def _pushing(derivation: Derivation, name: str, side: str) -> Object:
+    """The contact indicator of a contact that can open."""
+    contact = derivation.contact(name)
     if not contact.unilateral:
         raise NoObject("this contact can't open")
-    symbol = it.pushing(contact, "both")
+    symbol = derivation.pushing(contact, "both")
     own = frozenset({str(symbol)})
     return Object((symbol,), "mechanics.NormalForce.force", names=own)
 
 
-def _direction(it: Derivation, name: str, side: str) -> Object:
+def _direction(derivation: Derivation, name: str, side: str) -> Object:
     """Parts of D (cos θ, sin θ)ᵀ = b, the equilibrium in length L and inclination θ of the line."""
-    in_mu = it.kept("balance in direction", side, lambda: balance_in_direction(it, side))
-    (D, b), length = (part.xreplace(it.at_rest) for part in in_mu[:2]), in_mu[2]
+    in_mu = derivation.kept(
+        "balance in direction", side, lambda: balance_in_direction(derivation, side)
+    )
+    (D, b), length = (part.xreplace(derivation.at_rest) for part in in_mu[:2]), in_mu[2]
     word, _, place = name.partition(" ")
     by, values = "objects.balance_in_direction", {"matrix": D, "slope": D.diff(length), "side": b}
     if word in ("norm", "eliminated") and not place:  # 1 = bᵀ (D Dᵀ)⁻¹ b, and times det² D
         entry = _cleared(D, b) / (D.det() ** 2 if word == "norm" else 1)
         return Object((entry,), by, steady=True)
     if word == "coefficient" and place.isdigit():
-        coefficients = it.kept("coefficients", side, lambda: _coefficients(*in_mu))
-        entry = coefficients.get(int(place), S.Zero).xreplace(it.at_rest)
+        coefficients = derivation.kept("coefficients", side, lambda: _coefficients(*in_mu))
+        entry = coefficients.get(int(place), S.Zero).xreplace(derivation.at_rest)
         return Object((entry,), by, names=frozenset({name}), steady=True)
     if word not in values or (place and word != "side") or place not in ("", "1", "2"):
         raise NoObject(
@@ -555,39 +616,53 @@ def _direction(it: Derivation, name: str, side: str) -> Object:
 
 
 def _cleared(D: Matrix, b: Matrix) -> Expr:
-    """|adj(D) b|² − det² D."""
+    """|adj(D) b|² − det² D, which is 0 at an equilibrium."""
     scaled = D.adjugate() * b
     return scaled.dot(scaled) - D.det() ** 2
 
 
 def _coefficients(D: Matrix, b: Matrix, length: Symbol) -> dict[int, Expr]:
-    """Coefficients of |adj(D) b|² − det² D by the powers of L."""
+    """Coefficients of |adj(D) b|² − det² D as a polynomial in L, by power."""
     cleared = _cleared(D, b)
-    # Symbols for cosines and sines: related coefficients would be simplified one by one.
+    # With symbols for cosines and sines: SymPy would otherwise simplify every coefficient by their
+    # relations, which takes long.
     waves = {it: sp.Dummy() for it in cleared.atoms(sp.cos, sp.sin)}
     functions = {symbol: it for it, symbol in waves.items()}
     terms = sp.Poly(cleared.xreplace(waves), length).terms()
     return {power: value.xreplace(functions) for (power,), value in terms}
 
 
-def balance_in_direction(it: Derivation, side: str) -> tuple[Matrix, Matrix, Symbol]:
-    """D and b of two coordinates, in MU, and L: linear in the direction of a line."""
-    if len(it.model.lines) != 1 or len(it.model.coordinates) != 2 or len(it.geometry) != 2:
+def balance_in_direction(derivation: Derivation, side: str) -> tuple[Matrix, Matrix, Symbol]:
+    """D, b and L of D (cos θ, sin θ)ᵀ = b, the equilibrium of a page with one line.
+
+    The two coordinates are replaced by the line's length L and direction. Entries hold the symbols
+    of the friction coefficients.
+
+    Raises
+    ------
+    NoObject
+        If the page has no such form.
+    """
+    if (
+        len(derivation.model.lines) != 1
+        or len(derivation.model.coordinates) != 2
+        or len(derivation.geometry) != 2
+    ):
         raise NoObject("only two coordinates and one line that is named L, theta have a direction")
-    (line,), ((length, angle, *_),) = it.model.lines, it._lines
+    (line,), ((length, angle, *_),) = derivation.model.lines, derivation._lines
     L, theta = Symbol(length), Symbol(angle)
     direction = Matrix(sp.symbols("c s"))
-    ends = (it.spelled(line.dx), it.spelled(line.dy))
-    gaps = [end - L * way for end, way in zip(ends, direction, strict=True)]
-    placed = sp.solve(gaps, it.model.coordinates, dict=True)
+    ends = (derivation.spelled(line.dx), derivation.spelled(line.dy))
+    equations = [end - L * part for end, part in zip(ends, direction, strict=True)]
+    placed = sp.solve(equations, derivation.model.coordinates, dict=True)
     named = {sp.cos(theta): direction[0], sp.sin(theta): direction[1]}
-    rows = Matrix([it.spelled(row, side) for row in it.model.residuals])
+    rows = Matrix([derivation.spelled(row, side) for row in derivation.model.residuals])
     if len(placed) != 1:
         raise NoObject("the coordinates do not follow from length and inclination of the line")
-    turned = rows.subs(named).subs(placed[0]).applyfunc(sp.expand)
-    D = turned.jacobian(direction)
-    b = -turned.subs(dict.fromkeys(direction, 0))
-    if sp.expand(turned - (D * direction - b)) != sp.zeros(2, 1) or D.has(*direction):
+    in_direction = rows.subs(named).subs(placed[0]).applyfunc(sp.expand)
+    D = in_direction.jacobian(direction)
+    b = -in_direction.subs(dict.fromkeys(direction, 0))
+    if sp.expand(in_direction - (D * direction - b)) != sp.zeros(2, 1) or D.has(*direction):
         raise NoObject("the equilibrium is not linear in the direction of the line")
     return D, b, L
 
@@ -617,33 +692,38 @@ OBJECTS: Mapping[str, Deriver] = {
 }
 
 
-def derivation(page: Page, model: Mechanics, form: str) -> Derivation:
-    """A page in the form that a statement asks for."""
+def derivation_of(page: Page, model: Mechanics, form: str) -> Derivation:
+    """The derivation of a page in a form, "scaled" or "units"."""
     scaled = form == "scaled"
     return Derivation(page, model if scaled else mechanics.of(page, units=True), scaled)
 
 
-def derived(it: Derivation, about: str) -> Object:
+def derived(derivation: Derivation, about: str) -> Object:
     """The object that ``about`` names, as ``motion x`` or ``equilibrium x, lift-off``.
 
     Raises
     ------
     NoObject
-        Where the page has no such object, with those that there are.
+        If the page has no such object; the text lists those that it has.
     """
-    said, _, where = (part.strip() for part in about.partition(","))
-    word, _, rest = said.partition(" ")
+    words, _, where = (part.strip() for part in about.partition(","))
+    word, _, rest = words.partition(" ")
     ahead = where.endswith("belt ahead")
     side = where.removesuffix("belt ahead").rstrip(", ") or "contact"
     if word not in OBJECTS:
         raise NoObject(f"{about!r} is no object; there are {', '.join(OBJECTS)}")
     resting = ("balance", "equilibrium", "state", "characteristic", "threshold", "direction")
-    if it.model.clock is not None and word in resting:
+    if derivation.model.clock is not None and word in resting:
         raise NoObject(f"nothing rests on a page with a clock, and there is no {word}")
-    if side not in (*it.sides, "both"):
-        raise NoObject(f"{side!r} is no side of the contacts; there are {'; '.join(it.sides)}")
-    if ahead and not (word in MOVING and it.speeds):
+    if side not in (*derivation.sides, "both"):
+        raise NoObject(
+            f"{side!r} is no side of the contacts; there are {'; '.join(derivation.sides)}"
+        )
+    if ahead and not (word in MOVING and derivation.speeds):
         raise NoObject(f"belt ahead is of {' and '.join(MOVING)} on a page with friction")
-    found = it.kept(word, f"{rest.strip()}, {side}", lambda: OBJECTS[word](it, rest.strip(), side))
-    # What tells the sides apart is meant on both.
-    return replace(found, ahead=ahead, side="both" if word == "pushing" else side)
+    found = derivation.kept(
+        word, f"{rest.strip()}, {side}", lambda: OBJECTS[word](derivation, rest.strip(), side)
+    )
+    if word == "pushing":  # the indicator distinguishes the sides
+        side = "both"
+    return replace(found, ahead=ahead, side=side)

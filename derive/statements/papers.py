@@ -1,4 +1,4 @@
-"""Files of statements: what a paper prints, beside the page that it is held against."""
+"""Files of statements (TOML): the equations that a paper prints, and the page they are about."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class PaperError(ValueError):
 
 @dataclass(frozen=True)
 class Statement:
-    """One printed statement, as the file has it."""
+    """One printed statement; the fields are the keys of the file (docs/statements.md)."""
 
     id: str
     about: str
@@ -45,8 +45,9 @@ class Statement:
 
 @dataclass(frozen=True)
 class Paper:
-    """Statements that a paper prints: its title, its page, its own names, its statements in
-    order.
+    """A file of statements.
+
+    ``renamed`` has the paper's own names with their meanings on the page, from [symbols].
     """
 
     title: str
@@ -56,12 +57,12 @@ class Paper:
 
 
 def read(path: Path) -> Paper:
-    """The statements of a file.
+    """Read a file of statements.
 
     Raises
     ------
     PaperError
-        Where the file is none of statements, with line, key and remedy.
+        If the file can't be read or a key is wrong, with line, key and remedy.
     """
     try:
         largest = 1 << 20
@@ -104,21 +105,16 @@ def read(path: Path) -> Paper:
         if problem is not None:
             raise refuse(problem[0], problem[1], after)
         rest = {key: entry[key] for key in entry.keys() - {"latex", "sympy"}}
-        latex, sympy = entry.get("latex"), entry.get("sympy", "")
-        is_both = latex is not None and sympy
-        found.append(
-            Statement(
-                text=sympy if latex is None else latex,
-                is_latex=latex is not None,
-                transcribed=sympy if is_both else "",
-                **rest,
-            )
-        )
+        sympy = entry.get("sympy", "")
+        if "latex" in entry:
+            found.append(Statement(text=entry["latex"], is_latex=True, transcribed=sympy, **rest))
+        else:
+            found.append(Statement(text=sympy, is_latex=False, **rest))
     return Paper(str(texts["paper"]), str(texts["model"]), names, tuple(found))
 
 
 def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:
-    """The key of a statement that is wrong, and why."""
+    """The first wrong or missing key of a statement and what is wrong; None for a valid one."""
     keys = {"id", "where", "about", "latex", "sympy", "form", "limit", "expect", "note"}
     for key, value in entry.items():
         if key not in keys:
@@ -132,7 +128,6 @@ def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:
         return "id", f"{entry['id']} stands twice; give the second statement another id"
     if not {"latex", "sympy"} & entry.keys() and entry["about"] != "other":
         return "id", f"{entry['id']} has to have latex, or sympy, or both"
-    # Verdicts on a statement.
     verdicts = (
         "confirmed",
         "definition",

@@ -1,4 +1,4 @@
-"""Statements of a paper read, each beside the object that it is held against, at samples."""
+"""Reading of a paper: each statement parsed, with its object and the values of both at samples."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sympy import Expr
 
 from ..pages import PageModel
 from . import samples
-from .book import Book, begun, bind, by_name, equations_of, forms_of, named, print_name
+from .book import Book, book_of, bind, by_name, equations_of, forms_of, named, print_name
 from .book import with_defined
 from .derivatives import Slope
 from .matrices import matrix_of
@@ -23,7 +23,7 @@ from .tree import Equation, Node, Unread, leaf, printed, symbols, to_sympy
 
 @dataclass(frozen=True)
 class Verdict:
-    """A statement that is not compared: its verdict, and why."""
+    """A statement without a comparison: its verdict and the reason."""
 
     statement: Statement
     status: str
@@ -33,19 +33,23 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Item:
-    """A statement that was read, with what it is held against, at samples."""
+    """A parsed statement with the object that it is about.
+
+    ``values`` are those of the page's names at the samples, ``targets`` those of the entries of
+    ``subject``, and ``readings`` those of its readings.
+    """
 
     statement: Statement
-    it: Derivation
-    held: Object
+    derivation: Derivation
+    subject: Object
     equations: tuple[Equation, ...]
     values: Mapping[str, Values]
     targets: tuple[Values, ...]
     readings: tuple[Values, ...]
-    bound: Mapping[str, Expr]
-    defined: Mapping[str, Node]
-    slopes: Mapping[str, Slope]
-    letters: Mapping[str, str]
+    bound: Mapping[str, Expr]  #: names that the paper gives to objects, as derived
+    defined: Mapping[str, Node]  #: names of definitions, as printed
+    slopes: Mapping[str, Slope]  #: names of derivatives
+    letters: Mapping[str, str]  #: LaTeX of names
     book: Book
 
     def latex(self, expression: Expr) -> str:
@@ -55,31 +59,39 @@ class Item:
         return str(sp.latex(expression, symbol_names=names))
 
 
-def opened(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdict]]:
-    """A paper's names, and its statements in order; definitions may stand behind their use."""
-    book = begun(paper, forms_of(model))
+def read_paper(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdict]]:
+    """The names of a paper, and its statements in order.
+
+    Definitions are read first, since they may be printed behind their use.
+    """
+    book = book_of(paper, forms_of(model))
     for statement in paper.statements:
         bind(statement, book)
     found: dict[str, Item | Verdict] = {}
     for first in (True, False):
         for statement in paper.statements:
             if (statement.word == "definition") is first:
-                found[statement.id] = prepared(statement, book)
+                found[statement.id] = read_statement(statement, book)
     return book, [found[statement.id] for statement in paper.statements]
 
 
-def prepared(statement: Statement, book: Book) -> Item | Verdict:
-    """A statement read in the form in which it can be, or why it can't."""
+def read_statement(statement: Statement, book: Book) -> Item | Verdict:
+    """Read one statement, in its form or in the first form in which it can be read.
+
+    The result is a Verdict if the statement is a definition or can't be read.
+    """
     if statement.about in ("other", "notation"):
         status = "other" if statement.about == "other" else "definition"
         return Verdict(statement, status, statement.note and "not held against the page")
     problem = ""
     for form in (statement.form,) if statement.form else ("units", "scaled"):
-        it = book.forms["units" if statement.word == "scale" else form]
+        derivation = book.forms["units" if statement.word == "scale" else form]
         try:
-            held = None if statement.word == "definition" else derived(it, statement.about)
-            equations = equations_of(statement.judged, statement, it, book)
-            return _item(statement, it, held, equations, book)
+            subject = (
+                None if statement.word == "definition" else derived(derivation, statement.about)
+            )
+            equations = equations_of(statement.judged, statement, derivation, book)
+            return _item(statement, derivation, subject, equations, book)
         except Unread as error:
             where = f"at {error.place}, {statement.judged[error.place :][:20]!r}: "
             readings = f"; either {' or '.join(error.readings)}" if error.readings else ""
@@ -90,25 +102,28 @@ def prepared(statement: Statement, book: Book) -> Item | Verdict:
 
 
 def _new_names(
-    equations: list[Equation], it: Derivation, book: Book
+    equations: list[Equation], derivation: Derivation, book: Book
 ) -> tuple[dict[str, Node], list[Equation]]:
-    """What new names on the left stand for, as in a = b = c + d, and the equations of others."""
+    """The trees that new names on the left stand for, and the remaining equations.
+
+    In a = b = c + d, both a and b stand for c + d.
+    """
     values: dict[str, Node] = {}
-    others: list[tuple[str, str]] = []
+    equal_names: list[tuple[str, str]] = []
     known: list[Equation] = []
 
     def is_new(node: Node) -> bool:
-        return node.kind == "symbol" and node.value not in it.names | book.bound
+        return node.kind == "symbol" and node.value not in derivation.names | book.bound
 
     for equation in equations:
         left, right = equation.left, equation.right
         if not is_new(left) or left.value in symbols(right):
             known.append(equation)
         elif is_new(right) and right.value not in book.defined:
-            others.append((right.value, left.value))
+            equal_names.append((right.value, left.value))
         else:
             values[left.value] = right
-    for other, name in others:
+    for other, name in equal_names:
         if name in values:
             values[other] = values[name]
         else:
@@ -116,41 +131,50 @@ def _new_names(
     return values, known
 
 
-def _defined(statement: Statement, new: Mapping[str, Node], it: Derivation, book: Book) -> Verdict:
-    """The verdict on a definition, whose names are kept."""
+def _defined(
+    statement: Statement, new: Mapping[str, Node], derivation: Derivation, book: Book
+) -> Verdict:
+    """Keep the names of a definition in the book, and give its verdict."""
     book.defined.update(new)
     first = next(iter(new))
     if (matrix := matrix_of([*new])) is not None:
         book.shapes[matrix[0]] = matrix[1]
     elif statement.is_latex:
-        print_name(first, statement.text.partition("=")[0].strip(), statement, it, book)
+        print_name(first, statement.text.partition("=")[0].strip(), statement, derivation, book)
     read = "; ".join(f"{name} = {printed(value)}" for name, value in new.items())
     return Verdict(statement, "definition", read=read)
 
 
 def _known_names(
-    equations: list[Equation], statement: Statement, it: Derivation, book: Book
+    equations: list[Equation], statement: Statement, derivation: Derivation, book: Book
 ) -> Object:
-    """The values of what a definition gives that is known: lengths, inclinations, normal forces,
-    friction coefficients and what is bound to an object.
+    """The object of a definition that gives values to known names: lengths, inclinations, normal
+    forces, friction coefficients and names of objects.
+
+    Raises
+    ------
+    Unread
+        If a name on the left has no value on the page.
     """
-    normals = dict(zip(map(str, it.normals), it.model.contacts, strict=True))
-    known = {name: (value, "objects.Derivation.geometry") for name, value in it.geometry.items()}
-    for symbol, value in it.friction.items():
+    normals = dict(zip(map(str, derivation.normals), derivation.model.contacts, strict=True))
+    known = {
+        name: (value, "objects.Derivation.geometry") for name, value in derivation.geometry.items()
+    }
+    for symbol, value in derivation.friction.items():
         known[str(symbol)] = value, "laws.smooth_friction"
-    for name, value in book.values(it).items():
+    for name, value in book.values(derivation).items():
         known[name] = value, book.bound[name].about if name in book.bound else "matrices"
     found: list[tuple[Expr, str]] = []
     for left in (one.left for one in equations):
         name = left.value if left.kind == "symbol" else ""
         if name in normals:
             about = statement.about.replace("definition", f"normal {normals[name].name}")
-            normal = derived(it, about)
+            normal = derived(derivation, about)
             found.append((normal.entries[0], normal.by))
         elif name in known:
             found.append(known[name])
-        elif symbols(left) <= it.names.keys():
-            found.append((to_sympy(left, it.names), "objects.Derivation.geometry"))
+        elif symbols(left) <= derivation.names.keys():
+            found.append((to_sympy(left, derivation.names), "objects.Derivation.geometry"))
         else:
             raise Unread(f"{printed(left)} is not in names of the page; say them under [symbols]")
     entries, by = zip(*found, strict=True)
@@ -159,20 +183,20 @@ def _known_names(
     return Object(entries, ", ".join(dict.fromkeys(by)), index=index, names=names)
 
 
-def _says_nothing(equation: Equation, held: Object, values: Mapping[str, Values]) -> bool:
-    """Whether an equation before those that are judged gives a name to what follows, as F in
-    F = a x = 0, or holds of any state, as 1 = cos² + sin².
+def _says_nothing(equation: Equation, subject: Object, values: Mapping[str, Values]) -> bool:
+    """Whether an equation makes no claim: it only names an expression, as F in F = a x = 0, or
+    holds in any state, as 1 = cos² + sin².
     """
     sides = equation.left, equation.right
     if not all(symbols(side) <= values.keys() for side in sides):
         is_name = sides[0].kind == "symbol" and sides[0].value not in values
-        return is_name and not held.is_value
+        return is_name and not subject.is_value
     left, right = (evaluated(side, values) for side in sides)
     return same(left, right)
 
 
 def _check_conditions(conditions: tuple[Node, ...], known: Mapping[str, Values]) -> None:
-    """Refuse conditions beside an equation that do not hold of every sample."""
+    """Refuse conditions beside an equation that do not hold at every sample."""
     for condition in conditions:
         if not (symbols(condition) <= known.keys() and evaluated(condition, known).all()):
             raise Unread(
@@ -184,52 +208,60 @@ def _check_conditions(conditions: tuple[Node, ...], known: Mapping[str, Values])
 
 def _item(
     statement: Statement,
-    it: Derivation,
-    held: Object | None,
+    derivation: Derivation,
+    subject: Object | None,
     equations: list[Equation],
     book: Book,
 ) -> Item | Verdict:
-    if held is None:
-        new, equations = _new_names(equations, it, book)
-        verdict = _defined(statement, new, it, book) if new else None
+    """A statement's equations with the object that they are about; without one, a definition's.
+
+    Of several printed equations the last ones are those of the object; equations before them are
+    compared with it as well, unless they make no claim.
+    """
+    if subject is None:
+        new, equations = _new_names(equations, derivation, book)
+        verdict = _defined(statement, new, derivation, book) if new else None
         if not equations and verdict is not None:
             return verdict
-        held = _known_names(equations, statement, it, book)
-    count = len(held.index)
+        subject = _known_names(equations, statement, derivation, book)
+    count = len(subject.index)
     if len(equations) < count:
         reason = f"{statement.about} has {count} entries, and the print {len(equations)}"
         return Verdict(statement, "unread", f"{reason}; name one of them in about")
-    if held.is_value:
+    if subject.is_value:
         equations = [*map(by_name, equations)]
-    values = samples.drawn(it, held)
-    bound, defined = named(equations, held, values, it, book)
+    values = samples.drawn(derivation, subject)
+    bound, defined = named(equations, subject, values, derivation, book)
     known = with_defined(values, defined)
     before, equations = equations[:-count], equations[-count:]
-    if more := [one for one in before if not _says_nothing(one, held, known)]:
+    claims = [one for one in before if not _says_nothing(one, subject, known)]
+    if claims:
         if count > 1:
             raise Unread(f"{statement.about} has {count} entries, and the print more equations")
-        equations = [*more, *equations]
-        held = replace(held, index=held.index * len(equations))
+        equations = [*claims, *equations]
+        subject = replace(subject, index=subject.index * len(equations))
     _check_conditions(equations[0].conditions, known)
-    sides = [one.right if held.is_value and one.left.kind == "symbol" else one for one in equations]
+    sides = [
+        one.right if subject.is_value and one.left.kind == "symbol" else one for one in equations
+    ]
     for side in sides:
         parts = (side,) if isinstance(side, Node) else (side.left, side.right)
         unknown = {name for part in parts for name in symbols(part)} - values.keys()
         if unknown := unknown - defined.keys():
             name = min(unknown)
             raise Unread(f"{name} is no name of the page; say what it is under [symbols]")
-    targets = tuple(numeric(entry, values) for entry in held.entries)
-    readings = tuple(numeric(one.entry, values) for one in held.readings)
-    listed = {} if held.law == "scale" else book.letters
-    letters = it.letters | {
+    targets = tuple(numeric(entry, values) for entry in subject.entries)
+    readings = tuple(numeric(one.entry, values) for one in subject.readings)
+    listed = {} if subject.law == "scale" else book.letters
+    letters = derivation.letters | {
         name: letter
         for name, letter in listed.items()
-        if letter in statement.text or it.letters.get(name, letter) not in statement.text
+        if letter in statement.text or derivation.letters.get(name, letter) not in statement.text
     }
     return Item(
         statement,
-        it,
-        held,
+        derivation,
+        subject,
         tuple(equations),
         values,
         targets,

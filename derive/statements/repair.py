@@ -1,11 +1,10 @@
-"""The smallest edits of a printed tree that give it the values it ought to have.
+"""Search for the smallest edits that give a printed tree its target values at samples.
 
-An edit either takes one of a few parts in the place of another, and then the values of the whole
-with each of them are found from the leaves up, all at once; or what it brings in is open, a number,
-a factor, a term: then each part has the value that it would need for the whole to be right, by
-inverting the tree from its root, and what is missing is a product of powers whose logarithms fit.
-Values of equal parts of trees are found once. Numbers propose only; what is proposed is proved
-elsewhere.
+There are two kinds of edits. If the new part is one of a few (another name, sign, function), the
+tree is evaluated with all of them at once, from the leaves up. If the new part is open (a number,
+a factor, a term), the tree is inverted from its root: each node gets the value that it would need
+for the whole to be right, and what is missing is sought as a product of powers of names, by linear
+least squares of logarithms. Values only propose edits; :mod:`.verdicts` proves them.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from __future__ import annotations
 import functools
 import math
 import operator
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -42,9 +41,9 @@ from .tree import (
 
 Values: TypeAlias = npt.NDArray[np.float64]
 Path: TypeAlias = tuple[int, ...]
-#: Relative gap of two values that count as the same at a sample.
+#: Largest relative difference of two values that count as equal at a sample.
 CLOSE = 1e-8
-#: What each kind of edit costs; two edits add up.
+#: Costs of edits by their kind; those of two edits add up.
 COST = {
     "sign": 1.0,
     "index": 1.0,
@@ -59,13 +58,13 @@ COST = {
     "extra factor": 1.25,
     "symbol": 1.5,
 }
-#: Samples at which edits are tried before all.
+#: Samples at which edits are tried first.
 SCREEN = slice(0, 8, 2)
 
 
 @dataclass(frozen=True)
 class Edit:
-    """A part of the print, and what stands there instead."""
+    """The replacement of one node of a printed tree."""
 
     kind: str
     at: tuple[int, int]
@@ -81,40 +80,38 @@ class Repair:
 
     tree: Node
     edits: tuple[Edit, ...]
-    further: float = 0.0  #: where it asks for more than its edits
+    further: float = 0.0  #: cost besides that of the edits
 
     @property
     def cost(self) -> float:
-        """The costs of its edits, added."""
+        """The total cost."""
         return sum(edit.cost for edit in self.edits) + self.further
 
 
 @dataclass(frozen=True)
 class Pool:
-    """Expressions that an edit may bring in: values of names, and groups of names of one
-    dimension.
-    """
+    """The names that an edit may bring in, with their values at the samples."""
 
     values: Mapping[str, Values]
-    kinds: Mapping[str, object]  #: equal where two names have the same dimension
-    angles: Sequence[str] = ()
+    kinds: Mapping[str, object]  #: equal for names of the same dimension
+    angles: Sequence[str] = ()  #: names of which sine and cosine may be brought in
 
     def renaming(self, old: str, new: str) -> str:
-        """The kind of edit that puts one name in the place of another."""
+        """The kind of edit that replaces one name by another."""
         if stem(old) == stem(new):
             return "index"
         return "renaming" if self.kinds.get(old) == self.kinds.get(new) else "symbol"
 
 
 def stem(name: str) -> str:
-    """A name without its index, or a derivative without what it is by."""
+    """A name without its index, or a derivative without its variable."""
     if name.startswith("diff("):
         return name.rpartition(",")[0]
     return name.rstrip("0123456789").split("_")[0]
 
 
 def same(one: Values, other: Values) -> bool:
-    """Whether values agree at every sample, to rounding, and are finite."""
+    """Whether values are finite and agree at every sample to the relative tolerance ``CLOSE``."""
     first, second = float(one[0]), float(other[0])
     if not abs(first - second) <= CLOSE * max(abs(first), abs(second)):
         return False
@@ -123,7 +120,7 @@ def same(one: Values, other: Values) -> bool:
 
 
 def same_but_for_constant(one: Values, other: Values) -> bool:
-    """Whether the difference is that in the other state of every pair with the same parameters."""
+    """Whether the difference of values is equal in both states of every pair of samples."""
     gap, size = one - other, np.abs(one) + np.abs(other)
     return bool((np.abs(gap[::2] - gap[1::2]) <= CLOSE * size[::2]).all())
 
@@ -131,7 +128,7 @@ def same_but_for_constant(one: Values, other: Values) -> bool:
 # ---------------------------------------------------------------------------------------- values
 
 
-#: Operations on arrays by their names, functions and relations by those of SymPy's.
+#: Operations on arrays, by ``Node.operation``.
 _NUMERIC = {
     **{name: sp.lambdify(x, of(x), "numpy") for name, of in FUNCTIONS.items()},
     **{name: getattr(operator, name.lower()) for name in RELATIONS},
@@ -151,12 +148,12 @@ _NUMERIC = {
 
 
 def _applied(tree: Node, parts: Sequence[Values]) -> Values:
-    """The values of a tree that is no leaf from those of its parts, any of which may be many."""
+    """The values of an inner node from those of its arguments, which broadcast."""
     return _NUMERIC[tree.operation](*parts)
 
 
 class Numbers:
-    """Values of trees at samples, those of a part that trees share once."""
+    """Evaluation of trees at samples; nodes that trees share are evaluated once."""
 
     def __init__(self, known: Mapping[str, Values]) -> None:
         self.known = known
@@ -167,33 +164,32 @@ class Numbers:
         """The values of a tree."""
         if tree.kind == "symbol":
             return self.known[tree.value]
-        kept = self.found.get(id(tree))
-        if kept is None:
+        if id(tree) not in self.found:
             if tree.kind == "number":
                 value = np.full(self.size, number_of(tree))
             else:
                 value = _applied(tree, [self.of(part) for part in tree.args])
-            kept = self.found[id(tree)] = tree, value
-        return kept[1]
+            self.found[id(tree)] = tree, value  # the tree is kept, so that its id stays its own
+        return self.found[id(tree)][1]
 
 
 def evaluated(tree: Node, known: Mapping[str, Values]) -> Values:
-    """The value of a tree at every sample."""
+    """The values of a tree at the samples, from those of its names."""
     with np.errstate(all="ignore"):
         return Numbers(known).of(tree)
 
 
-#: Number of a target, place of a part, and an edit of that part.
+#: Index of a target, path to a node, and an edit of that node.
 Proposal: TypeAlias = tuple[int, Path, Edit]
-#: A part, where it stands, what is above it, its values and what it needs.
+#: Path to a node, the node, its parent, its values and the values it needs, one row per target.
 Place: TypeAlias = tuple[Path, Node, Node | None, Values, Values]
 
 
-# ------------------------------------------------------------------------------ one part of a few
+# ------------------------------------------------------------------------- edits with few choices
 
 
-def _others(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
-    """Edits of a part that put one of a few others in its place."""
+def _choices(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
+    """Edits of a node whose new part is one of a few; ``above`` is its parent."""
     found: list[Edit] = []
 
     def edit(kind: str, new: Node, further: float = 0.0) -> None:
@@ -207,7 +203,6 @@ def _others(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
             if name != part.value:
                 edit(pool.renaming(part.value, name), leaf(name, part.at))
     if part.kind == "number" and part.value != "pi" and above is not None:
-        # Numbers and powers that an edit tries before what it brings in is open.
         for value in ("1", "2", "3", "4"):
             if value != part.value:
                 edit(_number_kind(part, above), Node("number", value=value, at=part.at))
@@ -215,7 +210,7 @@ def _others(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
     for name in swaps.get(part.value, ()) if part.kind == "call" else ():
         edit("function", Node("call", part.args, name, part.at))
     if part.kind in ("symbol", "call", "add"):
-        for power in (*map(Fraction, ("2", "3", "-1", "1/2")),):
+        for power in (Fraction(2), Fraction(3), Fraction(-1), Fraction(1, 2)):
             edit("exponent", Node("pow", (part, _number(power)), at=part.at))
     if part.kind == "pow":
         edit("exponent", part.args[0], 0.1)  # a power is seldom lost
@@ -229,7 +224,7 @@ def _others(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
 
 
 def _other_bracket(part: Node) -> Node | None:
-    """(a + b)² for a + b², or the other way."""
+    """The node with its bracket moved: (a + b)² for a + b², or the reverse; None for others."""
     whole = part.args[0] if part.kind == "pow" else part
     if whole.kind != "add":
         return None
@@ -246,12 +241,13 @@ def _other_bracket(part: Node) -> Node | None:
 
 
 def _number_kind(part: Node, above: Node | None) -> str:
+    """The kind of an edit of a number: in an exponent or elsewhere."""
     is_power = above is not None and above.kind == "pow" and above.args[1] is part
     return "exponent" if is_power else "number"
 
 
 class _Alternatives:
-    """Values of a tree with each edit of one of its parts, at a few samples."""
+    """Values, at the first samples, of a tree after each edit that has few choices."""
 
     def __init__(self, pool: Pool) -> None:
         self.pool = pool
@@ -260,17 +256,20 @@ class _Alternatives:
         self.lifted: dict[int, tuple[Node, Values]] = {}
 
     def own(self, part: Node, above: Node | None) -> tuple[list[Edit], Values]:
-        """Edits of a part itself, and its values with each."""
+        """Edits of a node itself, and its values after each: one row per edit."""
         key = id(part), "" if above is None else above.kind, _number_kind(part, above)
         if key not in self.kept:
-            edits = _others(part, above, self.pool)
+            edits = _choices(part, above, self.pool)
             values = [self.numbers.of(it.new) for it in edits]
             whole = np.stack(values, axis=-2) if edits else self.numbers.of(part)[..., None, :][:0]
             self.kept[key] = part, edits, whole
         return self.kept[key][1:]
 
     def inside(self, tree: Node) -> Values:
-        """Values with each edit of a part inside a tree, the parts in order, each with its own."""
+        """Values of a tree after each edit of a node below its root: one row per edit.
+
+        The rows are ordered by argument; of each, edits of the argument itself come first.
+        """
         if id(tree) not in self.lifted:
             parts = [self.numbers.of(part) for part in tree.args]
             rows = [np.empty((0, self.numbers.size))] if not parts else []
@@ -284,7 +283,7 @@ class _Alternatives:
         return self.lifted[id(tree)][1]
 
     def edit(self, tree: Node, number: int) -> tuple[Path, Edit]:
-        """An edit inside a tree by its number, and its place."""
+        """Path and edit of a row of :meth:`inside`."""
         for index, part in enumerate(tree.args):
             edits, _ = self.own(part, tree)
             if number < len(edits):
@@ -298,26 +297,28 @@ class _Alternatives:
         raise IndexError(number)
 
     def right(self, tree: Node, targets: Values) -> Iterator[Proposal]:
-        """Edits after which a tree has one of its targets, at the few samples."""
+        """Edits after which a tree has the values of a target at the first samples."""
         edits, values = self.own(tree, None)
         rows = np.concatenate([values, self.inside(tree)], axis=-2)
-        for way, target in enumerate(targets[:, SCREEN]):
+        for index, target in enumerate(targets[:, SCREEN]):
             near = np.flatnonzero(np.abs(rows[:, 0] - target[0]) <= CLOSE * np.abs(target[0]))
             for number in near:
                 if not same(rows[number], target):
                     continue
                 if number < len(edits):
-                    yield way, (), edits[number]
+                    yield index, (), edits[number]
                 else:
-                    yield way, *self.edit(tree, int(number) - len(edits))
+                    yield index, *self.edit(tree, int(number) - len(edits))
 
 
-# ------------------------------------------------------------------------------- what is missing
+# --------------------------------------------------------------- missing numbers, factors and terms
 
 
 def _inverted(tree: Node, parts: Sequence[Values], whole: Values, need: Values) -> Iterator[Values]:
-    """Values that each part would have to have for the tree to be what it needs, where they are
-    known.
+    """For each argument of a node, the values that it needs for the node to have those in ``need``.
+
+    ``parts`` are the arguments' present values and ``whole`` the node's. Nothing is given for an
+    operation that is not inverted.
     """
     match tree.kind:
         case "neg":
@@ -343,7 +344,10 @@ def _inverted(tree: Node, parts: Sequence[Values], whole: Values, need: Values) 
 def _places(
     tree: Node, need: Values, numbers: Numbers, path: Path = (), above: Node | None = None
 ) -> Iterator[Place]:
-    """Parts with what they need, for each target of the whole."""
+    """All nodes that inversion reaches, with the values they need.
+
+    ``need`` and these have a row for each target.
+    """
     value = numbers.of(tree)
     yield path, tree, above, value, need
     if (tree.args and tree.kind != "call") or tree.value in ("sqrt", "exp"):
@@ -353,47 +357,56 @@ def _places(
 
 
 class _Products:
-    """Products of powers of names and functions, by their values."""
+    """Products of powers of names, functions and brackets, found from their values.
+
+    A value v = f ∏ a_k^p_k has log |v| = log |f| + Σ p_k log |a_k|: the powers p_k follow by least
+    squares over the samples.
+    """
 
     def __init__(self, tree: Node, pool: Pool, numbers: Numbers) -> None:
-        ways: list[tuple[Node, Values]] = []
+        singles: list[tuple[Node, Values]] = []
         for name, value in pool.values.items():
-            one = leaf(name)
-            ways += [(one, value), (Node("div", (ONE, one)), 1 / value)]
-        ways += [(minus(part), -value) for part, value in ways]
-        ways.sort(key=lambda it: float(it[1][0]))
-        self.alone = [part for part, _ in ways]
-        self.table = np.array([value for _, value in ways])
-        inside = dict.fromkeys(map(_bare, nodes(tree)))
-        atoms = [it for it in inside if it.kind == "symbol" and it.value in pool.values]
-        atoms += [leaf(name) for name in pool.values]
-        angles = [(leaf(name),) for name in pool.angles if name in pool.values]
-        atoms += [Node("call", angle, way) for angle in angles for way in ("cos", "sin")]
-        # Functions that are no factors of a product.
-        atoms += [
-            it
-            for it in inside
-            if it.kind == "call"
-            and it.value not in ("Abs", "Tuple", "Piecewise", "And", *RELATIONS)
-        ]
-        # Symbols in a bracket that may be a factor.
-        atoms += [it for it in inside if it.kind == "add" and len(symbols(it)) <= 3]
+            symbol = leaf(name)
+            singles += [(symbol, value), (Node("div", (ONE, symbol)), 1 / value)]
+        singles += [(minus(part), -value) for part, value in singles]
+        singles.sort(key=lambda it: float(it[1][0]))
+        self.singles = [part for part, _ in singles]
+        self.single_values = np.array([value for _, value in singles])
         self.atoms: list[tuple[Node, Values]] = []
+        # Atoms with linearly independent logarithms, by the Gram-Schmidt process; four samples
+        # more than unknowns check a fit.
         rows = [np.ones(numbers.size)]
-        for atom in dict.fromkeys(atoms):
+        for atom in self._candidates(tree, pool):
             value = numbers.of(atom)
             row = np.log(np.abs(value))
             rest = row - sum((row @ it) / (it @ it) * it for it in rows)
-            # A row of logarithms is new by a share of its squares, and some samples are spare.
             is_new = np.isfinite(row).all() and rest @ rest > 1e-12 * (row @ row)
             if is_new and len(rows) < numbers.size - 4:
                 rows.append(rest)
                 self.atoms.append((atom, value))
-        plain = np.array([np.log(np.abs(it)) for _, it in self.atoms] + rows[:1])
-        self.inverse = np.linalg.pinv(plain)
+        logarithms = np.array([np.log(np.abs(it)) for _, it in self.atoms] + rows[:1])
+        self.inverse = np.linalg.pinv(logarithms)
+
+    @staticmethod
+    def _candidates(tree: Node, pool: Pool) -> Iterable[Node]:
+        """Possible factors: names, sines and cosines, and functions and brackets of the tree."""
+        inside = dict.fromkeys(map(_bare, nodes(tree)))
+        atoms = [it for it in inside if it.kind == "symbol" and it.value in pool.values]
+        atoms += [leaf(name) for name in pool.values]
+        for name in pool.angles:
+            if name in pool.values:
+                atoms += [Node("call", (leaf(name),), function) for function in ("cos", "sin")]
+        no_factors = ("Abs", "Tuple", "Piecewise", "And", *RELATIONS)
+        atoms += [it for it in inside if it.kind == "call" and it.value not in no_factors]
+        most_symbols = 3  # of a bracket that may be a factor
+        atoms += [it for it in inside if it.kind == "add" and len(symbols(it)) <= most_symbols]
+        return dict.fromkeys(atoms)
 
     def of(self, wanted: Values) -> dict[int, Node]:
-        """Products that have the values of a row, by the row."""
+        """The expressions found for rows of values, by the number of the row.
+
+        A number is tried first, then a single name or its reciprocal, then a product of powers.
+        """
         found: dict[int, Node] = {}
         usable = np.isfinite(wanted).all(axis=1) & (wanted != 0).all(axis=1)
         wanted = np.where(usable[:, None], wanted, np.nan)
@@ -402,24 +415,29 @@ class _Products:
         for row in np.flatnonzero(np.abs(wanted - first[:, None]).max(axis=1) <= near):
             if (number := _rational(wanted[row])) is not None:
                 found[int(row)] = _number(number)
-        low = np.searchsorted(self.table[:, 0], first - near)
-        high = np.searchsorted(self.table[:, 0], first + near, "right")
+        low = np.searchsorted(self.single_values[:, 0], first - near)
+        high = np.searchsorted(self.single_values[:, 0], first + near, "right")
         for row in np.flatnonzero((high > low) & usable):
             for index in range(low[row], high[row]):
-                if same(wanted[row], self.table[index]):
-                    found.setdefault(int(row), self.alone[index])
+                if same(wanted[row], self.single_values[index]):
+                    found.setdefault(int(row), self.singles[index])
         powers = np.log(np.abs(wanted)) @ self.inverse
         halves = np.round(2 * powers[:, :-1]) / 2
         gap = np.abs(powers[:, :-1] - halves).max(axis=1, initial=0.0)
-        # Powers of a product are near halves, and not large, and its factors are not many.
+        # A product is accepted with at most 7 factors, in multiples of 1/2 as powers, up to 4.
         few = np.count_nonzero(halves, axis=1) <= 7
         small = np.abs(halves).max(axis=1, initial=0.0) <= 4
         for row in np.flatnonzero((gap < 1e-6) & few & small):
-            if int(row) not in found and (one := self._product(wanted[row], halves[row])):
-                found[int(row)] = one
+            if int(row) not in found:
+                whole = self._product(wanted[row], halves[row])
+                if whole is not None:
+                    found[int(row)] = whole
         return found
 
     def _product(self, wanted: Values, powers: Values) -> Node | None:
+        """The product of the atoms to given powers and a rational factor; None if the remaining
+        factor is not rational.
+        """
         product = np.ones_like(wanted)
         for (_, value), power in zip(self.atoms, powers, strict=True):
             if power:
@@ -440,45 +458,45 @@ class _Products:
 
 
 def _missing(places: Sequence[Place], products: _Products) -> Iterator[Proposal]:
-    """Numbers, factors and terms that give a part what it needs."""
-    factors, terms = [], []
+    """Edits by a number, a factor or a term with which a node has the values it needs."""
+    factors: list[Place] = []
+    terms: list[Place] = []
     for place in places:
         path, part, above, _, needs = place
         outer = "" if above is None else above.kind
         if part.kind == "number" and part.value != "pi":
             kind = _number_kind(part, above)
-            for way, need in enumerate(needs):
+            for index, need in enumerate(needs):
                 if near := _rational(need):
-                    yield way, path, Edit(kind, part.at, part, _number(near), COST[kind])
+                    yield index, path, Edit(kind, part.at, part, _number(near), COST[kind])
         elif outer not in ("mul", "neg", "div"):
             factors.append(place)
         if part.kind == "add" or outer not in ("add", "neg"):
             terms.append(place)
     wanted = [need / value for *_, value, need in factors]
     wanted += [need - value for *_, value, need in terms]
-    ways = len(wanted[0])
-    # Added for every symbol beyond the first that an edit brings in, and for every level of
-    # brackets.
+    target_count = len(wanted[0])
+    # The cost of every symbol beyond the first, and of every quotient.
     per_symbol = {"missing term": 0.1, "missing factor": 0.3, "number": 0.0}
     for row, fit in products.of(np.concatenate(wanted)).items():
-        number, way = divmod(row, ways)
+        number, index = divmod(row, target_count)
         path, part, above, *_ = (*factors, *terms)[number]
         count = sum(it.kind in ("symbol", "div") for it in nodes(fit))
-        further = 0.0
         if number < len(factors):
-            kind, new = "missing factor" if symbols(fit) else "number", _times(part, fit)
-            further = 0.02  # dearer than another number in the place of one that stands there
+            kind = "missing factor" if symbols(fit) else "number"
+            new = _times(part, fit)
+            further = 0.02  # dearer than to replace a printed number
         else:
             kind = "missing term"
             args = part.args if part.kind == "add" else (part,)
-            further = 0.0 if part.kind == "add" or above is None else 0.3  # a bracket
+            further = 0.0 if part.kind == "add" or above is None else 0.3  # for a new bracket
             new = Node("add", (*args, fit), at=part.at)
         cost = COST[kind] + per_symbol[kind] * max(count - 1, 0) + further
-        yield way, path, Edit(kind, part.at, part, new, cost)
+        yield index, path, Edit(kind, part.at, part, new, cost)
 
 
 def _rational(values: Values) -> Fraction | None:
-    """The small fraction that values are at every sample, and not 0."""
+    """The nonzero fraction that the values are at every sample, if it is a small one."""
     first = float(values[0])
     if not np.isfinite(first) or not same(values, np.full_like(values, first)):
         return None
@@ -487,6 +505,7 @@ def _rational(values: Values) -> Fraction | None:
 
 
 def _number(value: Fraction) -> Node:
+    """The tree of a fraction."""
     size = Node("number", value=str(abs(value.numerator)))
     if value.denominator != 1:
         size = Node("div", (size, Node("number", value=str(value.denominator))))
@@ -494,7 +513,7 @@ def _number(value: Fraction) -> Node:
 
 
 def _times(part: Node, factor: Node) -> Node:
-    """A part times a factor, which of a quotient joins the denominator if it is below 1."""
+    """A node times a factor; a factor 1/c extends the denominator."""
     if part.kind == "neg":
         return Node("neg", (_times(part.args[0], factor),), at=part.at)
     if factor.kind != "div" or factor.args[0] != ONE:
@@ -512,7 +531,7 @@ def _powered(atom: Node, power: float) -> Node:
 
 
 class Search:
-    """Repairs of a tree with what a pool has."""
+    """Repairs of a tree with the names of a pool."""
 
     def __init__(self, tree: Node, pool: Pool) -> None:
         self.tree, self.pool = tree, pool
@@ -522,82 +541,85 @@ class Search:
             self.products = _Products(tree, pool, self.numbers)
 
     def repairs(self, targets: Values, pairs: bool = False) -> list[tuple[Repair, int]]:
-        """Repairs by one edit, or by ``pairs`` of them, the most likely first.
+        """Repairs by one edit, or by two if ``pairs``, the cheapest first.
 
-        Each with the number of its target.
+        ``targets`` has one row of values per target; each repair comes with the index of its row.
         """
         found: list[tuple[Repair, int]] = []
         with np.errstate(all="ignore"):
             if pairs:
                 for first in self.firsts:
-                    for it, way in self._singles(first.tree, targets):
-                        found.append((Repair(it.tree, (*first.edits, *it.edits)), way))
+                    for second, index in self._singles(first.tree, targets):
+                        edits = (*first.edits, *second.edits)
+                        found.append((Repair(second.tree, edits), index))
             else:
                 found += [*self._singles(self.tree, targets), *self._everywhere(targets)]
-        trees: dict[Node, tuple[Repair, int]] = {}
-        for repair, way in sorted(found, key=lambda it: it[0].cost):
-            trees.setdefault(_bare(repair.tree), (repair, way))
-        return list(trees.values())
+        cheapest: dict[Node, tuple[Repair, int]] = {}
+        for repair, index in sorted(found, key=lambda it: it[0].cost):
+            cheapest.setdefault(_bare(repair.tree), (repair, index))
+        return list(cheapest.values())
 
     @cached_property
     def firsts(self) -> list[Repair]:
-        """First ones of two edits: those whose new part is among few."""
+        """Trees after the first of two edits, which has few choices; at most 600, fewer of a large
+        tree.
+        """
         found = []
         parts = [*_parts(self.tree)]
         for path, part, above in parts:
-            for it in _others(part, above, self.pool):
+            for it in _choices(part, above, self.pool):
                 if it.new.kind != "pow":
                     found.append(_repair(self.tree, path, it))
-        # Of pairs, so many first edits are followed, and so many parts of the trees
-        # after them.
         most = min(600, 20_000 // len(parts))
         return sorted(found, key=lambda it: it.cost)[:most]
 
     def _singles(self, tree: Node, targets: Values) -> Iterator[tuple[Repair, int]]:
+        """Repairs of a tree by one edit of one node."""
         places = [*_places(tree, targets, self.numbers)]
-        open_ones = _missing(places, self.products)
-        for way, path, edit in (*self.alternatives.right(tree, targets), *open_ones):
+        missing = _missing(places, self.products)
+        for index, path, edit in (*self.alternatives.right(tree, targets), *missing):
             repair = _repair(tree, path, edit)
-            if same(self.numbers.of(repair.tree), targets[way]):
-                yield repair, way
+            if same(self.numbers.of(repair.tree), targets[index]):
+                yield repair, index
 
     def _everywhere(self, targets: Values) -> Iterator[tuple[Repair, int]]:
-        """One name in the place of another wherever it stands."""
-        named: dict[str, list[Node]] = {}
+        """Repairs by renaming a symbol at all its places."""
+        printed: dict[str, list[Node]] = {}
         for part in nodes(self.tree):
             if part.kind == "symbol":
-                named.setdefault(part.value, []).append(part)
-        for old, (first, *others) in named.items():
+                printed.setdefault(part.value, []).append(part)
+        for old, (first, *others) in printed.items():
             for new in self.pool.values if others else ():
                 if new == old or self.pool.renaming(old, new) == "symbol":
                     continue
                 swapped = {name: it[SCREEN] for name, it in self.pool.values.items()}
                 swapped[old] = swapped[new]
-                few = evaluated(self.tree, swapped)
-                one = leaf(new)
+                screened = evaluated(self.tree, swapped)
+                symbol = leaf(new)
                 also = tuple(part.at for part in others)
-                edit = Edit("renaming", first.at, first, one, COST["renaming"], also)
-                for way, target in enumerate(targets):
-                    if same(few, target[SCREEN]):
-                        tree = renamed(self.tree, {old: one})
+                edit = Edit("renaming", first.at, first, symbol, COST["renaming"], also)
+                for index, target in enumerate(targets):
+                    if same(screened, target[SCREEN]):
+                        tree = renamed(self.tree, {old: symbol})
                         if same(self.numbers.of(tree), target):
-                            yield Repair(tree, (edit,)), way
+                            yield Repair(tree, (edit,)), index
 
 
 def _repair(tree: Node, path: Path, edit: Edit) -> Repair:
-    """A tree after one edit, which costs the more the deeper it stands."""
+    """A tree after one edit, which costs a little more the deeper its node lies."""
     dearer = replace(edit, cost=edit.cost + 0.001 * len(path))
     return Repair(with_part(tree, path, edit.new), (dearer,))
 
 
 def _bare(tree: Node) -> Node:
-    """A tree without places, by which repairs are compared."""
+    """A tree without places in the print, so that equal trees compare as equal."""
     return Node(tree.kind, tuple(map(_bare, tree.args)), tree.value)
 
 
 def _parts(
     tree: Node, path: Path = (), above: Node | None = None
 ) -> Iterator[tuple[Path, Node, Node | None]]:
+    """Every node of a tree, with its path and its parent."""
     yield path, tree, above
     for index, part in enumerate(tree.args):
         yield from _parts(part, (*path, index), tree)

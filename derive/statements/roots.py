@@ -1,4 +1,7 @@
-"""Roots in closed form: λ = a ± √b is (λ − a)² − b = 0, with every printed part standing once."""
+"""Roots printed with ±, as the equation that both satisfy: (λ − a)² − b = 0 for λ = a ± √b.
+
+Every printed part stands in that equation once, so that an edit of the print is one edit of it.
+"""
 
 from __future__ import annotations
 
@@ -8,17 +11,17 @@ from .tree import ZERO, Equation, Node, Unread, minus, nodes
 
 
 def has_sign(tree: Node) -> bool:
-    """Whether ± or ∓ stands in a tree."""
+    """Whether a tree has a ± or ∓."""
     return any(one.value in ("pm", "mp") for one in nodes(tree) if one.kind == "call")
 
 
 def without_signs(equation: Equation) -> Equation:
-    """The equation that holds of the roots with either sign.
+    """The equation without ± that is satisfied by the roots of both signs.
 
     Raises
     ------
     Unread
-        Where signs stand on the left, or so that they can't be put alone on one side.
+        If a ± stands on the left, or can't be isolated on one side.
     """
     left, tree = equation.left, equation.right
     if not has_sign(left) and not has_sign(tree):
@@ -31,7 +34,7 @@ def without_signs(equation: Equation) -> Equation:
 
 
 def _one_step(left: Node, tree: Node) -> tuple[Node, Node]:
-    """Both sides with one operation more on the left, and what is below it on the right."""
+    """Both sides after the outermost operation on the right was moved to the left."""
     inside = [one for one in tree.args if has_sign(one)]
     others = tuple(one for one in tree.args if not has_sign(one))
     match tree.kind:
@@ -61,7 +64,7 @@ def _one_step(left: Node, tree: Node) -> tuple[Node, Node]:
 
 
 def _square(tree: Node, at: tuple[int, int]) -> Node:
-    """The square, of a root what stands below it, which may be negative."""
+    """The square of a tree; of a square root its radicand, which may be negative."""
     if tree.kind == "call" and tree.value == "sqrt":
         return tree.args[0]
     if tree.kind in ("mul", "div"):

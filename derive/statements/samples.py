@@ -1,4 +1,8 @@
-"""Values of a page's names at samples: pairs with the same parameters and another state."""
+"""Random values of a page's names, at which printed and derived expressions are compared.
+
+Samples come in pairs with the same parameters and different states: expressions that differ by a
+factor or a term of parameters only are recognized by that.
+"""
 
 from __future__ import annotations
 
@@ -17,40 +21,47 @@ from .repair import Values
 Flags: TypeAlias = npt.NDArray[np.bool_]
 
 
-def drawn(it: Derivation, held: Object, is_base: bool = False) -> dict[str, Values]:
-    """Values of all names, in contact or in lift-off as the object says, in units of order 1.
+def drawn(derivation: Derivation, subject: Object, is_base: bool = False) -> dict[str, Values]:
+    """Values of all names at 48 samples, of order 1, on the side of the contacts of an object.
 
-    Parameters are random, or those that the page gives as its base values.
+    Parameters are random, or the page's base values if ``is_base``.
+
+    Raises
+    ------
+    NoObject
+        If every belt has to be ahead and no such motion was found.
     """
-    key = f"{held.side}, steady {held.steady}, ahead {held.ahead}, base {is_base}"
-    return {**it.kept("samples", key, lambda: _drawn(it, held, is_base))}
+    key = f"{subject.side}, steady {subject.steady}, ahead {subject.ahead}, base {is_base}"
+    return {**derivation.kept("samples", key, lambda: _drawn(derivation, subject, is_base))}
 
 
-def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
+def _drawn(derivation: Derivation, subject: Object, is_base: bool) -> dict[str, Values]:
     rng = np.random.default_rng(20201)
-    base = {it.name_of(entry): entry.base for entry in it.page.parameters}
+    base = {derivation.name_of(entry): entry.base for entry in derivation.page.parameters}
     # Pairs of samples with the same parameters.
     pairs = 24
     size = 2 * pairs
     found: dict[str, Values] = {}
-    for name, symbol in it.parameters.items():
+    for name, symbol in derivation.parameters.items():
         value = np.repeat(rng.uniform(0.3, 1.4, pairs), 2)
         found[name] = value if symbol.is_nonnegative else value * _signs(rng, size, 2)
         if is_base:
             found[name] = np.full(size, 1.0 if base.get(name) is None else base[name])
     gaps = {
-        contact.name: it.expanded(it.spelled(contact.gap))
-        for contact in it.model.contacts
+        contact.name: derivation.expanded(derivation.spelled(contact.gap))
+        for contact in derivation.model.contacts
         if contact.gap is not None
     }
-    coordinates = [str(symbol) for symbol in it.model.coordinates]
+    coordinates = [str(symbol) for symbol in derivation.model.coordinates]
     found |= {name: _state(rng, size) for name in coordinates}
-    # Of a statement on several sides the pairs go round these.
-    sides = [*it.sides.values()] if held.side == "both" else [it.sides[held.side]]
-    on = np.repeat(np.arange(pairs) % len(sides), 2)
+    # Pairs alternate between the sides that a statement is about.
+    sides = (
+        [*derivation.sides.values()] if subject.side == "both" else [derivation.sides[subject.side]]
+    )
+    side_numbers = np.repeat(np.arange(pairs) % len(sides), 2)
     pushing = {
-        contact.name: np.array([contact.name in touching for touching in sides])[on]
-        for contact in it.model.contacts
+        contact.name: np.array([contact.name in touching for touching in sides])[side_numbers]
+        for contact in derivation.model.contacts
     }
 
     def on_wrong_side() -> Flags:
@@ -61,23 +72,24 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
         return wrong
 
     def behind() -> Flags:
-        return np.any([numeric(speed, found) <= 0 for speed in it.speeds], axis=0)
+        return np.any([numeric(speed, found) <= 0 for speed in derivation.speeds], axis=0)
 
-    # Where a side has no state, as of two faces that never leave both, its algebra is judged.
+    # A side may have no state, as both faces open where one always touches: its algebra is then
+    # judged at states of other sides.
     _redraw(found, coordinates, on_wrong_side, rng)
-    for symbol, touches in zip(it.switches, pushing.values(), strict=True):
+    for symbol, touches in zip(derivation.switches, pushing.values(), strict=True):
         found[str(symbol)] = 1.0 * touches
-    for symbol in (*it.model.rates, *it.accelerations):
+    for symbol in (*derivation.model.rates, *derivation.accelerations):
         found[str(symbol)] = _state(rng, size)
-    if held.ahead and not _redraw(found, [*map(str, it.model.rates)], behind, rng):
+    if subject.ahead and not _redraw(found, [*map(str, derivation.model.rates)], behind, rng):
         raise NoObject("no motion was found in which every belt is ahead")
     for name in ("lam", str(TIME)):
         found.setdefault(name, _state(rng, size))
-    for name, value in it.geometry.items():
+    for name, value in derivation.geometry.items():
         found[name] = numeric(value, found)
-    for symbol, value in (it.at_rest if held.steady else it.friction).items():
+    for symbol, value in (derivation.at_rest if subject.steady else derivation.friction).items():
         found.setdefault(str(symbol), numeric(value, found))
-    for (symbol, law), touches in zip(it.normals.items(), pushing.values(), strict=True):
+    for (symbol, law), touches in zip(derivation.normals.items(), pushing.values(), strict=True):
         found.setdefault(str(symbol), touches * numeric(law, found))
     return found
 
@@ -85,18 +97,19 @@ def _drawn(it: Derivation, held: Object, is_base: bool) -> dict[str, Values]:
 def _redraw(
     found: dict[str, Values], names: Sequence[str], wrong: Callable[[], Flags], rng: Generator
 ) -> bool:
-    """Draw names anew at the samples that are wrong, of more and more sizes; whether none is at
-    the end.
+    """Redraw names at the samples that are wrong, over a growing range of sizes.
+
+    Returns whether all samples are right in the end.
     """
     most_tries = 200
-    for tried in range(most_tries):
-        there = wrong()
-        if not there.any():
+    for attempt in range(most_tries):
+        is_wrong = wrong()
+        if not is_wrong.any():
             return True
-        most = tried // 20
-        size = 2.0 ** rng.integers(-most, most + 1, there.size)
+        octaves = attempt // 20
+        size = 2.0 ** rng.integers(-octaves, octaves + 1, is_wrong.size)
         for name in names:
-            found[name] = np.where(there, size * _state(rng, there.size), found[name])
+            found[name] = np.where(is_wrong, size * _state(rng, is_wrong.size), found[name])
     return False
 
 
@@ -109,7 +122,13 @@ def _signs(rng: Generator, size: int, repeat: int) -> Values:
 
 
 def numeric(expression: sp.Expr, values: Mapping[str, Values]) -> Values:
-    """Values of an expression, by those of the names in it."""
+    """Values of an expression at the samples.
+
+    Raises
+    ------
+    NoObject
+        If it holds a symbol without values.
+    """
     missing = sorted({str(it) for it in expression.free_symbols} - values.keys())
     if missing:
         raise NoObject(f"{expression} holds {', '.join(missing)}, which has no values")
@@ -118,7 +137,7 @@ def numeric(expression: sp.Expr, values: Mapping[str, Values]) -> Values:
 
 
 def _value(part: sp.Basic, values: Mapping[str, Values], found: dict[sp.Basic, Values]) -> Values:
-    """Values of an expression, each part of it once."""
+    """Values of an expression; ``found`` caches those of its parts."""
     if part in found:
         return found[part]
     if isinstance(part, sp.Symbol):

@@ -1,4 +1,8 @@
-"""A printed expression as it stands: nothing is evaluated, sorted or merged."""
+"""Syntax trees of printed equations, and their reading from SymPy's syntax.
+
+A tree keeps the arrangement of the print: nothing is evaluated, sorted or merged. It is written
+back as SymPy's syntax or LaTeX, and turned into a SymPy expression by :func:`to_sympy`.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +20,12 @@ from sympy import Expr
 
 @dataclass(frozen=True)
 class Node:
-    """Part of a printed expression as it stands: nothing is evaluated, sorted or merged."""
+    """A node of a syntax tree.
+
+    ``kind`` is "number", "symbol", "neg", "add", "mul", "div", "pow" or "call". ``value`` is the
+    text of a number, the name of a symbol or the name of a called function. ``at`` is the range of
+    characters in the print, (0, 0) if the node was not printed.
+    """
 
     kind: str
     args: tuple[Node, ...] = ()
@@ -25,14 +34,15 @@ class Node:
 
     @property
     def operation(self) -> str:
-        """The name of a function, or the kind of another operation."""
+        """The name of the called function, or the kind of any other node."""
         return self.value if self.kind == "call" else self.kind
 
 
 @dataclass(frozen=True)
 class Equation:
-    """Two sides; the right one is the number 0 where the print is an expression that is 0. Where
-    it is printed with conditions, these are relations or several of them.
+    """A printed equation. An expression without "=" has the number 0 as its right side.
+
+    ``conditions`` are the relations printed beside it, each a relation or an "And" of several.
     """
 
     left: Node
@@ -42,8 +52,11 @@ class Equation:
 
 @dataclass(frozen=True)
 class Argument:
-    """The argument of a function, or minus that of an odd one; of a friction law in an equation
-    that is about a motion it may be the sliding speed at rest.
+    """How a printed argument agrees with the argument that a function is known to have.
+
+    ``sign`` is -1 if the print has minus that argument, which is accepted of odd functions.
+    ``at_rest`` says that a friction law is printed with the sliding speed of a body at rest, in an
+    equation of motion.
     """
 
     sign: int = 1
@@ -52,28 +65,31 @@ class Argument:
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """Names that may stand in a statement."""
+    """Names that may be printed in a statement, and what is known of them."""
 
     symbols: frozenset[str]
     coordinates: tuple[str, ...]
     renamed: Mapping[str, str]
     #: rows and columns of the names that stand for matrices
     matrices: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-    #: names of laws: what stands in brackets behind them may be their argument
+    #: names of laws: a bracket behind one may be its argument and not a factor
     laws: frozenset[str] = frozenset()
-    #: names that are constant in time; where it is left out, all but coordinates, rates and laws
+    #: names that are constant in time; None: all except coordinates, their rates and laws
     fixed: frozenset[str] | None = None
     #: whether an equation is about all roots of a polynomial, so that ± stands for two of them
     has_roots: bool = False
-    #: names that are printed as functions: what an expression in brackets is to them
+    #: for each name that is printed as a function: its argument, if the expression in brackets is
+    #: that argument, else None
     arguments: Mapping[str, Callable[[Node], Argument | None]] = field(default_factory=dict)
-    #: the name of a derivative, by the names of what is derived and by what; by the argument of a
-    #: function where the second is empty
+    #: gives the name of a derivative from the name that is differentiated and the variable; an
+    #: empty variable stands for the argument of a function
     derivative: Callable[[str, str], str] | None = None
 
 
 class Unread(ValueError):
-    """A print that can't be read, or in two ways: reason, place (offset), readings."""
+    """A print that can't be read or is ambiguous: the reason, the offset in the print, and the
+    possible readings.
+    """
 
     def __init__(self, reason: str, place: int = 0, readings: tuple[str, ...] = ()) -> None:
         super().__init__(reason)
@@ -114,7 +130,7 @@ FUNCTIONS: dict[str, Callable[..., Expr]] = {
     **{it.__name__: it for it in (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.log)},
     **{it.__name__: it for it in (sp.sinh, sp.cosh, sp.tanh, sp.asinh, sp.acosh, sp.atanh)},
     **{it.__name__: it for it in (sp.sqrt, sp.asin, sp.acos, sp.atan, sp.Abs, sp.sign)},
-    # In sizes and signs, of which it is known what they are on a side of a contact.
+    # Written with Abs and sign, whose values are known on each side of a contact.
     "Heaviside": lambda u: (1 + sp.sign(u)) / 2,
     "max": lambda *values: functools.reduce(lambda a, b: (a + b + sp.Abs(a - b)) / 2, values),
     "min": lambda *values: functools.reduce(lambda a, b: (a + b - sp.Abs(a - b)) / 2, values),
@@ -132,22 +148,22 @@ def leaf(name: str, at: tuple[int, int] = (0, 0)) -> Node:
 
 
 def minus(tree: Node) -> Node:
-    """A tree with the other sign, at its place."""
+    """The negative of a tree, at the same place in the print."""
     return Node("neg", (tree,), at=tree.at)
 
 
 def joined(kind: str, parts: Sequence[Node], at: tuple[int, int] = (0, 0)) -> Node:
-    """A sum or a product; of one part itself."""
+    """A sum or a product of the parts; the part itself if there is only one."""
     return Node(kind, tuple(parts), at=at) if len(parts) > 1 else parts[0]
 
 
 def number_of(tree: Node) -> float:
-    """The value of a number, and of pi."""
+    """The value of a number node, which may be pi."""
     return math.pi if tree.value == "pi" else float(tree.value)
 
 
 def residual(equation: Equation) -> Node:
-    """What is 0 where an equation holds: its left side less its right one."""
+    """Left side minus right side."""
     return Node("add", (equation.left, minus(equation.right)))
 
 
@@ -164,7 +180,7 @@ def symbols(tree: Node) -> frozenset[str]:
 
 
 def with_part(tree: Node, path: tuple[int, ...], part: Node) -> Node:
-    """The tree with another part at a path of places among arguments."""
+    """The tree with one node replaced; ``path`` holds the indices of arguments that lead to it."""
     if not path:
         return part
     args = list(tree.args)
@@ -173,14 +189,14 @@ def with_part(tree: Node, path: tuple[int, ...], part: Node) -> Node:
 
 
 def renamed(tree: Node, names: Mapping[str, Node]) -> Node:
-    """The tree with symbols replaced, all at once."""
+    """The tree with symbols replaced simultaneously."""
     if tree.kind == "symbol":
         return names.get(tree.value, tree)
     return replace(tree, args=tuple(renamed(part, names) for part in tree.args))
 
 
 def to_sympy(tree: Node, names: Mapping[str, Expr], evaluate: bool = True) -> Expr:
-    """The expression of a tree, with what its symbols stand for."""
+    """The SymPy expression of a tree; ``names`` gives the expression of each symbol."""
     if tree.kind == "symbol":
         return names[tree.value]
     if tree.kind == "number":
@@ -201,14 +217,14 @@ def to_sympy(tree: Node, names: Mapping[str, Expr], evaluate: bool = True) -> Ex
 
 
 def read_sympy(text: str, vocabulary: Vocabulary) -> list[Equation]:
-    """Equations in Python's syntax, between semicolons; nothing is run.
+    """Parse equations in Python's syntax, separated by semicolons; nothing is run.
 
-    Each is ``left = right``, or an expression that is 0.
+    Each equation is ``left = right``, or an expression that is 0.
 
     Raises
     ------
     Unread
-        Where the text is no expression of known names, with the place.
+        If a part is not an expression in known names, with its offset.
     """
     equations, begin = [], 0
     for part in text.split(";"):
@@ -218,6 +234,7 @@ def read_sympy(text: str, vocabulary: Vocabulary) -> list[Equation]:
 
 
 def _read_one(text: str, begin: int, vocabulary: Vocabulary) -> list[Equation]:
+    """Equations of a text without semicolons, which begins at an offset of the whole text."""
     sides = text.split("=")
     trees: list[Node] = []
     for side in sides:
@@ -240,6 +257,7 @@ def _read_one(text: str, begin: int, vocabulary: Vocabulary) -> list[Equation]:
 
 
 def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
+    """The tree of a parsed Python expression whose text begins at an offset."""
     at = (begin + part.col_offset, begin + (part.end_col_offset or 0))
     binary: dict[type[ast.operator], str] = {
         ast.Add: "add",
@@ -266,10 +284,10 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             kind = binary[type(op)]
             one, other = (_tree(side, begin, vocabulary) for side in (left, right))
             if kind in ("mul", "div") and one.kind == "neg":  # -a b is -(a b)
-                return Node("neg", (_longer(kind, one.args[0], other, at),), at=at)
+                return Node("neg", (_flattened(kind, one.args[0], other, at),), at=at)
             if isinstance(op, ast.Sub):
                 other = minus(other)
-            return _longer(kind, one, other, at)
+            return _flattened(kind, one, other, at)
         case ast.Call(
             func=ast.Name(id="diff" | "at_rest" as word), args=[inner, *more], keywords=[]
         ) if len(more) <= (word == "diff"):
@@ -277,10 +295,10 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
                 return leaf(name, at)
             if vocabulary.derivative is None:
                 raise Unread(f"{name} is no name that is known", at[0])
-            # By t, the time, which is no name in an equation.
+            # The variable is kept as text: it may be the time t, which is no name of an equation.
             by = "".join(map(ast.unparse, more)) if word == "diff" else "at rest"
-            own = vocabulary.derivative(printed(_tree(inner, begin, vocabulary)), by)
-            return leaf(own, at)
+            differentiated = printed(_tree(inner, begin, vocabulary))
+            return leaf(vocabulary.derivative(differentiated, by), at)
         case ast.Call(func=ast.Name(id=name), args=[_, *more] as arguments, keywords=[]) if (
             name in FUNCTIONS and bool(more) is (name in OF_SEVERAL)
         ):
@@ -295,7 +313,8 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             )
 
 
-def _longer(kind: str, one: Node, other: Node, at: tuple[int, int]) -> Node:
+def _flattened(kind: str, one: Node, other: Node, at: tuple[int, int]) -> Node:
+    """An operation on two nodes; a sum of a sum, or a product of a product, is one node."""
     parts = one.args if kind in ("add", "mul") and one.kind == kind else (one,)
     return Node(kind, (*parts, other), at=at)
 

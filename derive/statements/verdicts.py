@@ -1,4 +1,9 @@
-"""Verdicts on printed statements: units, conventions, equality, limit, repair, proof, cost."""
+"""Verdicts on printed statements.
+
+A statement is confirmed if exact algebra proves it equal to its object, an approximation if it is
+so in the limit that it names, a misprint if the search for a repair finds edits that are proved
+right, unread if it can't be read, and failed otherwise.
+"""
 
 from __future__ import annotations
 
@@ -13,15 +18,15 @@ from sympy import Expr, Symbol
 from .. import units
 from ..pages import PageModel
 from . import samples
-from .approximations import in_limit, is_approximation, limit_of
+from .approximations import LimitCase, in_limit, is_approximation, limit_of
 from .book import equations_of
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side
-from .conventions import settled
+from .conventions import conventions_of
 from .identities import normal_form
 from .markup import repaired_print
 from .objects import LAMBDA, TIME
 from .papers import Paper, Statement
-from .reading import Item, Verdict, opened
+from .reading import Item, Verdict, read_paper
 from .repair import CLOSE, COST, Edit, Pool, Repair, Search, Values, evaluated, same, stem
 from .samples import numeric
 from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols
@@ -30,7 +35,7 @@ from .tree import to_latex, to_sympy
 
 @dataclass(frozen=True)
 class Row:
-    """The verdict on one statement; every empty field means not applicable."""
+    """The verdict on one statement; a field that does not apply is empty."""
 
     id: str
     about: str
@@ -57,16 +62,15 @@ class Row:
 
     @property
     def is_expected(self) -> bool:
-        """A verdict that is the expected one; a right definition is confirmed as well."""
-        return self.status in (self.expect, "other") or (self.status, self.expect) == (
-            "definition",
-            "confirmed",
-        )
+        """Whether the verdict is the expected one; a definition counts as confirmed."""
+        if self.status == "definition" and self.expect == "confirmed":
+            return True
+        return self.status in (self.expect, "other")
 
 
 @dataclass(frozen=True)
 class Checked:
-    """All verdicts on a paper, and the conventions in which they hold."""
+    """All verdicts on a paper, and the coordinate conventions that differ from the page's."""
 
     paper: str
     model: str
@@ -76,50 +80,59 @@ class Checked:
 
 
 def check(paper: Paper, model: PageModel, *, repair: bool = True) -> Checked:
-    """Verdicts on every statement of a paper, for a page; without ``repair`` what differs fails."""
-    return compared(paper, model, opened(paper, model)[1], repair=repair)
+    """Check every statement of a paper against a page.
+
+    Without ``repair`` no misprint is sought: a statement that differs has failed.
+    """
+    return verdicts_on(paper, model, read_paper(paper, model)[1], repair=repair)
 
 
-def compared(
+def verdicts_on(
     paper: Paper, model: PageModel, found: Sequence[Item | Verdict], *, repair: bool = True
 ) -> Checked:
-    """Verdicts on the statements of a paper that were read."""
+    """Check the statements of a paper that :func:`read_paper` has read."""
     items = [item for item in found if isinstance(item, Item)]
-    conventions = settled(items)
+    conventions = conventions_of(items)
     rows = [
-        judged(item, conventions, repair=repair) if isinstance(item, Item) else uncompared(item)
+        verdict_on(item, conventions, repair=repair)
+        if isinstance(item, Item)
+        else row_without_comparison(item)
         for item in found
     ]
-    said = tuple(it.said(name) for name, it in conventions.items() if (it.sign, it.shift) != (1, 0))
+    conventions_in_words = tuple(
+        it.said(name) for name, it in conventions.items() if (it.sign, it.shift) != (1, 0)
+    )
     coordinates = tuple(map(str, model.mechanics.coordinates))
-    return Checked(paper.title, model.name, said, tuple(_said_once(rows)), coordinates)
+    return Checked(
+        paper.title, model.name, conventions_in_words, tuple(_said_once(rows)), coordinates
+    )
 
 
 def repaired(paper: Paper, model: PageModel) -> Paper:
-    """A paper whose expected misprints are repaired, against a page."""
-    _, found = opened(paper, model)
+    """The paper with those statements replaced by their repairs that it expects to be misprints."""
+    _, found = read_paper(paper, model)
     items = [item for item in found if isinstance(item, Item)]
-    conventions, statements = settled(items), {it.id: it for it in paper.statements}
+    conventions, statements = conventions_of(items), {it.id: it for it in paper.statements}
     for item in items:
-        if item.statement.expect == "misprint" and (row := judged(item, conventions)).repaired:
+        if item.statement.expect == "misprint" and (row := verdict_on(item, conventions)).repaired:
             statements[row.id] = replace(
                 item.statement, text=row.repaired, is_latex=False, transcribed="", form=row.form
             )
     return replace(paper, statements=tuple(statements.values()))
 
 
-def uncompared(verdict: Verdict) -> Row:
-    """The row of a statement that is held against nothing."""
+def row_without_comparison(verdict: Verdict) -> Row:
+    """The row of a statement that was not compared."""
     return replace(
-        _begun(verdict.statement),
+        _row_of(verdict.statement),
         status=verdict.status,
         read=verdict.read,
         evidence=verdict.evidence,
     )
 
 
-def _begun(statement: Statement) -> Row:
-    """Row as begun from its statement."""
+def _row_of(statement: Statement) -> Row:
+    """The row of a statement before its verdict."""
     return Row(
         statement.id,
         statement.about,
@@ -136,108 +149,136 @@ def _begun(statement: Statement) -> Row:
 
 
 @dataclass(frozen=True)
-class Right:
-    """A proved repair of a side, what that side ought to be, and how many forms cost as little."""
+class ProvedRepair:
+    """A repair of a side that exact algebra has proved."""
 
     part: Component
     repair: Repair
-    exact: Expr
-    count: int
+    exact: Expr  #: the derived expression that the repaired side equals
+    count: int  #: how many repairs of the same cost are proved
 
     @property
     def said(self) -> str:
-        """The equation after its edits, in SymPy's syntax."""
+        """The repaired equation in SymPy's syntax."""
         return equation_of(self.part.left, printed(self.repair.tree))
 
 
-def judged(item: Item, conventions: Conventions | None = None, *, repair: bool = True) -> Row:
-    """The verdict on one statement, in the conventions of its paper."""
-    it = Comparison(item, conventions or {})
-    statement, held, parts = item.statement, item.held, it.components()
-    entries = [held.entries[place] for place in held.index]
+def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bool = True) -> Row:
+    """The verdict on one statement, in the coordinate conventions of its paper."""
+    comparison = Comparison(item, conventions or {})
+    parts = comparison.components()
+    entries = [item.subject.entries[place] for place in item.subject.index]
     row = replace(
-        _begun(statement),
-        form=item.it.form,
+        _row_of(item.statement),
+        form=item.derivation.form,
         read="; ".join(part.said for part in parts),
         derived="; ".join(map(str, entries)),
         derived_latex=_joined(map(item.latex, entries)),
-        derived_by=held.by,
+        derived_by=item.subject.by,
     )
-    if len(parts) < len(item.equations):
-        said = f"left of = no name of this object stands alone: {', '.join(sorted(held.names))}"
-        return replace(row, status="unread", evidence=said)
-    limit = limit_of(item) if statement.limit else None
-    if statement.limit and limit is None:
-        said = (
-            "'d*V -> oo', 'c_x, c_y -> 0', 'linear in x, y', 'quadratic in x' or 'cubic in x', of "
-            "names of the page"
-        )
-        return replace(
-            row, status="unread", evidence=f"limit = {statement.limit!r} is none; write as {said}"
-        )
-    wrong = "" if item.it.scaled else _units_problem(item, parts)
-    limits: list[Comparison] = []
-    found: list[Right] = []
+    limit = limit_of(item) if item.statement.limit else None
+    if problem := _reading_problem(item, parts, limit):
+        return replace(row, status="unread", evidence=problem)
+    units_problem = "" if item.derivation.scaled else _units_problem(item, parts)
+    in_limits: list[Comparison] = []
+    repairs: list[ProvedRepair] = []
     counted = ""
     for number, part in enumerate(parts):
-        equal = [exact for target, exact in part.targets if it.holds(part.tree, target)]
+        equal = [exact for target, exact in part.targets if comparison.holds(part.tree, target)]
         if equal:
-            exact = next((one for one in equal if it.proved(part.tree, one)), None)
+            exact = next((one for one in equal if comparison.proved(part.tree, one)), None)
             if exact is None:
                 return replace(row, evidence="equal at all samples, but not by exact algebra")
-            row, counted = _as_meant(row, item, part, exact)
+            row, counted = _with_meaning(row, item, part, exact)
             continue
-        own, value = it.exactly(part.tree), evaluated(part.tree, it.values)
-        nearest = min(part.targets, key=lambda one: _distance(value, one[0]))
-        gap = own - nearest[1]
-        if limit is not None and not limits:
-            limits = [Comparison(one, it.conventions) for one in in_limit(item, limit)]
-        alike = [(one, one.components()[number]) for one in limits] or [(it, part)]
-        is_limit = limit is not None and any(_is_right(*one) for one in alike)
-        if limit is not None and (is_limit or is_approximation(it, part, limit)):
-            said = "" if is_limit else "; what the print holds beyond that is not judged"
-            row = replace(_with_difference(row, item, gap), evidence=statement.limit + said)
-            continue
-        rights = (_repaired(*one) for one in alike) if repair else ()
-        best = next((one for one in rights if one is not None), None)
+        gap = comparison.exactly(part.tree) - _nearest_target(comparison, part)
+        versions = [(comparison, part)]
+        if limit is not None:
+            in_limits = in_limits or [
+                Comparison(one, conventions or {}) for one in in_limit(item, limit)
+            ]
+            versions = [(one, one.components()[number]) for one in in_limits]
+            is_limit = any(_is_right(*one) for one in versions)
+            if is_limit or is_approximation(comparison, part, limit):
+                said = "" if is_limit else "; what the print holds beyond that is not judged"
+                row = replace(
+                    _with_difference(row, item, gap), evidence=item.statement.limit + said
+                )
+                continue
+        candidates = (_repaired(*one) for one in versions) if repair else ()
+        best = next((one for one in candidates if one is not None), None)
         if best is None:
             said = "no edit, and no two, give what is derived" if repair else ""
             row = _with_difference(row, item, gap)
-            return replace(row, evidence="; ".join(one for one in (wrong, said) if one))
-        row, counted = _as_meant(row, item, best.part, best.exact)
-        row = _with_difference(row, item, own - it.exactly(best.repair.tree))
-        found.append(best)
-    if not found and row.evidence:
+            return replace(row, evidence="; ".join(one for one in (units_problem, said) if one))
+        row, counted = _with_meaning(row, item, best.part, best.exact)
+        edited = comparison.exactly(best.repair.tree)
+        row = _with_difference(row, item, comparison.exactly(part.tree) - edited)
+        repairs.append(best)
+    if repairs:
+        return _misprint(row, comparison, repairs, counted, units_problem)
+    if row.evidence:
         return replace(row, status="approximation")
-    if not found:
-        status = "definition" if statement.word == "definition" else "confirmed"
-        return replace(row, status=status, evidence=f"{held.by}, equal by exact algebra{counted}")
-    edits = [edit for one in found for edit in one.repair.edits]
-    where = f" in the limit {statement.limit}" if limit else ""
-    evidence = f"what is repaired equals {held.by}{where} by exact algebra{counted}"
+    status = "definition" if item.statement.word == "definition" else "confirmed"
     return replace(
-        row,
-        status="misprint",
-        repaired="; ".join(one.said for one in found),
-        repaired_latex="; ".join(_repaired_latex(it, one) for one in found),
-        edits=tuple(map(_recorded, edits)),
-        marked=_marked(statement.judged, edits),
-        alternatives=max(one.count for one in found),
-        evidence=f"{wrong}; {evidence}" if wrong else evidence,
-        cost="; ".join(dict.fromkeys(_cost(it, one) for one in found)),
+        row, status=status, evidence=f"{row.derived_by}, equal by exact algebra{counted}"
     )
 
 
-def _is_right(it: Comparison, part: Component) -> bool:
-    """Whether a side is what it ought to be, by exact algebra."""
+def _reading_problem(item: Item, parts: Sequence[Component], limit: LimitCase | None) -> str:
+    """Why a statement can't be judged as it is written; empty if it can."""
+    if len(parts) < len(item.equations):
+        names = ", ".join(sorted(item.subject.names))
+        return f"left of = no name of this object stands alone: {names}"
+    if item.statement.limit and limit is None:
+        return (
+            f"limit = {item.statement.limit!r} is none; write as 'd*V -> oo', 'c_x, c_y -> 0', "
+            "'linear in x, y', 'quadratic in x' or 'cubic in x', of names of the page"
+        )
+    return ""
+
+
+def _nearest_target(comparison: Comparison, part: Component) -> Expr:
+    """The target whose values are nearest to those of the print."""
+    values = evaluated(part.tree, comparison.values)
+    return min(part.targets, key=lambda one: _distance(values, one[0]))[1]
+
+
+def _misprint(
+    row: Row,
+    comparison: Comparison,
+    repairs: Sequence[ProvedRepair],
+    counted: str,
+    units_problem: str,
+) -> Row:
+    """The row of a statement with proved repairs."""
+    statement = comparison.item.statement
+    edits = [edit for one in repairs for edit in one.repair.edits]
+    in_limit_of = f" in the limit {statement.limit}" if statement.limit else ""
+    evidence = f"what is repaired equals {row.derived_by}{in_limit_of} by exact algebra{counted}"
+    return replace(
+        row,
+        status="misprint",
+        repaired="; ".join(one.said for one in repairs),
+        repaired_latex="; ".join(_repaired_latex(comparison, one) for one in repairs),
+        edits=tuple(map(_recorded, edits)),
+        marked=_marked(statement.judged, edits),
+        alternatives=max(one.count for one in repairs),
+        evidence=f"{units_problem}; {evidence}" if units_problem else evidence,
+        cost="; ".join(dict.fromkeys(_cost(comparison, one) for one in repairs)),
+    )
+
+
+def _is_right(comparison: Comparison, part: Component) -> bool:
+    """Whether a side is proved to equal one of its targets."""
     return any(
-        it.holds(part.tree, target) and it.proved(part.tree, exact)
+        comparison.holds(part.tree, target) and comparison.proved(part.tree, exact)
         for target, exact in part.targets
     )
 
 
-def _as_meant(row: Row, item: Item, part: Component, exact: Expr) -> tuple[Row, str]:
-    """A row with the value that the print means, and what is counted in it."""
+def _with_meaning(row: Row, item: Item, part: Component, exact: Expr) -> tuple[Row, str]:
+    """The row with the reading that the print equals, and the remark on that reading."""
     if said := part.meanings[exact]:
         row = replace(row, derived=str(exact), derived_latex=item.latex(exact))
         return row, f"; {said}"
@@ -245,23 +286,23 @@ def _as_meant(row: Row, item: Item, part: Component, exact: Expr) -> tuple[Row, 
 
 
 def _with_difference(row: Row, item: Item, gap: Expr) -> Row:
-    """A row with the difference between print and derivation."""
-    # Operations in a difference that is shown.
-    if sp.count_ops(gap) > 3000:
+    """The row with the difference between print and derivation, unless that is too long to show."""
+    most_operations = 3000
+    if sp.count_ops(gap) > most_operations:
         return row
     shown = sp.factor_terms(normal_form(gap))
     return replace(row, difference=str(shown), difference_latex=item.latex(shown))
 
 
 def _joined(texts: Iterable[str]) -> str:
-    """LaTeX of one entry, or of several in brackets."""
+    """LaTeX of one entry as it is, of several in brackets."""
     several = [*texts]
     inside = r",\; ".join(several)
     return inside if len(several) == 1 else rf"\left({inside}\right)"
 
 
 def _marked(text: str, edits: Iterable[Edit]) -> str:
-    """A print with what is edited in it between guillemets."""
+    """The print with guillemets around each edited part."""
     places = {place for edit in edits for place in (edit.at, *edit.also) if place[0] < place[1]}
     marks = [(end, "»") for _, end in places] + [(begin, "«") for begin, _ in places]
     marked = text
@@ -270,20 +311,23 @@ def _marked(text: str, edits: Iterable[Edit]) -> str:
     return marked if places else ""
 
 
-def _repaired_latex(it: Comparison, found: Right) -> str:
-    """The print with its edits, where it is read as the repair; else the repair in LaTeX."""
-    item, tree, left = it.item, found.repair.tree, found.part.left
+def _repaired_latex(comparison: Comparison, found: ProvedRepair) -> str:
+    """The print with its edits in LaTeX, if that reads as the repair; else LaTeX of the repair."""
+    item, tree, left = comparison.item, found.repair.tree, found.part.left
     text = repaired_print(item.statement, found.repair.edits, item.letters) or ""
-    right = evaluated(tree, it.values)
+    right = evaluated(tree, comparison.values)
     with suppress(Unread, ValueError):
-        for equation in equations_of(text, item.statement, item.it, item.book):
+        for equation in equations_of(text, item.statement, item.derivation, item.book):
             side, _ = judged_side(item, equation) or (equation.left, "")
-            if symbols(side) <= it.values.keys() and same(evaluated(side, it.values), right):
+            if symbols(side) <= comparison.values.keys() and same(
+                evaluated(side, comparison.values), right
+            ):
                 return text
     return equation_of(item.letters.get(left, left), to_latex(tree, item.letters))
 
 
 def _recorded(edit: Edit) -> dict[str, object]:
+    """An edit as data."""
     return {
         "kind": edit.kind,
         "at": list(edit.at),
@@ -292,104 +336,109 @@ def _recorded(edit: Edit) -> dict[str, object]:
     }
 
 
-def _cost(it: Comparison, found: Right) -> str:
-    """The size of the mistake at the base values: the median of the relative difference."""
-    item = it.item
-    base = samples.drawn(item.it, item.held, is_base=True)
+def _cost(comparison: Comparison, found: ProvedRepair) -> str:
+    """The size of a misprint in words: the median relative difference at the base values."""
+    item = comparison.item
+    base = samples.drawn(item.derivation, item.subject, is_base=True)
     for name, value in item.bound.items():
         base[name] = numeric(value, base)
-    at_base = Comparison(replace(item, values=base), it.conventions)
+    at_base = Comparison(replace(item, values=base), comparison.conventions)
     share = _distance(evaluated(found.part.tree, at_base.values), numeric(found.exact, base))
     if not np.isfinite(share):
         return ""
-    shown = share if share > CLOSE else 0.0  # what is 1 at the base values makes no difference
+    shown = share if share > CLOSE else 0.0  # as for a lost factor that is 1 at the base values
     return f"{shown:.2g} of both sides' size at the base values, the median of random states"
 
 
 def _distance(own: Values, right: Values) -> float:
-    """The median of the relative difference; not finite where no value is."""
+    """The median over the samples of |a − b|/(|a| + |b|); inf if no value is finite."""
     size = np.abs(own) + np.abs(right)
     known = np.isfinite(size)
-    gap, size = np.abs(own[known] - right[known]), size[known]
+    gap = np.abs(own[known] - right[known])
+    size = size[known]
     share = np.divide(gap, size, out=np.zeros_like(size), where=size > 0)
     return float(np.median(share)) if share.size else np.inf
 
 
-def _repaired(it: Comparison, part: Component) -> Right | None:
-    """The most likely repair that is proved."""
+def _repaired(comparison: Comparison, part: Component) -> ProvedRepair | None:
+    """The cheapest proved repair of a side; None if none is found.
+
+    Repairs by one edit are sought first, then by two; last a lost term of any form.
+    """
     targets: list[tuple[Values, Expr]] = []
     for target, exact in part.targets:
         if not any(same(target, known) for known, _ in targets):
             targets.append((target, exact))
-    search = Search(part.tree, _pool(it, part))
-    good: list[tuple[Repair, Expr]] = []
+    search = Search(part.tree, _pool(comparison, part))
+    proved: list[tuple[Repair, Expr]] = []
     for pairs in (False, True):
-        # Single repairs that cost more are compared with pairs.
-        if good and good[0][0].cost <= 2.0:
+        if proved and proved[0][0].cost <= 2.0:  # two edits cost at least that
             break
-        # Factors of a residual that are tried with two edits.
         tried = targets[:4] if pairs else targets
         found = search.repairs(np.array([target for target, _ in tried]), pairs)
-        for repair, way in found:
-            # Cost of a residual that is the derived one times a factor of
-            # parameters.
-            further = 0.005 if way > 1 else 0.0
-            good.append((replace(repair, further=further), tried[way][1]))
-        good = _proved_first(it, good)
-    if good:
-        return Right(part, *good[0], len(good))
-    for _, exact in targets[:2]:  # without a factor, and of the other sign
-        longer = _with_lost_term(it, part, exact)
-        if longer is not None and it.proved(longer.tree, exact):
-            return Right(part, longer, exact, 1)
+        for repair, target_number in found:
+            # Targets 0 and 1 are the entry with either sign; a factor of parameters costs more.
+            further = 0.005 if target_number > 1 else 0.0
+            proved.append((replace(repair, further=further), tried[target_number][1]))
+        proved = _proved_first(comparison, proved)
+    if proved:
+        return ProvedRepair(part, *proved[0], len(proved))
+    for _, exact in targets[:2]:  # the entry with either sign
+        longer = _with_lost_term(comparison, part, exact)
+        if longer is not None and comparison.proved(longer.tree, exact):
+            return ProvedRepair(part, longer, exact, 1)
     return None
 
 
-def _pool(it: Comparison, part: Component) -> Pool:
-    """Expressions that an edit of a side may bring in."""
-    item = it.item
-    free = {str(symbol) for entry in item.held.entries for symbol in entry.free_symbols}
-    page = item.it
+def _pool(comparison: Comparison, part: Component) -> Pool:
+    """The names that an edit of a side may bring in.
+
+    Excluded are the names that the statement itself gives, names with the target's own values, and
+    bound names that resemble none in the print, unless they are printed in this side.
+    """
+    item = comparison.item
+    free = {str(symbol) for entry in item.subject.entries for symbol in entry.free_symbols}
+    page = item.derivation
     hidden = {*map(str, (LAMBDA, TIME, *page.normals, *page.coefficients, *page.switches))} - free
-    hidden |= {*item.held.names, part.left} if item.held.law != "scale" else set()
+    hidden |= {*item.subject.names, part.left} if item.subject.law != "scale" else set()
     own = [name for name, one in item.book.bound.items() if one == item.statement]
     hidden |= {name for name in item.bound if name.startswith(tuple(f"{it}_" for it in own))}
     targets = [target for target, _ in part.targets]
-    hidden |= {name for name in item.bound if any(same(it.values[name], one) for one in targets)}
+    hidden |= {
+        name for name in item.bound if any(same(comparison.values[name], one) for one in targets)
+    }
     printed_names = [symbols(side) for one in item.equations for side in (one.left, one.right)]
     stems = set(map(stem, set().union(*printed_names)))
     hidden |= {name for name in item.bound if stem(name) not in stems}
     hidden -= symbols(part.tree)
-    values = {name: value for name, value in it.values.items() if name not in hidden}
-    return Pool(values, item.it.kinds, item.it.turning)
+    values = {name: value for name, value in comparison.values.items() if name not in hidden}
+    return Pool(values, item.derivation.kinds, item.derivation.turning)
 
 
 def _proved_first(
-    it: Comparison, found: Iterable[tuple[Repair, Expr]]
+    comparison: Comparison, found: Iterable[tuple[Repair, Expr]]
 ) -> list[tuple[Repair, Expr]]:
-    """The repairs of least cost among those that are proved, each form once."""
-    good: list[tuple[Repair, Expr]] = []
+    """The proved repairs of least cost, equal expressions once."""
+    proved: list[tuple[Repair, Expr]] = []
     forms: set[Expr] = set()
     for repair, exact in sorted(found, key=lambda one: (one[0].cost, len(printed(one[0].tree)))):
-        # Repairs of one statement that are tried for a proof.
-        if (good and repair.cost > good[0][0].cost + 0.01) or len(good) > 12:
+        is_dearer = bool(proved) and repair.cost > proved[0][0].cost + 0.01
+        if is_dearer or len(proved) > 12:
             break
         form = to_sympy(repair.tree, {name: Symbol(name) for name in symbols(repair.tree)})
-        if form not in forms and it.proved(repair.tree, exact):
-            good.append((repair, exact))
+        if form not in forms and comparison.proved(repair.tree, exact):
+            proved.append((repair, exact))
             forms.add(form)
-    return good
+    return proved
 
 
-def _with_lost_term(it: Comparison, part: Component, exact: Expr) -> Repair | None:
-    """A print with what it lacks, where that is one term, of brackets as well."""
-    term = normal_form(exact - it.exactly(part.tree))
-    # Symbols of a term with brackets that may be lost, and terms that it may have without
-    # them.
-    longest_term = 8
+def _with_lost_term(comparison: Comparison, part: Component, exact: Expr) -> Repair | None:
+    """A repair by adding the difference to the target, if that can be written as one term."""
+    term = normal_form(exact - comparison.exactly(part.tree))
+    longest_term = 8  # terms of its expanded numerator, and symbols of its factored form
     if len(sp.Add.make_args(sp.numer(term))) > longest_term:
         return None
-    vocabulary = Vocabulary(frozenset(it.item.values), (), {})
+    vocabulary = Vocabulary(frozenset(comparison.item.values), (), {})
     try:
         tree = read_sympy(str(sp.factor(term)), vocabulary)[0].left
     except Unread:
@@ -406,9 +455,9 @@ def _with_lost_term(it: Comparison, part: Component, exact: Expr) -> Repair | No
 
 
 def _units_problem(item: Item, parts: Iterable[Component]) -> str:
-    """Problem of units in a print that has them."""
+    """What is wrong with the units of a print; empty if they are consistent."""
     names: dict[str, Expr] = {name: Symbol(name) for name in item.values}
-    known = {symbol: item.it.kinds.get(name, units.NONE) for name, symbol in names.items()}
+    known = {symbol: item.derivation.kinds.get(name, units.NONE) for name, symbol in names.items()}
     for name, value in item.bound.items():
         names[name] = value.xreplace({it: Symbol(it.name) for it in value.free_symbols})
     for name, tree in item.defined.items():
@@ -418,7 +467,7 @@ def _units_problem(item: Item, parts: Iterable[Component]) -> str:
             found = units.of(to_sympy(part.tree, names, evaluate=False), known)
         except units.UnitsError as error:
             return f"units: {error}"
-        expected = item.held.unit
+        expected = item.subject.unit
         if expected is not None and found is not None and found != expected:
             return (
                 f"units: {printed(part.tree)} is in {units.spelled(found)}, not in "
@@ -428,7 +477,7 @@ def _units_problem(item: Item, parts: Iterable[Component]) -> str:
 
 
 def _said_once(rows: Sequence[Row]) -> list[Row]:
-    """Edits that several statements share are said once: it may be the page that is wrong."""
+    """The rows, with a note on those whose edits are the same: the page may be wrong there."""
     found = []
     for row in rows:
         key = _edit_key(row)
@@ -440,6 +489,8 @@ def _said_once(rows: Sequence[Row]) -> list[Row]:
 
 
 def _edit_key(row: Row) -> tuple[object, ...]:
+    """The edits of a row without the place at which they are made."""
+
     def essence(edit: Mapping[str, object]) -> tuple[object, ...]:
         kind = edit["kind"]
         new = str(edit["new"])

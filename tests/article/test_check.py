@@ -23,7 +23,7 @@ from spragsym.derive.kang_nam.ledger import LedgerRow
 from spragsym.derive.kang_nam.mechanics import AX, AY
 from spragsym.derive.statements.comparison import Comparison
 from spragsym.derive.statements.papers import Paper, Statement
-from spragsym.derive.statements.reading import Item, opened
+from spragsym.derive.statements.reading import Item, read_paper
 from spragsym.derive.statements.tree import Equation, Node, nodes, printed, to_sympy, with_part
 
 EQUATIONS = {f"eq-{number}" for number in range(1, 30)}
@@ -44,7 +44,7 @@ def rows(
 def items() -> dict[str, Item]:
     """Statements that are compared, as they were read."""
     model = pages.read(pages.SHIPPED / "kang_nam.py")
-    _, found = opened(article.printed(), model)
+    _, found = read_paper(article.printed(), model)
     return {item.statement.id: item for item in found if isinstance(item, Item)}
 
 
@@ -164,7 +164,7 @@ def read(id: str) -> tuple[sp.Expr, ...]:
     for name in known - names.keys() - own.keys():
         own[name] = nm.quantities()[name].symbol if name in nm.quantities() else sp.Symbol(name)
     own |= {f"b_{place}": symbol for place, symbol in enumerate((nm.b1, nm.b2, nm.b3, nm.b4), 1)}
-    own |= {"N": nm.n if item.it.scaled else nm.N, "Delta": _ATOMS[r"\Delta"]}
+    own |= {"N": nm.n if item.derivation.scaled else nm.N, "Delta": _ATOMS[r"\Delta"]}
     circles = {sp.cos(names["theta"]): nm.c, sp.sin(names["theta"]): nm.s}
     circles |= {sp.cos(names["theta0"]): nm.c0, sp.sin(names["theta0"]): nm.s0}
     found = []
@@ -246,12 +246,12 @@ def points(item: Item) -> Iterator[dict[str, sp.Expr]]:
 
     for number in range(40):
         if number % 2 == 0:
-            given = {str(it): rational() for it in item.it.parameters.values()}
+            given = {str(it): rational() for it in item.derivation.parameters.values()}
             angle = sp.atan(rational())
         value: dict[str, sp.Expr] = given | {"theta0": angle}
         value |= {"x": rational(-60), "y": -rational(), "ax": rational(), "ay": rational()}
         value |= {"vx": rational(-60), "vy": rational(), "lam": rational(), "t": rational()}
-        is_open = item.held.side == "lift-off" or (item.held.side == "both" and number % 4 > 1)
+        is_open = item.subject.side == "lift-off" or (item.subject.side == "both" and number % 4 > 1)
         if is_open:
             value["y"] = -value["y"]
         length = value.get("L_0", sp.S.One)
@@ -262,7 +262,7 @@ def points(item: Item) -> Iterator[dict[str, sp.Expr]]:
         value["N"] = -value["y"] * value.get("k_c", 1) * value["pushing"]
         slip = value["V"] - value["vx"]
         law = value["mu0"] * (1 - sp.exp(-value["d"] * abs(slip))) * sp.sign(slip)
-        value["mu"] = value["mu0"] if item.held.steady else law
+        value["mu"] = value["mu0"] if item.subject.steady else law
         own = {name: _at(it, value) for name, it in item.bound.items()}
         yield value | own
 
@@ -276,7 +276,7 @@ def is_neutral(item: Item, tree: Node, changed: Node) -> bool:
     before, is_same = None, True
     for number, value in enumerate(points(item)):
         own = {name: it for name, it in item.defined.items() if name not in value}
-        units = {name: to_sympy(it, value) for name, it in own.items() if not item.it.scaled}
+        units = {name: to_sympy(it, value) for name, it in own.items() if not item.derivation.scaled}
         old, new = (sp.N(to_sympy(it, value | units), 50) for it in (tree, changed))
         if new is sp.nan or not new.is_finite:
             return False
@@ -284,10 +284,10 @@ def is_neutral(item: Item, tree: Node, changed: Node) -> bool:
         if is_same:
             before = sp.S.One
             continue
-        if item.held.is_value or 0 in (old, new):
+        if item.subject.is_value or 0 in (old, new):
             return False
         ratio = new / old
-        if item.held.factor != "parameters" and abs(abs(ratio) - 1) > 1e-40:
+        if item.subject.factor != "parameters" and abs(abs(ratio) - 1) > 1e-40:
             return False
         if number % 2 and abs(ratio - before) > 1e-40:
             return False
@@ -311,13 +311,13 @@ def test_every_mutation_is_caught_and_located(id: str) -> None:
     """A statement with any small change holds where the change is neutral, and nowhere else."""
     item, count = items()[id], 0
     for place, equation in enumerate(item.equations):
-        side = equation.right if item.held.is_value else equation.left
+        side = equation.right if item.subject.is_value else equation.left
         for name, changed in mutations(side, item):
             left, right = equation.left, equation.right
-            other = Equation(left, changed) if item.held.is_value else Equation(changed, right)
+            other = Equation(left, changed) if item.subject.is_value else Equation(changed, right)
             others = (*item.equations[:place], other, *item.equations[place + 1 :])
-            whole = side if item.held.is_value else Node("add", (side, Node("neg", (right,))))
-            after = changed if item.held.is_value else Node("add", (changed, Node("neg", (right,))))
+            whole = side if item.subject.is_value else Node("add", (side, Node("neg", (right,))))
+            after = changed if item.subject.is_value else Node("add", (changed, Node("neg", (right,))))
             holds = Comparison(dataclasses.replace(item, equations=others)).agrees
             neutral = PRINTED[id].expect in ("confirmed", "definition") and is_neutral(
                 item, whole, after

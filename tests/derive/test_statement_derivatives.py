@@ -28,7 +28,7 @@ def test_the_slope_of_a_friction_law_is_that_of_the_law(
     print_: str, order: int, about: str
 ) -> None:
     """In a motion on either side of the belt's speed, and at steady sliding: by differences."""
-    _, (item,) = reading.opened(paper([(about, f"{print_} = 0")], SPEED), PAGE)
+    _, (item,) = reading.read_paper(paper([(about, f"{print_} = 0")], SPEED), PAGE)
     assert isinstance(item, reading.Item)
     at = item.values
     speed = at["v_0"] - at["vx"] if about == "motion x" else at["v_0"]

@@ -484,7 +484,7 @@ def test_definitions_of_one_row_and_of_each_other() -> None:
 def test_a_frequency_of_the_page_is_its_own() -> None:
     """Only where the page has no such name are powers of a frequency those of λ."""
     one = paper([("characteristic", "frequency**2 - 1 = 0")], form="scaled")
-    (item,) = reading.opened(one, COUPLING)[1]
+    (item,) = reading.read_paper(one, COUPLING)[1]
     assert isinstance(item, reading.Item)
     assert printed(item.equations[0].left) == "-lam**2 - 1"
 
@@ -506,7 +506,7 @@ def test_a_rate_is_0_of_constants_alone() -> None:
         ("energy V", r"V = \dot\phi"),
     ]
     read = paper(texts, {r"\phi": "phi"}, form="scaled")
-    _, constant, length, unknown = reading.opened(read, ARTICLE)[1]
+    _, constant, length, unknown = reading.read_paper(read, ARTICLE)[1]
     assert isinstance(constant, reading.Item)
     assert printed(constant.equations[0].left) == "w_0*vx"
     assert isinstance(unknown, reading.Verdict)

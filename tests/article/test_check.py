@@ -251,7 +251,9 @@ def points(item: Item) -> Iterator[dict[str, sp.Expr]]:
         value: dict[str, sp.Expr] = given | {"theta0": angle}
         value |= {"x": rational(-60), "y": -rational(), "ax": rational(), "ay": rational()}
         value |= {"vx": rational(-60), "vy": rational(), "lam": rational(), "t": rational()}
-        is_open = item.subject.side == "lift-off" or (item.subject.side == "both" and number % 4 > 1)
+        is_open = item.subject.side == "lift-off" or (
+            item.subject.side == "both" and number % 4 > 1
+        )
         if is_open:
             value["y"] = -value["y"]
         length = value.get("L_0", sp.S.One)
@@ -276,7 +278,9 @@ def is_neutral(item: Item, tree: Node, changed: Node) -> bool:
     before, is_same = None, True
     for number, value in enumerate(points(item)):
         own = {name: it for name, it in item.defined.items() if name not in value}
-        units = {name: to_sympy(it, value) for name, it in own.items() if not item.derivation.scaled}
+        units = {
+            name: to_sympy(it, value) for name, it in own.items() if not item.derivation.scaled
+        }
         old, new = (sp.N(to_sympy(it, value | units), 50) for it in (tree, changed))
         if new is sp.nan or not new.is_finite:
             return False
@@ -317,7 +321,9 @@ def test_every_mutation_is_caught_and_located(id: str) -> None:
             other = Equation(left, changed) if item.subject.is_value else Equation(changed, right)
             others = (*item.equations[:place], other, *item.equations[place + 1 :])
             whole = side if item.subject.is_value else Node("add", (side, Node("neg", (right,))))
-            after = changed if item.subject.is_value else Node("add", (changed, Node("neg", (right,))))
+            after = (
+                changed if item.subject.is_value else Node("add", (changed, Node("neg", (right,))))
+            )
             holds = Comparison(dataclasses.replace(item, equations=others)).agrees
             neutral = PRINTED[id].expect in ("confirmed", "definition") and is_neutral(
                 item, whole, after

@@ -351,6 +351,16 @@ def test_a_cycle_that_hardly_moves_has_a_leading_coordinate() -> None:
 
 
 @pytest.mark.thorough
+def test_a_cycle_is_asked_for_at_a_tenth_of_the_amplitude_at_which_it_sticks() -> None:
+    """To first order x swings with the frequency 1, and sticks where its speed reaches V."""
+    onsets = ss.flutter_onsets(ss.load("stick_slip").Parameters(), vary="V")
+    for index, speed in enumerate(onsets.V.tolist()):
+        assert ss.cycle(onset=onsets, index=index).amplitude == pytest.approx(speed / 10, rel=0.05)
+        with pytest.raises(ss.errors.ConvergenceError, match=f"below {speed:.3g} do not come"):
+            ss.cycle(onset=onsets, index=index, amplitude=1e3)
+
+
+@pytest.mark.thorough
 def test_where_a_mass_between_two_stops_ceases_to_swing_alike_and_does_so_again() -> None:
     """u(π/ω) = −u(0), and the derivative of that map by u has the eigenvalue 1. Newton's method for
     a closed orbit has no hold there, and where it fails is a matter of rounding.

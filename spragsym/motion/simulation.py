@@ -468,12 +468,12 @@ class Trajectory(Named):
         'LIMIT_CYCLE'
         """
         late = self.after(transient)
-        start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
+        # In units of the whole motion, in which it has been integrated: it may end as their noise.
         problem = prepare(
             self.model,
             self.p,
-            start=start,
-            t_end=length,
+            start=tuple(self.state[:, 0].tolist()),
+            t_end=float(late.t[-1] - late.t[0]),
             rtol=max(self.rtol, RELATIVE_TOLERANCE.low),
         )
         options = options or MotionOptions()

@@ -122,3 +122,12 @@ def test_a_rotation_is_a_cycle_modulo_a_turn(order: tuple[str, str]) -> None:
     )
     assert (fate.kind, fate.exponents.size) == ("cycle", 4)
     assert fate.exponents[1] == pytest.approx(-float(sweep.rate[1]), rel=1e-5)
+
+
+@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+def test_what_has_died_out_to_noise_is_at_rest_where_nothing_has_a_size(backend: str) -> None:
+    text = HEAD + "x = page.coordinate('x', 'm', 'way')\npage.kinetic(m * page.rate(x) ** 2 / 2)\n"
+    p = model_of(text + "page.spring(k, along=x)\npage.damper(c, along=x)\n", "free").Parameters()
+    late = ss.simulate(p, x0=0.1, t_end=700.0, backend=backend).outcome(350.0)  # 1e-24 at t = 350
+    assert (late.regime, late.rate) == (Regime.EQUILIBRIUM, pytest.approx(0.15, rel=1e-12))
+    assert ss.fate(p, start=(0.1, 0.0), backend=backend).kind == "rest"

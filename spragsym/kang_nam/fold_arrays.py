@@ -20,7 +20,7 @@ import numpy as np
 
 from ..models.parameters import FloatArray
 from ..numerics import balls, bernstein
-from ..numerics.affine import Rounded, as_number, cosine_and_sine
+from ..numerics.affine import Rounded, as_rounded, cosine_and_sine
 from ..numerics.arithmetic import Number, Polynomial
 from ..numerics.balls import Ball, as_floats, ends
 from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array, quiet, scale_of
@@ -171,11 +171,11 @@ def _kept(
 
 
 def _rows(parts: Iterable[Any], index: IndexArray) -> list[Any]:
-    return [as_number(part).rows(index) for part in parts]
+    return [as_rounded(part).rows(index) for part in parts]
 
 
 def _where(which: BoolArray, *numbers: Any) -> Rounded:
-    one, other = map(as_number, numbers)
+    one, other = map(as_rounded, numbers)
     return Rounded(
         *(np.where(which, getattr(one, part), getattr(other, part)) for part in ("value", "error"))
     )

@@ -1,11 +1,20 @@
-/* A motion in one mode of its field, carried on by SciPy's DOP853 step for step: with the generated field, in compiled code.
+/* Integration of the article's motion in one mode (contact, side of sliding, branch of the friction
+ * law) by DOP853, up to the next border of the mode. Each step is that of SciPy's DOP853.
  *
- * carry(constants, mode, limits, tables, unit, state, clock, times, states) -> (outcome, border, steps, kept)
+ * carry(constants, mode, limits, tables, unit, state, clock, times, states)
+ *     -> (outcome, border, steps, kept)
  *
- * All arguments are buffers of doubles. constants: the nine of the field. mode: contact, side, near, reach, width, gap.
- * limits: rtol, atol, the end, when samples begin, most steps. tables: the method's A, B, C, E3, E5, A_EXTRA, C_EXTRA, D, one after the
- * other. unit: points in [0, 1] at which steps are sampled. state and clock (time, length of the next step) are moved on. times
- * and states have room for that many steps. The outcome is one of those below; the border is the one that was passed. */
+ * All arguments are buffers of doubles.
+ *     constants: the nine constants of the vector field.
+ *     mode: contact, side, near, reach, width, gap.
+ *     limits: rtol, atol, end time, time at which samples begin, maximal number of steps.
+ *     tables: A, B, C, E3, E5, A_EXTRA, C_EXTRA, D of the method, one after the other.
+ *     unit: points in [0, 1] at which each step is sampled.
+ *     state, clock: the state; time and length of the next step. Both are updated.
+ *     times, states: the samples, with room for a number of steps.
+ *
+ * The outcome is one of those below, `border` the index of the border that was passed, `steps` the
+ * number of steps, and `kept` that of the steps with samples. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -33,7 +42,7 @@ typedef struct {
     const double *A, *B, *C, *E3, *E5, *A_extra, *C_extra, *D;
 } tables;
 
-/* A step as a polynomial. */
+/* Dense output of one step. */
 typedef struct {
     double begin;
     double length;
@@ -41,7 +50,10 @@ typedef struct {
     double F[POWERS][4];
 } dense;
 
-/* The exponential of (10) is left out where it is not near, and bounded where a trial step goes far beyond its border. */
+/* Belt speed with which the generated field evaluates the friction law (10).
+ *
+ * Where the mode is not `near`, the exponential of the law is negligible: a large sliding speed
+ * makes it 0. Where it is, trial steps far beyond the border must not make it overflow. */
 static double belt_speed(const field *in, double vx) {
     const double V = in->constants[7];
     const double d = in->constants[8];
@@ -52,15 +64,18 @@ static double belt_speed(const field *in, double vx) {
     return (d * side * (V - vx) < -LARGEST_EXPONENT) ? vx - side * LARGEST_EXPONENT / d : V;
 }
 
+/* Vector field: the rates of x, y, x', y'. */
 static void rate_of(const field *in, const double state[4], double rate[4]) {
     const double *const c = in->constants;
     rate[0] = state[2];
     rate[1] = state[3];
-    algebra_regime_rhs(state[0], state[1], state[2], state[3], c[0], c[1], c[2], c[3], c[4], c[5], c[6],
-        belt_speed(in, state[2]), c[8], in->mode[0], in->mode[1], rate + 2);
+    algebra_regime_rhs(state[0], state[1], state[2], state[3], c[0], c[1], c[2], c[3], c[4], c[5],
+        c[6], belt_speed(in, state[2]), c[8], in->mode[0], in->mode[1], rate + 2);
 }
 
-static void combined(const double *from, double h, const double *weights, int stages, const double K[EXTENDED][4], double to[4]) {
+/* from + h Σ weights_s K_s over the first stages. */
+static void combined(const double *from, double h, const double *weights, int stages,
+    const double K[EXTENDED][4], double to[4]) {
     for (int j = 0; j < 4; j++) {
         double sum = 0.0;
         for (int s = 0; s < stages; s++) {
@@ -70,7 +85,9 @@ static void combined(const double *from, double h, const double *weights, int st
     }
 }
 
-static void step(const field *in, const tables *it, const double from[4], double h, double K[EXTENDED][4], double to[4]) {
+/* One step of length h; K[0] is the rate at its beginning. */
+static void step(const field *in, const tables *it, const double from[4], double h,
+    double K[EXTENDED][4], double to[4]) {
     double at[4];
     for (int s = 1; s < STAGES; s++) {
         combined(from, h, it->A + s * STAGES, s, (const double (*)[4])K, at);
@@ -80,9 +97,9 @@ static void step(const field *in, const tables *it, const double from[4], double
     rate_of(in, to, K[STAGES]);
 }
 
-/* The error over what is allowed, as SciPy's DOP853 estimates it. */
-static double error_of(const tables *it, const double K[EXTENDED][4], double h, const double from[4], const double to[4],
-    double rtol, double atol) {
+/* Estimated error relative to the tolerance, as SciPy's DOP853 computes it. */
+static double error_of(const tables *it, const double K[EXTENDED][4], double h,
+    const double from[4], const double to[4], double rtol, double atol) {
     double fifth = 0.0;
     double third = 0.0;
     for (int j = 0; j < 4; j++) {
@@ -102,8 +119,9 @@ static double error_of(const tables *it, const double K[EXTENDED][4], double h, 
     return fabs(h) * fifth / sqrt((fifth + 0.01 * third) * 4.0);
 }
 
-static void extend(const field *in, const tables *it, const double from[4], const double to[4], double begin, double h,
-    double K[EXTENDED][4], dense *out) {
+/* Dense output of a step, after three more stages. */
+static void extend(const field *in, const tables *it, const double from[4], const double to[4],
+    double begin, double h, double K[EXTENDED][4], dense *out) {
     double at[4];
     for (int s = STAGES + 1; s < EXTENDED; s++) {
         combined(from, h, it->A_extra + (s - STAGES - 1) * EXTENDED, s, (const double (*)[4])K, at);
@@ -127,6 +145,7 @@ static void extend(const field *in, const tables *it, const double from[4], cons
     }
 }
 
+/* State after a share of the step. */
 static void state_at(const dense *it, double share, double state[4]) {
     for (int j = 0; j < 4; j++) {
         double y = 0.0;
@@ -138,8 +157,11 @@ static void state_at(const dense *it, double share, double state[4]) {
     }
 }
 
-/* Distance from one border of the mode, negative beyond it, and its rate. */
-static void clearance(const field *in, int border, const double state[4], double *distance, double *rate) {
+/* Distance to one border of the mode, negative beyond it, and its rate.
+ *
+ * The borders are the contact's, the reversal of sliding, and the end of the branch of the law. */
+static void clearance(
+    const field *in, int border, const double state[4], double *distance, double *rate) {
     const double *const m = in->mode;
     const double slip = m[1] * (in->constants[7] - state[2]);
     const double d = in->constants[8];
@@ -161,6 +183,7 @@ static void clearance(const field *in, int border, const double state[4], double
     *rate = farther * d * -m[1] * derivative[2];
 }
 
+/* The distance to a border after a share of the step, or its rate. */
 static double part_at(const field *in, int border, int of_rate, const dense *it, double share) {
     double state[4];
     double both[2];
@@ -169,11 +192,13 @@ static double part_at(const field *in, int border, int of_rate, const dense *it,
     return both[of_rate];
 }
 
-/* Where the distance or its rate changes sign, by halving: the end beyond. */
-static double sign_change(const field *in, int border, int of_rate, const dense *it, double low, double high) {
+/* Share of the step at which the distance, or its rate, changes sign, by bisection. Returns the
+ * upper end of the bracket, where the sign has changed. */
+static double sign_change(
+    const field *in, int border, int of_rate, const dense *it, double low, double high) {
     const int before = part_at(in, border, of_rate, it, low) < 0.0;
     if (before == (part_at(in, border, of_rate, it, high) < 0.0)) {
-        return low; /* the motion begins beyond the border, by rounding: it is left at once */
+        return low; /* by rounding, the step begins beyond the border: the mode ends at once */
     }
     for (int i = 0; i < 60; i++) {
         const double middle = 0.5 * (low + high);
@@ -186,7 +211,9 @@ static double sign_change(const field *in, int border, int of_rate, const dense 
     return high;
 }
 
-/* The share of the step at which a border is first passed, dips between the points of the search included, or 2. */
+/* Share of the step at which a border is first passed; 2 if it is not.
+ *
+ * Between the points of the search, a minimum of the distance may lie beyond the border too. */
 static double first_passing(const field *in, int border, const dense *it) {
     double value[SEARCHED + 1];
     double rate[SEARCHED + 1];
@@ -234,7 +261,7 @@ typedef struct {
     Py_ssize_t kept;
 } job;
 
-/* Samples of a step up to a share of it, as far as they are wanted. */
+/* Store samples of a step up to a share of it, at times after the one at which samples begin. */
 static void keep(job *it, const dense *polynomial, double share, double end) {
     const double wanted = it->limits[3];
     double from = 0.0;
@@ -247,7 +274,8 @@ static void keep(job *it, const dense *polynomial, double share, double end) {
     for (Py_ssize_t i = 0; i < it->points; i++) {
         const double at = (i == it->points - 1) ? share : from + it->unit[i] * (share - from);
         double state[4];
-        it->times[it->kept * it->points + i] = (i == it->points - 1) ? end : polynomial->begin + at * polynomial->length;
+        it->times[it->kept * it->points + i] =
+            (i == it->points - 1) ? end : polynomial->begin + at * polynomial->length;
         state_at(polynomial, at, state);
         for (int j = 0; j < 4; j++) {
             it->states[(it->kept * 4 + j) * it->points + i] = state[j];
@@ -256,6 +284,7 @@ static void keep(job *it, const dense *polynomial, double share, double end) {
     it->kept++;
 }
 
+/* Integrate to a border or to the end, and return the outcome. */
 static int carry_on(job *it) {
     const double rtol = it->limits[0];
     const double atol = it->limits[1];
@@ -286,7 +315,8 @@ static int carry_on(job *it) {
             end = smaller(t + h, bound);
             h = end - t;
             step(&it->in, &it->method, it->state, h, K, to);
-            const double error = error_of(&it->method, (const double (*)[4])K, h, it->state, to, rtol, atol);
+            const double error =
+                error_of(&it->method, (const double (*)[4])K, h, it->state, to, rtol, atol);
             const double eighth = 0.9 / sqrt(sqrt(sqrt(error)));
             if (error < 1.0) {
                 double factor = (error == 0.0) ? 10.0 : smaller(10.0, eighth);
@@ -313,7 +343,7 @@ static int carry_on(job *it) {
             keep(it, &polynomial, share, left);
             state_at(&polynomial, share, it->state);
             it->clock[0] = left;
-            it->clock[1] = polynomial.length; /* as SciPy begins anew */
+            it->clock[1] = polynomial.length; /* as after a restart of SciPy's integrator */
             return PASSED;
         }
         keep(it, &polynomial, 1.0, end);
@@ -330,23 +360,27 @@ static int carry_on(job *it) {
 
 static PyObject *carry(PyObject *module, PyObject *arguments) {
     static const Py_ssize_t sizes[ARGUMENTS] = {9, 6, 5, 0, 0, 4, 2, 0, 0};
-    const Py_ssize_t table = STAGES * STAGES + 2 * STAGES + 2 * (STAGES + 1) + 3 * EXTENDED + 3 + 4 * EXTENDED;
+    const Py_ssize_t table =
+        STAGES * STAGES + 2 * STAGES + 2 * (STAGES + 1) + 3 * EXTENDED + 3 + 4 * EXTENDED;
     Py_buffer view[ARGUMENTS];
     PyObject *given[ARGUMENTS];
     PyObject *result = NULL;
     int held = 0;
     (void)module;
-    if (!PyArg_ParseTuple(arguments, "OOOOOOOOO", &given[0], &given[1], &given[2], &given[3], &given[4], &given[5], &given[6],
-            &given[7], &given[8])) {
+    if (!PyArg_ParseTuple(arguments, "OOOOOOOOO", &given[0], &given[1], &given[2], &given[3],
+            &given[4], &given[5], &given[6], &given[7], &given[8])) {
         return NULL;
     }
-    while (held < ARGUMENTS && PyObject_GetBuffer(given[held], &view[held], (held > 4) ? PyBUF_WRITABLE : PyBUF_SIMPLE) == 0) {
+    while (held < ARGUMENTS &&
+        PyObject_GetBuffer(given[held], &view[held], (held > 4) ? PyBUF_WRITABLE : PyBUF_SIMPLE) ==
+            0) {
         held++;
     }
     if (held == ARGUMENTS) {
         job it;
         const double *at = (const double *)view[3].buf;
-        int fits = view[3].len == table * (Py_ssize_t)sizeof(double) && view[8].len == 4 * view[7].len && view[4].len > 0;
+        int fits = view[3].len == table * (Py_ssize_t)sizeof(double) &&
+            view[8].len == 4 * view[7].len && view[4].len > 0;
         for (int i = 0; i < ARGUMENTS; i++) {
             fits = fits && (sizes[i] == 0 || view[i].len == sizes[i] * (Py_ssize_t)sizeof(double));
         }
@@ -386,10 +420,11 @@ static PyObject *carry(PyObject *module, PyObject *arguments) {
 }
 
 static PyMethodDef methods[] = {
-    {"carry", carry, METH_VARARGS, "A motion in one mode, up to a border of it or to the end."}, {NULL, NULL, 0, NULL}};
+    {"carry", carry, METH_VARARGS, "Integrate in one mode, up to a border of it or to the end."},
+    {NULL, NULL, 0, NULL}};
 
-static struct PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, "_carried", "The generated motion, compiled.", -1, methods, NULL, NULL, NULL, NULL};
+static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_carried",
+    "The generated motion, compiled.", -1, methods, NULL, NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__carried(void) {
     PyObject *const module = PyModule_Create(&definition);

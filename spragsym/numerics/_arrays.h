@@ -1,4 +1,4 @@
-/* Arrays of NumPy as buffers, for _tape.c, _contractors.c and _search.c. */
+/* NumPy arrays as buffers, for _tape.c, _contractors.c and _search.c. */
 #ifndef SPRAGSYM_ARRAYS_H
 #define SPRAGSYM_ARRAYS_H
 
@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* A buffer of doubles of shape (2, rows, N). */
+/* Get a buffer of doubles of shape (2, rows, N); −1, and an exception, if it is none. */
 static inline int interval_buffer(PyObject *from, Py_buffer *to, int flags) {
     if (PyObject_GetBuffer(from, to, flags | PyBUF_FORMAT) < 0) {
         return -1;

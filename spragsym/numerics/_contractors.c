@@ -1,12 +1,14 @@
-/* Contractors of many boxes: the same numbers, operation by operation, as contractors.py gives, one box after the other.
+/* Extension module with the contractors of contractors.py, for many boxes: one box after the other,
+ * with the same operations in the same order.
  *
- * inverse(matrices, n, to): inverses of matrices of floats, roughly, shape (n, n, N).
- * newton(values, slopes, middle, reach, n, by_rows, ends, noise, none)
+ * inverse(matrices, n, to): approximate inverses of matrices of floats, shape (n, n, N).
+ * newton(values, slopes, middle, reach, n, by_rows, ends, noise, none): interval Newton steps.
  *
- * Arrays are contiguous, of N boxes along the last axis: doubles of shape (2, n, N) with −low and high first, values so too, slopes
- * (2, n, n, N), middle, reach and noise (n, N); none bytes, of shape (N,).
+ * Arrays are contiguous, with N boxes along the last axis. values and ends are doubles of shape (2,
+ * n, N), −low first; slopes (2, n, n, N); middle, reach and noise (n, N); none are N bytes.
  *
- * Rounding: see _rounding.h. NaN bounds nothing, so that every comparison from which something is concluded is false with it. */
+ * The rounding of ends is explained in _rounding.h. NaN is an end that is not known: every
+ * comparison that proves something is false with it. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -64,7 +66,8 @@ static PyObject *newton(PyObject *module, PyObject *arguments) {
     Py_buffer of[7];
     int n;
     int rows;
-    if (!PyArg_ParseTuple(arguments, "y*y*y*y*iiw*w*w*", of, of + 1, of + 2, of + 3, &n, &rows, of + 4, of + 5, of + 6)) {
+    if (!PyArg_ParseTuple(arguments, "y*y*y*y*iiw*w*w*", of, of + 1, of + 2, of + 3, &n, &rows,
+            of + 4, of + 5, of + 6)) {
         return NULL;
     }
     const Py_ssize_t N = of[6].len;
@@ -74,7 +77,8 @@ static PyObject *newton(PyObject *module, PyObject *arguments) {
         release(of, 7);
         return NULL;
     }
-    Py_BEGIN_ALLOW_THREADS for (Py_ssize_t i = 0; i < N; i++) {
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t i = 0; i < N; i++) {
         box values;
         box step;
         matrix slopes;
@@ -85,14 +89,17 @@ static PyObject *newton(PyObject *module, PyObject *arguments) {
         load_matrix(of[1].buf, n, N, i, &slopes);
         load_vector(of[2].buf, n, N, i, middle);
         load_vector(of[3].buf, n, N, i, reach);
-        const int none = rows ? preconditioned_step(n, &slopes, &values, middle, reach, &step, noise) : newton_step(n, &values, &slopes, middle, reach, &step, noise);
+        const int none = rows ?
+            preconditioned_step(n, &slopes, &values, middle, reach, &step, noise) :
+            newton_step(n, &values, &slopes, middle, reach, &step, noise);
         store_box(&step, n, N, i, of[4].buf);
         for (int k = 0; k < n; k++) {
             ((double *)of[5].buf)[k * N + i] = noise[k];
         }
         ((uint8_t *)of[6].buf)[i] = (uint8_t)none;
     }
-    Py_END_ALLOW_THREADS release(of, 7);
+    Py_END_ALLOW_THREADS
+    release(of, 7);
     Py_RETURN_NONE;
 }
 
@@ -110,7 +117,8 @@ static PyObject *inverses(PyObject *module, PyObject *arguments) {
         release(of, 2);
         return NULL;
     }
-    Py_BEGIN_ALLOW_THREADS for (Py_ssize_t i = 0; i < N; i++) {
+    Py_BEGIN_ALLOW_THREADS
+    for (Py_ssize_t i = 0; i < N; i++) {
         vector m[MAX_UNKNOWNS];
         vector Y[MAX_UNKNOWNS];
         for (int k = 0; k < n; k++) {
@@ -125,17 +133,20 @@ static PyObject *inverses(PyObject *module, PyObject *arguments) {
             }
         }
     }
-    Py_END_ALLOW_THREADS release(of, 2);
+    Py_END_ALLOW_THREADS
+    release(of, 2);
     Py_RETURN_NONE;
 }
 
-static PyMethodDef methods[] = {{"newton", newton, METH_VARARGS, "A step of interval Newton for many boxes."},
-    {"inverse", inverses, METH_VARARGS, "Inverses of matrices, roughly."},
-    {NULL, NULL, 0, NULL}};
+static PyMethodDef methods[] = {
+    {"newton", newton, METH_VARARGS, "A step of interval Newton for many boxes."},
+    {"inverse", inverses, METH_VARARGS, "Inverses of matrices, roughly."}, {NULL, NULL, 0, NULL}};
 
-static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_contractors", NULL, -1, methods, NULL, NULL, NULL, NULL};
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "_contractors", NULL, -1, methods, NULL, NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__contractors(void) {
     PyObject *module = PyModule_Create(&definition);
-    return module != NULL && PyModule_AddIntConstant(module, "MOST", MAX_UNKNOWNS) < 0 ? NULL : module;
+    return module != NULL && PyModule_AddIntConstant(module, "MOST", MAX_UNKNOWNS) < 0 ? NULL :
+                                                                                         module;
 }

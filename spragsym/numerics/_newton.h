@@ -1,5 +1,5 @@
-/* Interval Newton steps of one box and the verdict of a search on it: the same numbers, operation by
- * operation, as contractors.py and verdicts.py give, for _contractors.c and _search.c.
+/* Interval Newton steps of one box, and the verdict of a search on it, for _contractors.c and
+ * _search.c: the same operations in the same order as in contractors.py and verdicts.py.
  *
  * Rounding: see _rounding.h. NaN bounds nothing, so that every comparison from which something is
  * concluded is false with it. */
@@ -13,9 +13,11 @@
 
 #define MAX_UNKNOWNS 8
 
-/* Verdicts on a box, the numbers of BoxVerdict in verdicts.py. DROPPED: it holds no root. PROVED: it
- * holds exactly one. UNDECIDED: halving does not help any more. PARTED: the points of the parameters
- * are to be divided, not the box. AGAIN: it became much narrower. HALVED: it is to be halved. */
+/* Verdicts on a box, the numbers of BoxVerdict in verdicts.py.
+ *
+ * DROPPED: it holds no root. PROVED: it holds exactly one. UNDECIDED: bisection does not help.
+ * PARTED: the points of the parameters are to be divided, not the box. AGAIN: it became much
+ * narrower, so contract it again. HALVED: it is to be bisected. */
 enum { DROPPED,
     PROVED,
     UNDECIDED,
@@ -122,10 +124,10 @@ static inline void dot(int n, const double *Y, const double *low, const double *
     *to_high = total[1] + (size[1] * ((n + 1) * EPS) + TINY);
 }
 
-/* An interval Newton step with slopes A and values b that are preconditioned already. Returns whether
- * the box is proved to hold no root; `noise` is half the width of b. */
-static int preconditioned_step(int n, const matrix *A, const box *b, const double *middle, const double *reach,
-    box *to, double *noise) {
+/* Interval Newton step with preconditioned slopes A and values b. Returns whether the box is proved
+ * to hold no root; `noise` is half the width of b. */
+static int preconditioned_step(int n, const matrix *A, const box *b, const double *middle,
+    const double *reach, box *to, double *noise) {
     int none = 0;
     for (int i = 0; i < n; i++) {
         double around = 0.0;
@@ -169,8 +171,8 @@ static int newton_step(int n, const box *values, const matrix *slopes, const dou
     inverse(n, middles, Y);
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) {
-            dot(n, Y[i], &slopes->ends[0][0][j], &slopes->ends[1][0][j], MAX_UNKNOWNS, &A.ends[0][i][j],
-                &A.ends[1][i][j]);
+            dot(n, Y[i], &slopes->ends[0][0][j], &slopes->ends[1][0][j], MAX_UNKNOWNS,
+                &A.ends[0][i][j], &A.ends[1][i][j]);
         }
         dot(n, Y[i], values->ends[0], values->ends[1], 1, &b.ends[0][i], &b.ends[1][i]);
     }
@@ -222,8 +224,8 @@ static int disjoint(int n, const box *one, const box *other) {
 /* The largest |x − m| over a box, for each unknown. */
 static void distance(int n, const box *of, const double *middle, double *to) {
     for (int i = 0; i < n; i++) {
-        to[i] =
-            maximum(rounded_up(middle[i] + of->ends[0][i], 1.0), rounded_up(-middle[i] + of->ends[1][i], 1.0));
+        to[i] = maximum(rounded_up(middle[i] + of->ends[0][i], 1.0),
+            rounded_up(-middle[i] + of->ends[1][i], 1.0));
     }
 }
 
@@ -234,10 +236,10 @@ typedef struct {
 
 /* Format and targets for PyArg_ParseTuple. */
 #define RULES "(dddddd(dddddddd))"
-#define INTO_RULES(by)                                                                 \
-    &(by).margin, &(by).spread, &(by).small, &(by).narrow, &(by).shrunk, &(by).finest, \
-        (by).spans, (by).spans + 1, (by).spans + 2, (by).spans + 3, (by).spans + 4,    \
-        (by).spans + 5, (by).spans + 6, (by).spans + 7
+#define INTO_RULES(by)                                                                             \
+    &(by).margin, &(by).spread, &(by).small, &(by).narrow, &(by).shrunk, &(by).finest, (by).spans, \
+        (by).spans + 1, (by).spans + 2, (by).spans + 3, (by).spans + 4, (by).spans + 5,            \
+        (by).spans + 6, (by).spans + 7
 
 /* The scale of an unknown by which tolerances are multiplied: its size, but at least 1. */
 static double scale_of(double low, double high) {
@@ -278,8 +280,9 @@ static int coordinate_to_halve(int n, const rules *by, const matrix *slopes, con
 }
 
 /* The verdict on a box that is neither dropped nor proved. */
-static int next_verdict(int n, const rules *by, const box *before, const box *now, const double *noise,
-    const matrix *slopes, const int *contracted_inside, int single, int spent, int64_t *along) {
+static int next_verdict(int n, const rules *by, const box *before, const box *now,
+    const double *noise, const matrix *slopes, const int *contracted_inside, int single, int spent,
+    int64_t *along) {
     vector widths;
     vector scales;
     int some_noisy = 0;
@@ -314,9 +317,9 @@ static int next_verdict(int n, const rules *by, const box *before, const box *no
 
 /* The verdict on a box. `single` says that it is of one point of the parameters, `spent` that the
  * budget is used up, `sharp` that steps by rows are tried as well. */
-static inline int judge_box(int n, const rules *by, int sharp, int single, int spent, const box *values,
-    const matrix *slopes, const double *middle, const box *given, const box *boxes, const box *wide,
-    box *step, box *now, int64_t *along) {
+static inline int judge_box(int n, const rules *by, int sharp, int single, int spent,
+    const box *values, const matrix *slopes, const double *middle, const box *given,
+    const box *boxes, const box *wide, box *step, box *now, int64_t *along) {
     vector reach;
     vector noise;
     int contracted_inside[MAX_UNKNOWNS];
@@ -324,7 +327,8 @@ static inline int judge_box(int n, const rules *by, int sharp, int single, int s
     distance(n, wide, middle, reach);
     const int none = newton_step(n, values, slopes, middle, reach, step, noise);
     for (int i = 0; i < n; i++) {
-        contracted_inside[i] = step->ends[0][i] < wide->ends[0][i] && step->ends[1][i] < wide->ends[1][i];
+        contracted_inside[i] =
+            step->ends[0][i] < wide->ends[0][i] && step->ends[1][i] < wide->ends[1][i];
         proved &= contracted_inside[i];
     }
     if (proved) {

@@ -1,10 +1,12 @@
-/* Operations of a tape on blocks of boxes that stay in the cache, for _tape.c and _search.c.
+/* Interval operations of a tape, on blocks of boxes that fit into the cache; for _tape.c and
+ * _search.c.
  *
- * Each operation does what the same operation of interval_arrays.py does, in the same order, so
- * that both give the same bits; but for exp, log, tanh, atan, sin and cos, which are those of the C
- * library, as far off as NumPy's are allowed to be there.
+ * Each operation computes what the operation of the same name in interval_arrays.py computes, in
+ * the same order, so that both give the same bits. Only exp, log, tanh, atan, sin and cos may
+ * differ: they are those of the C library, within the same error bounds FUNCTION_ULPS and
+ * TRIGONOMETRIC_ERROR.
  *
- * Rounding: see _rounding.h. */
+ * The rounding of ends is explained in _rounding.h. */
 #ifndef SPRAGSYM_OPERATIONS_H
 #define SPRAGSYM_OPERATIONS_H
 
@@ -57,13 +59,13 @@ enum {
     COUNT
 };
 
-/* One interval in each place: −low, then high. */
+/* One interval for each box of a block: −low in the first row, high in the second. */
 typedef struct {
     double ends[2][BLOCK];
 } slot;
 
-/* A tape: int32, four to an operation: which, to, a, b; doubles that operations name by their
- * place; how many results it has, and how many intermediate results are alive at once. */
+/* A tape. `code` holds four integers for each operation: which operation, the slot of the result,
+ * and two arguments. Arguments are slots, or indices into `numbers`, or an input and its row. */
 typedef struct {
     const int32_t *code;
     ptrdiff_t operations;
@@ -73,8 +75,8 @@ typedef struct {
     ptrdiff_t slots;
 } program;
 
-/* What a tape reads: −low and high of each row of each box, by strides in bytes; `of` says which
- * box stands in each place, if not the box of the same number. */
+/* An input of a tape: −low and high of each row of each box, with strides in bytes. `of` holds the
+ * indices of the boxes of a block, NULL if these are consecutive. */
 typedef struct {
     const char *ends;
     ptrdiff_t strides[3];
@@ -82,6 +84,7 @@ typedef struct {
     const int32_t *of;
 } operand;
 
+/* Smallest |x| of an interval, by its ends −low and high. */
 PART double mignitude(double a, double b) { return maximum(-minimum(a, b), 0.0); }
 
 PART void negative(const slot *restrict a, slot *restrict to, int n) {
@@ -105,11 +108,14 @@ PART void sum(const slot *restrict a, const slot *restrict b, slot *restrict to,
     }
 }
 
-/* Largest of numbers none of which is NaN. */
+/* Maximum of two numbers that are not NaN. */
 PART double larger(double a, double b) { return b > a ? b : a; }
 
-/* The hull of the four products or quotients of ends: unknown where one of them is. */
-PART void hull(double same_0, double same_1, double cross_0, double cross_1, slot *restrict to, int i) {
+/* Hull of the products, or quotients, of the ends of two intervals; NaN if one of these is NaN.
+ * same_0 is that of both lower ends, same_1 of both upper ends; the crossed ones have the opposite
+ * sign, as −low stands for low. */
+PART void hull(
+    double same_0, double same_1, double cross_0, double cross_1, slot *restrict to, int i) {
     const int unknown = isunordered(same_0, same_1) | isunordered(cross_0, cross_1);
     const double low = rounded_up(larger(larger(cross_0, cross_1), larger(-same_0, -same_1)), 1.0);
     const double high = rounded_up(larger(larger(same_0, same_1), larger(-cross_0, -cross_1)), 1.0);
@@ -124,12 +130,12 @@ PART void product(const slot *restrict a, const slot *restrict b, slot *restrict
     }
 }
 
-/* Times a number: exact for 1 and −1, and for 0 unless an end bounds nothing. */
+/* Product with a number: exact for 1 and −1, and for 0 unless an end is NaN or infinite. */
 PART void scaled(const slot *restrict a, double factor, slot *restrict to, int n) {
     const double size = fabs(factor);
-    const int turned = !(factor >= 0.0);
+    const int reversed = !(factor >= 0.0);
     for (int end = 0; end < 2; end++) {
-        const double *restrict from = a->ends[turned ? 1 - end : end];
+        const double *restrict from = a->ends[reversed ? 1 - end : end];
         double *restrict into = to->ends[end];
         if (size == 0.0) {
             for (int i = 0; i < n; i++) {
@@ -147,17 +153,20 @@ PART void scaled(const slot *restrict a, double factor, slot *restrict to, int n
     }
 }
 
-/* By intervals that end at 0 for divisors other than 0; unknown where 0 is inside. */
-PART void beside_zero(double a_0, double a_1, double b_0, double b_1, double to[2]) {
+/* Quotient by an interval that ends at 0, for divisors other than 0; NaN if 0 is in its inside. */
+PART void quotient_beside_zero(double a_0, double a_1, double b_0, double b_1, double to[2]) {
     const int positive = b_0 == 0.0 && b_1 > 0.0;
-    const int turned = b_1 == 0.0 && b_0 > 0.0;
-    const double far = turned ? b_0 : b_1;
-    const double low = turned ? a_1 : a_0;
-    const double high = turned ? a_0 : a_1;
-    to[0] = !(positive || turned) ? NAN : low > 0.0 ? INFINITY :
-                                                      low / far;
-    to[1] = !(positive || turned) ? NAN : high > 0.0 ? INFINITY :
-                                                       high / far;
+    const int negative = b_1 == 0.0 && b_0 > 0.0;
+    if (!(positive || negative)) {
+        to[0] = NAN;
+        to[1] = NAN;
+        return;
+    }
+    const double far = negative ? b_0 : b_1;
+    const double low = negative ? a_1 : a_0;
+    const double high = negative ? a_0 : a_1;
+    to[0] = low > 0.0 ? INFINITY : low / far;
+    to[1] = high > 0.0 ? INFINITY : high / far;
 }
 
 PART void quotient(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
@@ -172,7 +181,7 @@ PART void quotient(const slot *restrict a, const slot *restrict b, slot *restric
     for (int i = 0; zeros && i < n; i++) {
         if (!(b->ends[0][i] < 0.0 || b->ends[1][i] < 0.0)) {
             double ends[2];
-            beside_zero(a->ends[0][i], a->ends[1][i], b->ends[0][i], b->ends[1][i], ends);
+            quotient_beside_zero(a->ends[0][i], a->ends[1][i], b->ends[0][i], b->ends[1][i], ends);
             to->ends[0][i] = rounded_up(ends[0], 1.0);
             to->ends[1][i] = rounded_up(ends[1], 1.0);
         }
@@ -188,7 +197,7 @@ PART void square(const slot *restrict a, slot *restrict to, int n) {
     }
 }
 
-/* A product of n numbers in any order is off by less than n units. */
+/* The relative error of a product of n numbers is below n units in the last place. */
 PART void odd_power(const slot *restrict a, int power, slot *restrict to, int n) {
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < n; i++) {
@@ -210,7 +219,7 @@ PART void square_root(const slot *restrict a, slot *restrict to, int n) {
     }
 }
 
-/* A lower end beyond the largest number is at least that; of 0 the value is 1, exactly. */
+/* exp(0) = 1 is exact. If the lower end overflows it is the largest float. */
 PART void exponential(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = maximum(-exp(-a->ends[0][i]), -DBL_MAX);
@@ -224,18 +233,21 @@ PART void logarithm(const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double low = -log(-a->ends[0][i]);
         const double high = log(a->ends[1][i]);
-        to->ends[0][i] = a->ends[0][i] == 0.0 ? maximum(low, LEAST) : rounded_up(low, FUNCTION_ULPS);
-        to->ends[1][i] = a->ends[1][i] == 0.0 ? maximum(high, LEAST) : rounded_up(high, FUNCTION_ULPS);
+        to->ends[0][i] =
+            a->ends[0][i] == 0.0 ? maximum(low, LEAST) : rounded_up(low, FUNCTION_ULPS);
+        to->ends[1][i] =
+            a->ends[1][i] == 0.0 ? maximum(high, LEAST) : rounded_up(high, FUNCTION_ULPS);
     }
 }
 
-/* Odd functions that grow, 0 at 0, and not beyond a bound. */
-PART void growing(
+/* An increasing odd function with values of at most `bound`; f(0) = 0 is exact. */
+PART void increasing(
     double (*function)(double), double bound, const slot *restrict a, slot *restrict to, int n) {
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < n; i++) {
             const double at = a->ends[end][i];
-            to->ends[end][i] = at == 0.0 ? 0.0 : minimum(rounded_up(function(at), FUNCTION_ULPS), bound);
+            to->ends[end][i] =
+                at == 0.0 ? 0.0 : minimum(rounded_up(function(at), FUNCTION_ULPS), bound);
         }
     }
 }
@@ -244,13 +256,13 @@ PART void sign(const slot *restrict a, slot *restrict to, int n) {
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < n; i++) {
             const double at = a->ends[end][i];
-            to->ends[end][i] = at > 0.0 ? 1.0 : at < 0.0 ? -1.0 :
-                                                           at;
+            const double negative_or_zero = at < 0.0 ? -1.0 : at;
+            to->ends[end][i] = at > 0.0 ? 1.0 : negative_or_zero;
         }
     }
 }
 
-/* A cosine that has its maxima at 2π (peak + n). */
+/* A cosine whose maxima are at 2π (peak + n) for integer n. */
 PART void wave(
     double (*function)(double), double peak, const slot *restrict a, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
@@ -266,7 +278,8 @@ PART void wave(
         const int bottom = floor(until + (0.5 + TURN_ERROR)) >= ceil(from + (0.5 - TURN_ERROR));
         to->ends[0][i] =
             (bottom || !known) ? 1.0 : minimum(-minimum(one, other) + TRIGONOMETRIC_ERROR, 1.0);
-        to->ends[1][i] = (top || !known) ? 1.0 : minimum(maximum(one, other) + TRIGONOMETRIC_ERROR, 1.0);
+        to->ends[1][i] =
+            (top || !known) ? 1.0 : minimum(maximum(one, other) + TRIGONOMETRIC_ERROR, 1.0);
     }
 }
 
@@ -277,8 +290,8 @@ PART void not_negative(const slot *restrict a, slot *restrict to, int n) {
     }
 }
 
-/* a/√(a² + b²), which grows with a, and with |b| goes to 0; three roundings of a sum of squares,
- * and two more. */
+/* a/√(a² + b²), which increases with a and tends to 0 as |b| increases. Three roundings in the sum
+ * of squares and two more stay below four units. */
 PART void component(const slot *restrict a, const slot *restrict b, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
         const double near = mignitude(b->ends[0][i], b->ends[1][i]);
@@ -293,11 +306,14 @@ PART void component(const slot *restrict a, const slot *restrict b, slot *restri
     }
 }
 
-/* No angle is larger than π. */
-PART double bounded_by_pi(double end) { return minimum(rounded_up(end, FUNCTION_ULPS), rounded_up(PI, 1.0)); }
+/* End of an angle, rounded up but not beyond π. */
+PART double bounded_by_pi(double end) {
+    return minimum(rounded_up(end, FUNCTION_ULPS), rounded_up(PI, 1.0));
+}
 
-/* Of vectors that meet the ray of negative cosines: all, or those with a sine of one sign, whose
- * angle is least in size at the greatest cosine. */
+/* Angles of vectors in a rectangle that meets the ray sine = 0, cosine ≤ 0, where the angle jumps.
+ * ANGLE: not bounded. ANY_ANGLE: −π to π. ANGLE_ABOVE and ANGLE_BELOW: those of vectors on that
+ * side of the ray, from the corner of largest cosine to π. */
 PART void across_the_ray(int which, double cosine, double low, double high, double to[2]) {
     if (which == ANGLE) {
         to[0] = NAN;
@@ -306,15 +322,15 @@ PART void across_the_ray(int which, double cosine, double low, double high, doub
         to[0] = rounded_up(PI, 1.0);
         to[1] = rounded_up(PI, 1.0);
     } else {
-        const double far =
-            maximum(which == ANGLE_ABOVE ? high : -low, 0.0) + 0.0; /* −0 is on the other side */
+        /* + 0.0 turns −0 into 0: atan2 takes −0 to the other side of the ray. */
+        const double far = maximum(which == ANGLE_ABOVE ? high : -low, 0.0) + 0.0;
         const double size = -bounded_by_pi(-minimum(atan2(far, cosine), atan2(0.0, cosine)));
         to[0] = which == ANGLE_ABOVE ? -size : rounded_up(PI, 1.0);
         to[1] = which == ANGLE_ABOVE ? rounded_up(PI, 1.0) : -size;
     }
 }
 
-/* Over a rectangle off the ray least and greatest at corners. */
+/* Angles of vectors in a rectangle; off the ray, the extrema are at corners. */
 PART void angle(
     int which, const slot *restrict sine, const slot *restrict cosine, slot *restrict to, int n) {
     for (int i = 0; i < n; i++) {
@@ -341,18 +357,18 @@ PART void load(const operand *from, ptrdiff_t row, ptrdiff_t begin, slot *to, in
     for (int end = 0; end < 2; end++) {
         const char *at = from->ends + end * from->strides[0] + row * from->strides[1];
         for (int i = 0; i < n; i++) {
-            const ptrdiff_t place = from->of ? from->of[begin + i] : begin + i;
-            to->ends[end][i] = *(const double *)(const void *)(at + place * next);
+            const ptrdiff_t box = from->of ? from->of[begin + i] : begin + i;
+            to->ends[end][i] = *(const double *)(const void *)(at + box * next);
         }
     }
 }
 
-/* The tape on n boxes from number `begin` on; results are of shape (2, outputs, every). */
-WIDER static void block(const program *of, const operand *inputs, slot *slots, double *out,
-    ptrdiff_t every, ptrdiff_t begin, int n) {
-    const int32_t *code = of->code;
-    const double *numbers = of->numbers;
-    for (ptrdiff_t k = 0; k < of->operations; k++, code += 4) {
+/* Run a tape on the n boxes from index `begin` on; results have the shape (2, outputs, N). */
+WIDER static void block(const program *tape, const operand *inputs, slot *slots, double *out,
+    ptrdiff_t N, ptrdiff_t begin, int n) {
+    const int32_t *code = tape->code;
+    const double *numbers = tape->numbers;
+    for (ptrdiff_t k = 0; k < tape->operations; k++, code += 4) {
         slot *to = slots + code[1];
         const slot *a = slots + code[2];
         const slot *b = slots + code[3];
@@ -368,7 +384,7 @@ WIDER static void block(const program *of, const operand *inputs, slot *slots, d
             break;
         case STORE:
             for (int end = 0; end < 2; end++) {
-                memcpy(out + (end * of->outputs + code[1]) * every + begin, a->ends[end],
+                memcpy(out + (end * tape->outputs + code[1]) * N + begin, a->ends[end],
                     (size_t)n * sizeof(double));
             }
             break;
@@ -406,10 +422,10 @@ WIDER static void block(const program *of, const operand *inputs, slot *slots, d
             logarithm(a, to, n);
             break;
         case TANH:
-            growing(tanh, 1.0, a, to, n);
+            increasing(tanh, 1.0, a, to, n);
             break;
         case ATAN:
-            growing(atan, INFINITY, a, to, n);
+            increasing(atan, INFINITY, a, to, n);
             break;
         case SIGN:
             sign(a, to, n);
@@ -438,7 +454,7 @@ WIDER static void block(const program *of, const operand *inputs, slot *slots, d
     }
 }
 
-/* What an operation reads: two slots, one, or none. */
+/* Number of slots that an operation reads. */
 static int reads(int32_t operation) {
     if (operation == LOAD || operation == CONSTANT) {
         return 0;
@@ -447,22 +463,22 @@ static int reads(int32_t operation) {
     return two || operation >= COMPONENT ? 2 : 1;
 }
 
-static int within(int32_t place, ptrdiff_t size) { return place >= 0 && place < size; }
+static int within(int32_t index, ptrdiff_t size) { return index >= 0 && index < size; }
 
-/* Whether every operation stays within its arrays. */
-static int sound(const program *of, const operand *inputs, ptrdiff_t given) {
-    const int32_t *code = of->code;
-    for (ptrdiff_t k = 0; k < of->operations; k++, code += 4) {
+/* Whether all indices of a tape are within their arrays; `given` is the number of inputs. */
+static int sound(const program *tape, const operand *inputs, ptrdiff_t given) {
+    const int32_t *code = tape->code;
+    for (ptrdiff_t k = 0; k < tape->operations; k++, code += 4) {
         const int32_t which = code[0];
         const int32_t a = code[2];
         const int32_t b = code[3];
         const int fits = within(which, COUNT) &&
-            within(code[1], which == STORE ? of->outputs : of->slots) &&
-            (reads(which) < 1 || within(a, of->slots)) &&
-            (reads(which) < 2 || within(b, of->slots)) &&
+            within(code[1], which == STORE ? tape->outputs : tape->slots) &&
+            (reads(which) < 1 || within(a, tape->slots)) &&
+            (reads(which) < 2 || within(b, tape->slots)) &&
             (which != LOAD || (within(a, given) && within(b, inputs[a].rows))) &&
-            (which != CONSTANT || (within(a, of->constants) && within(b, of->constants))) &&
-            (which != SCALED || within(b, of->constants));
+            (which != CONSTANT || (within(a, tape->constants) && within(b, tape->constants))) &&
+            (which != SCALED || within(b, tape->constants));
         if (!fits) {
             return 0;
         }

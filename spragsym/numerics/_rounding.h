@@ -1,9 +1,15 @@
-/* Ends of intervals in doubles, for _operations.h and _newton.h, and as interval_arrays.py has them.
+/* Rounding of interval ends, the same as in interval_arrays.py; for _operations.h and _newton.h.
  *
- * Rounding. IEEE 754 doubles, rounded to nearest, + − × ÷ and √ without contraction: a build that promises less is refused here, and
- * NumPy serves. An end is −low or high, so that both are rounded upward: the exact value lies below the float after r, which is at
- * most r + 2⁻⁵² |r| for normal r, and TINY is added for others; the sum is rounded to nearest, and rounding keeps the order of
- * numbers. NaN bounds nothing: minimum and maximum give NaN where either number is NaN, as NumPy's minimum and maximum do. */
+ * The code needs IEEE 754 doubles, each + − × ÷ and √ rounded to nearest by itself, without
+ * contraction. A compiler that does not promise this stops here with an error; then NumPy is used.
+ *
+ * An interval is stored as −low and high, so both ends are rounded upward. If r is the rounded
+ * result, the exact value is below the next float after r. That is at most r + 2⁻⁵² |r| for normal
+ * r; TINY is added for subnormal r. The sum is rounded to nearest, which keeps the order of
+ * numbers.
+ *
+ * NaN is an end that is not known. minimum and maximum give NaN if either number is NaN, as those
+ * of NumPy do. */
 #ifndef SPRAGSYM_ROUNDING_H
 #define SPRAGSYM_ROUNDING_H
 
@@ -17,7 +23,7 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* For processors with wider registers too: the same operations, none contracted. */
+/* Functions compiled for wider registers as well: the same operations, none contracted. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__)
 #define WIDER __attribute__((target_clones("avx512f", "avx2", "default")))
 #define PART static inline __attribute__((always_inline))
@@ -39,11 +45,9 @@ PART double maximum(double a, double b) {
     return b != b ? b : known;
 }
 
-PART double rounded_up(double end, double ulps) {
-    return (fabs(end) * (ulps * EPS) + TINY) + end;
-}
+PART double rounded_up(double end, double ulps) { return (fabs(end) * (ulps * EPS) + TINY) + end; }
 
-/* A float inside of an interval, the nearest to its middle or next to it. */
+/* A float in an interval, within rounding of its middle. */
 PART double midpoint(double low, double high) {
     return minimum(maximum(0.5 * high - 0.5 * low, -low), high);
 }

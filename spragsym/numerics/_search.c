@@ -13,13 +13,13 @@
  * verdicts, along): writes the verdict on each box, see BoxVerdict in verdicts.py.
  *
  * rounds(plan, given, parameters, limits, sharp, rules, budget, most): `kept` and `decided` for the
- * boxes of one point of the parameters, and again for what these leave, until nothing is left or
- * more than `most` boxes are. Returns the number of boxes looked at, and as bytes, box by box: boxes
- * with exactly one root, enclosures of these roots, undecided boxes, and boxes not looked at yet.
+ * boxes of one point of the parameters, and again for the halves of these, until none is left or
+ * more than `most` are. Returns the number of boxes looked at, and as bytes, box by box: boxes with
+ * exactly one root, enclosures of these roots, undecided boxes, and boxes not looked at yet.
  *
- * tubes(tapes, borders, parameters, pivot, inflation, times, z, along, swing, moved, beside, least,
- * room, most, sure): boxes that hold exactly one state for each value of a pivot, as tubes.py has
- * them.
+ * tubes(tapes, borders, parameters, pivot, inflation, times, z, by_s, swing, half_pivot, beside,
+ * reach, radius, remainder, proved): boxes that hold exactly one state for each value of a pivot,
+ * see Place in tubes.py.
  *
  * corrected(tapes, parameters, pivot, steps, z): Newton's method for all unknowns but the pivot, in
  * place. tangents(tapes, parameters, pivot, z, by_s, by_p): derivatives of these unknowns by the
@@ -49,8 +49,8 @@
 #define MAX_ARCS 64
 #define CAPSULE "spragsym search"
 
-/* What a contact requires of its gap: not above 0 where it touches, not below 0 where it is open, and
- * above 0 where it is open and the border itself belongs to the touching side. */
+/* What a contact requires of its gap: not above 0 where it touches, not below 0 where it is open,
+ * and above 0 where it is open and the border itself belongs to the touching side. */
 enum { TOUCHING,
     OPEN,
     OPEN_AND_OFF,
@@ -91,8 +91,8 @@ typedef struct {
     Py_ssize_t results;
 } plan;
 
-/* The boxes of one block that are still open, and memory for the results of tapes. `of` is the number
- * of each box in the arrays of the caller. */
+/* The boxes of one block that are still open, and memory for the results of tapes. `of` is the
+ * number of each box in the arrays of the caller. */
 typedef struct {
     int count;
     int32_t of[BLOCK];
@@ -143,7 +143,8 @@ static void evaluate(const plan *by, const program *tape, workspace *at) {
     evaluate_over(by, tape, at, at->ends);
 }
 
-static void evaluate_selection(const plan *by, const program *tape, workspace *at, const selection *boxes) {
+static void evaluate_selection(
+    const plan *by, const program *tape, workspace *at, const selection *boxes) {
     const operand inputs[2] = {
         rows_of(at->ends, by->n, boxes->place), parameters_of(at, boxes->of)};
     block(tape, inputs, at->slots, at->out, BLOCK, 0, boxes->count);
@@ -180,8 +181,8 @@ static void remove_boxes(const plan *by, workspace *at, const uint8_t *gone) {
 /* -------------------------------------------------------------------------------------------------
  * contraction */
 
-/* Contract boxes in place by one interval Newton step with the directions of springs frozen to those
- * over the box. A box that becomes empty is marked. */
+/* Contract boxes in place by one interval Newton step with frozen directions of springs, those over
+ * the box. A box that becomes empty is marked. */
 static void contract(const plan *by, workspace *at, uint8_t *gone) {
     const int n = by->coordinates;
     if (n < 1) {
@@ -227,7 +228,8 @@ static void contract(const plan *by, workspace *at, uint8_t *gone) {
 }
 
 /* Widen contracted boxes by a margin, but not beyond the boxes that were given. */
-static void add_margin(const plan *by, workspace *at, const double *given, Py_ssize_t N, double margin) {
+static void add_margin(
+    const plan *by, workspace *at, const double *given, Py_ssize_t N, double margin) {
     for (int k = 0; k < by->n; k++) {
         for (int i = 0; i < at->count; i++) {
             const double before[2] = {given[k * N + at->of[i]], given[(by->n + k) * N + at->of[i]]};
@@ -268,8 +270,8 @@ static void mark_beyond_borders(const plan *by, workspace *at, uint8_t *gone) {
     }
 }
 
-/* Find the boxes that are no farther from the anchor of each line than their size. In other boxes the
- * direction varies so little that the equations themselves decide. */
+/* Find the boxes that are no farther from the anchor of each line than their size. In other boxes
+ * the direction varies so little that the equations themselves decide. */
 static void find_near_anchors(const plan *by, workspace *at, uint8_t (*near)[BLOCK]) {
     evaluate(by, &by->anchors, at);
     for (int k = 0; k < by->lines; k++) {
@@ -480,8 +482,8 @@ static void mark_without_state(const plan *by, workspace *at, uint8_t *gone) {
 }
 
 /* `kept` for one block. */
-static void contract_block(const plan *by, workspace *at, const double *given, Py_ssize_t N, double margin,
-    double *boxes, uint8_t *keep) {
+static void contract_block(const plan *by, workspace *at, const double *given, Py_ssize_t N,
+    double margin, double *boxes, uint8_t *keep) {
     uint8_t gone[BLOCK] = {0};
     if (by->contraction.operations) {
         contract(by, at, gone);
@@ -646,8 +648,9 @@ static double *append_box(box_list *to, int n, const double *from, Py_ssize_t M,
     return box;
 }
 
-/* Append one half of a box. It is not cut in the middle, where symmetric systems have their roots. */
-static int append_half(box_list *to, const judgement *of, int n, Py_ssize_t M, Py_ssize_t j, int upper) {
+/* Append one half of a box. It is not cut in the middle, where symmetric systems have roots. */
+static int append_half(
+    box_list *to, const judgement *of, int n, Py_ssize_t M, Py_ssize_t j, int upper) {
     double *box = append_box(to, n, of->left, M, j);
     if (box == NULL) {
         return 0;
@@ -683,12 +686,12 @@ static int distribute(const judgement *of, int n, Py_ssize_t M, outcome *to) {
 }
 
 /* One round of the search: N boxes are contracted, judged and distributed; 0 without memory. */
-static int search_round(const plan *by, workspace *at, judgement *of, int spent, const double *given,
-    Py_ssize_t N, outcome *to) {
+static int search_round(const plan *by, workspace *at, judgement *of, int spent,
+    const double *given, Py_ssize_t N, outcome *to) {
     const int rows = 2 * by->n;
     const Py_ssize_t size = rows * N;
-    double *room = PyMem_RawMalloc((size_t)size * 6 * sizeof(double) +
-        (size_t)N * (sizeof(int64_t) + 4 * sizeof(uint8_t)));
+    double *room = PyMem_RawMalloc(
+        (size_t)size * 6 * sizeof(double) + (size_t)N * (sizeof(int64_t) + 4 * sizeof(uint8_t)));
     if (room == NULL) {
         return 0;
     }
@@ -775,14 +778,14 @@ typedef struct {
     double more;
     Py_ssize_t N;
     const double *z;
-    const double *along;
+    const double *by_s;
     const double *swing;
-    const double *moved;
+    const double *half_pivot;
     const double *beside;
     const double *smallest_reach;
-    double *room;
-    double *reached;
-    uint8_t *sure;
+    double *radius;
+    double *remainder;
+    uint8_t *proved;
 } tube;
 
 /* Whether the whole gap satisfies what the contact requires. */
@@ -791,31 +794,35 @@ static int on_side(int kind, double room, double low, double high) {
                                                             low > 0.0;
 }
 
-/* Enclose residual i along a tube: the residual at its centre, and the slopes times the direction of
- * the tube over the length that it has. */
-static void residual_along(const tube *of, const workspace *at, int i, int a, Py_ssize_t c, const double (*forces)[MAX_UNKNOWNS][BLOCK],
-    double *to) {
+/* Enclose residual i along a tube: the residual at its centre, and the change along the tube, which
+ * is the slopes times `by_s` over the half-range of the pivot. */
+static void residual_along(const tube *of, const workspace *at, int i, int a, Py_ssize_t c,
+    const double (*forces)[MAX_UNKNOWNS][BLOCK], double *to) {
     const int size = of->by.n;
     double total[2] = {0.0, 0.0};
     for (int j = 0; j < size; j++) {
-        const double factor = of->along[j * of->N + c];
+        const double factor = of->by_s[j * of->N + c];
         if (factor == 0.0) {
             continue;
         }
         const double low = result(at, &of->by.slopes, 0, i * size + j)[a];
         const double high = result(at, &of->by.slopes, 1, i * size + j)[a];
-        total[0] = rounded_up(total[0] + rounded_up(maximum(low * factor, -(high * factor)), 1.0), 1.0);
-        total[1] = rounded_up(total[1] + rounded_up(maximum(high * factor, -(low * factor)), 1.0), 1.0);
+        total[0] =
+            rounded_up(total[0] + rounded_up(maximum(low * factor, -(high * factor)), 1.0), 1.0);
+        total[1] =
+            rounded_up(total[1] + rounded_up(maximum(high * factor, -(low * factor)), 1.0), 1.0);
     }
-    const double moved = of->moved[c];
-    const double size_of = rounded_up(maximum(maximum(total[0] * moved, total[1] * moved), -minimum(total[0] * moved, total[1] * moved)), 1.0);
+    const double half = of->half_pivot[c];
+    const double low = total[0] * half;
+    const double high = total[1] * half;
+    const double change = rounded_up(maximum(maximum(low, high), -minimum(low, high)), 1.0);
     for (int end = 0; end < 2; end++) {
-        to[end] = rounded_up(forces[end][i][c % BLOCK] + size_of, 1.0);
+        to[end] = rounded_up(forces[end][i][c % BLOCK] + change, 1.0);
     }
 }
 
-/* Try wider and wider boxes about the tubes of a block, until interval Newton proves each to hold one
- * state. */
+/* Prove the tubes of a block by interval Newton steps with ε-inflation: boxes grow until each is
+ * proved to hold one state. */
 static void enclose_block(const tube *of, workspace *at, Py_ssize_t begin) {
     const plan *by = &of->by;
     const int size = by->n;
@@ -837,11 +844,12 @@ static void enclose_block(const tube *of, workspace *at, Py_ssize_t begin) {
     evaluate(by, &by->values, at);
     for (int end = 0; end < 2; end++) {
         for (int k = 0; k < n; k++) {
-            memcpy(forces[end][k], result(at, &by->values, end, k), (size_t)at->count * sizeof(double));
+            memcpy(forces[end][k], result(at, &by->values, end, k),
+                (size_t)at->count * sizeof(double));
         }
     }
     for (int time = 0; time < of->times && at->count; time++) {
-        selection proved = {0};
+        selection unique = {0};
         int left = 0;
         int32_t further[BLOCK];
         for (int a = 0; a < at->count; a++) {
@@ -851,9 +859,11 @@ static void enclose_block(const tube *of, workspace *at, Py_ssize_t begin) {
                 const int row = k - (k > of->pivot);
                 const double alone = k == of->pivot ? own : maximum(reach[row][c - begin], own);
                 const double middle = of->z[k * N + c];
-                const double held = of->swing[k * N + c] + alone;
-                const double size_here = fabs(middle) + held;
-                const double wide = held > 0.0 ? held + (nextafter(size_here, INFINITY) - size_here) : held;
+                const double half_width = of->swing[k * N + c] + alone;
+                const double size_here = fabs(middle) + half_width;
+                const double rounding =
+                    half_width > 0.0 ? nextafter(size_here, INFINITY) - size_here : 0.0;
+                const double wide = half_width + rounding;
                 at->near[0][k][a] = alone;
                 at->ends[0][k][a] = -middle + wide;
                 at->ends[1][k][a] = middle + wide;
@@ -872,7 +882,8 @@ static void enclose_block(const tube *of, workspace *at, Py_ssize_t begin) {
             int inside = 1;
             for (int i = 0; i < n; i++) {
                 double ends[2];
-                residual_along(of, at, i, a, c, (const double (*)[MAX_UNKNOWNS][BLOCK])forces, ends);
+                residual_along(
+                    of, at, i, a, c, (const double (*)[MAX_UNKNOWNS][BLOCK])forces, ends);
                 room[i] = reach[i][c - begin];
                 for (int end = 0; end < 2; end++) {
                     values.ends[end][i] = ends[end];
@@ -889,30 +900,30 @@ static void enclose_block(const tube *of, workspace *at, Py_ssize_t begin) {
             }
             if (known && inside) {
                 for (int k = 0; k < size; k++) {
-                    of->room[k * N + c] = at->near[0][k][a];
+                    of->radius[k * N + c] = at->near[0][k][a];
                 }
                 for (int i = 0; i < n; i++) {
-                    of->reached[i * N + c] = maximum(step.ends[0][i], step.ends[1][i]);
+                    of->remainder[i * N + c] = maximum(step.ends[0][i], step.ends[1][i]);
                 }
-                select_box(&proved, at, a);
+                select_box(&unique, at, a);
             } else if (known) {
                 for (int i = 0; i < n; i++) {
-                    reach[i][c - begin] =
-                        of->more * maximum(room[i], maximum(fabs(step.ends[0][i]), fabs(step.ends[1][i])));
+                    reach[i][c - begin] = of->more *
+                        maximum(room[i], maximum(fabs(step.ends[0][i]), fabs(step.ends[1][i])));
                 }
                 further[left++] = at->of[a];
             }
         }
-        if (by->borders && proved.count) {
-            evaluate_selection(by, &by->gaps, at, &proved);
+        if (by->borders && unique.count) {
+            evaluate_selection(by, &by->gaps, at, &unique);
         }
-        for (int i = 0; i < proved.count; i++) {
-            int sure = 1;
+        for (int i = 0; i < unique.count; i++) {
+            int inside = 1;
             for (int k = 0; k < by->borders; k++) {
-                sure &= on_side(by->kinds[k], by->rooms[k], -result(at, &by->gaps, 0, k)[i],
+                inside &= on_side(by->kinds[k], by->rooms[k], -result(at, &by->gaps, 0, k)[i],
                     result(at, &by->gaps, 1, k)[i]);
             }
-            of->sure[proved.of[i]] = (uint8_t)sure;
+            of->proved[unique.of[i]] = (uint8_t)inside;
         }
         at->count = left;
         memcpy(at->of, further, (size_t)left * sizeof(int32_t));
@@ -946,8 +957,8 @@ static void invert_slopes(const plan *by, int pivot, const workspace *at, int i,
 
 /* Newton's method for a block of points, with new slopes at every second step, until steps are as
  * small as rounding. */
-static void correct_block(
-    const plan *by, int pivot, int steps, workspace *at, double *z, Py_ssize_t N, Py_ssize_t begin) {
+static void correct_block(const plan *by, int pivot, int steps, workspace *at, double *z,
+    Py_ssize_t N, Py_ssize_t begin) {
     const int n = by->n - 1;
     for (int step = 0; step < steps && at->count; step++) {
         for (int i = 0; i < at->count; i++) {
@@ -982,8 +993,8 @@ static void correct_block(
 }
 
 /* `tangents` for one block. */
-static void differentiate_block(const plan *by, int pivot, workspace *at, const double *z, double *by_s,
-    double *by_p, Py_ssize_t N) {
+static void differentiate_block(const plan *by, int pivot, workspace *at, const double *z,
+    double *by_s, double *by_p, Py_ssize_t N) {
     const int size = by->n;
     const int n = size - 1;
     const int columns = (int)by->slopes.outputs / n;
@@ -1040,7 +1051,8 @@ static int parse_tape(PyObject *from, program *to) {
 
 /* Whether a tape has the number of results that the system requires, and reads only rows that there
  * are. A tape without operations fits. */
-static int tape_fits(plan *by, const program *tape, Py_ssize_t results, int inputs, Py_ssize_t between) {
+static int tape_fits(
+    plan *by, const program *tape, Py_ssize_t results, int inputs, Py_ssize_t between) {
     const operand two[2] = {{.rows = by->n}, {.rows = by->parameters}};
     const operand three[3] = {{.rows = by->n}, {.rows = between}, {.rows = by->parameters}};
     by->slots = tape->slots > by->slots ? tape->slots : by->slots;
@@ -1055,8 +1067,8 @@ static int tape_fits(plan *by, const program *tape, Py_ssize_t results, int inpu
 static int plan_fits(plan *by) {
     const int n = by->n;
     const int m = by->coordinates;
-    int whole =
-        n >= 1 && n <= MAX_UNKNOWNS && m >= 1 && m <= n && by->values.operations && by->slopes.operations;
+    int whole = n >= 1 && n <= MAX_UNKNOWNS && m >= 1 && m <= n && by->values.operations &&
+        by->slopes.operations;
     whole = whole && tape_fits(by, &by->values, n, 2, 0) && tape_fits(by, &by->slopes, n * n, 2, 0);
     whole = whole && tape_fits(by, &by->contraction, m + m * m, 3, m) &&
         tape_fits(by, &by->gaps, by->borders, 2, 0);
@@ -1180,7 +1192,8 @@ static PyObject *make_plan(PyObject *module, PyObject *arguments) {
 
 /* A workspace for a plan and parameters of N boxes, shape (2, parameters, N); NULL with an error
  * set. */
-static workspace *open_workspace(const plan *by, PyObject *from, Py_buffer *parameters, Py_ssize_t N) {
+static workspace *open_workspace(
+    const plan *by, PyObject *from, Py_buffer *parameters, Py_ssize_t N) {
     if (interval_buffer(from, parameters, PyBUF_STRIDED_RO) < 0) {
         return NULL;
     }
@@ -1250,11 +1263,13 @@ static PyObject *kept(PyObject *module, PyObject *arguments) {
         at = sizes_fit(of, sizes, 3) ? open_workspace(by, given_parameters, &parameters, N) : NULL;
         if (at != NULL) {
             memset(of[2].buf, 0, (size_t)N);
-            Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
+            Py_BEGIN_ALLOW_THREADS
+            for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
                 load_boxes(by, at, of[0].buf, N, begin);
                 contract_block(by, at, of[0].buf, N, margin, of[1].buf, of[2].buf);
             }
-            Py_END_ALLOW_THREADS close_workspace(at, &parameters);
+            Py_END_ALLOW_THREADS
+            close_workspace(at, &parameters);
         }
     }
     release(of, 3);
@@ -1272,8 +1287,8 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
     Py_buffer parameters;
     judgement to;
     if (!PyArg_ParseTuple(arguments, "Oy*y*Oy*y*y*i" RULES "w*w*w*w*w*", &capsule, of, of + 1,
-            &given_parameters, of + 2, of + 3, of + 4, &to.sharp, INTO_RULES(to.by), of + 5, of + 6, of + 7,
-            of + 8, of + 9)) {
+            &given_parameters, of + 2, of + 3, of + 4, &to.sharp, INTO_RULES(to.by), of + 5, of + 6,
+            of + 7, of + 8, of + 9)) {
         return NULL;
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
@@ -1295,11 +1310,13 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
             to.left = of[7].buf;
             to.verdicts = of[8].buf;
             to.along = of[9].buf;
-            Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
+            Py_BEGIN_ALLOW_THREADS
+            for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
                 load_boxes(by, at, of[1].buf, N, begin);
                 judge_block(by, at, &to, N);
             }
-            Py_END_ALLOW_THREADS close_workspace(at, &parameters);
+            Py_END_ALLOW_THREADS
+            close_workspace(at, &parameters);
         }
     }
     release(of, 10);
@@ -1344,22 +1361,26 @@ static PyObject *tubes(PyObject *module, PyObject *arguments) {
         whole = by->values.operations && by->slopes.operations &&
             tape_fits(by, &by->values, n, 2, 0) && tape_fits(by, &by->slopes, n * (n + 1), 2, 0) &&
             tape_fits(by, &by->gaps, by->borders, 2, 0) && (!by->borders || by->gaps.operations);
-        at = whole && sizes_fit(of, sizes, 9) ? open_workspace(by, given_parameters, &parameters, N) : NULL;
+        at = whole && sizes_fit(of, sizes, 9) ?
+            open_workspace(by, given_parameters, &parameters, N) :
+            NULL;
     }
     if (at != NULL) {
         to.z = of[0].buf;
-        to.along = of[1].buf;
+        to.by_s = of[1].buf;
         to.swing = of[2].buf;
-        to.moved = of[3].buf;
+        to.half_pivot = of[3].buf;
         to.beside = of[4].buf;
         to.smallest_reach = of[5].buf;
-        to.room = of[6].buf;
-        to.reached = of[7].buf;
-        to.sure = of[8].buf;
-        Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
+        to.radius = of[6].buf;
+        to.remainder = of[7].buf;
+        to.proved = of[8].buf;
+        Py_BEGIN_ALLOW_THREADS
+        for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
             enclose_block(&to, at, begin);
         }
-        Py_END_ALLOW_THREADS close_workspace(at, &parameters);
+        Py_END_ALLOW_THREADS
+        close_workspace(at, &parameters);
     } else if (!PyErr_Occurred()) {
         PyErr_SetString(PyExc_ValueError, "a tape of tubes is not as its system is");
     }
@@ -1406,7 +1427,8 @@ static PyObject *rounds(PyObject *module, PyObject *arguments) {
         if (whole) {
             at->parameters.strides[2] = 0; /* those of the point, for every box */
             to.limits = of[1].buf;
-            Py_BEGIN_ALLOW_THREADS looks = search_rounds(by, at, &to, budget, limit, &found);
+            Py_BEGIN_ALLOW_THREADS
+            looks = search_rounds(by, at, &to, budget, limit, &found);
             Py_END_ALLOW_THREADS
         }
         if (at != NULL) {
@@ -1428,9 +1450,9 @@ static PyObject *rounds(PyObject *module, PyObject *arguments) {
     return out;
 }
 
-/* Parse what `corrected` and `tangents` have in common: tapes of values and slopes of a system with a
- * pivot, and z of shape (n + 1, N). Returns a workspace, NULL with an error set where these do not
- * fit. */
+/* Parse the common arguments of `corrected` and `tangents`: tapes of values and slopes of a system
+ * with a pivot, and z of shape (n + 1, N). Returns a workspace, or NULL with an error set if these
+ * do not fit. */
 static workspace *open_at_points(PyObject *const tapes[2], PyObject *given_parameters, int pivot,
     const Py_buffer *z, plan *by, Py_buffer *parameters, Py_ssize_t *N) {
     memset(by, 0, sizeof *by);
@@ -1478,11 +1500,13 @@ static PyObject *corrected(PyObject *module, PyObject *arguments) {
     }
     workspace *at = open_at_points(tapes, given_parameters, pivot, &z, &by, &parameters, &N);
     if (at != NULL) {
-        Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
+        Py_BEGIN_ALLOW_THREADS
+        for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
             number_boxes(at, N, begin);
             correct_block(&by, pivot, steps, at, z.buf, N, begin);
         }
-        Py_END_ALLOW_THREADS close_workspace(at, &parameters);
+        Py_END_ALLOW_THREADS
+        close_workspace(at, &parameters);
     }
     release(&z, 1);
     if (at == NULL) {
@@ -1500,8 +1524,8 @@ static PyObject *tangents(PyObject *module, PyObject *arguments) {
     Py_ssize_t N;
     plan by;
     int pivot;
-    if (!PyArg_ParseTuple(arguments, "(OO)Oiy*w*w*", tapes, tapes + 1, &given_parameters,
-            &pivot, of, of + 1, of + 2)) {
+    if (!PyArg_ParseTuple(arguments, "(OO)Oiy*w*w*", tapes, tapes + 1, &given_parameters, &pivot,
+            of, of + 1, of + 2)) {
         return NULL;
     }
     workspace *at = open_at_points(tapes, given_parameters, pivot, of, &by, &parameters, &N);
@@ -1514,11 +1538,13 @@ static PyObject *tangents(PyObject *module, PyObject *arguments) {
         }
     }
     if (at != NULL) {
-        Py_BEGIN_ALLOW_THREADS for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
+        Py_BEGIN_ALLOW_THREADS
+        for (Py_ssize_t begin = 0; begin < N; begin += BLOCK) {
             number_boxes(at, N, begin);
             differentiate_block(&by, pivot, at, of[0].buf, of[1].buf, of[2].buf, N);
         }
-        Py_END_ALLOW_THREADS close_workspace(at, &parameters);
+        Py_END_ALLOW_THREADS
+        close_workspace(at, &parameters);
     }
     release(of, 3);
     if (at == NULL) {

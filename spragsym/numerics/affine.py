@@ -1,14 +1,14 @@
-"""Floats with a proved bound on the error of each, and affine arithmetic: numbers that know how
-they depend on what varies.
+"""Floats with proved error bounds, and affine arithmetic.
 
-A :class:`Rounded` stands for every number within ``error`` of ``value``, for many points at once.
-What generated algebra makes of them is again right: each operation adds what it rounds. A sign that
-the bound leaves open is 0, and its point goes to :mod:`spragsym.numerics.balls`.
+A :class:`Rounded` is an array of floats, each with a bound of its error. Operations add the error
+of their rounding, so that the results of generated algebra have proved bounds too. A sign that the
+bound leaves open is 0; the caller decides it in :mod:`spragsym.numerics.balls`.
 
-An :class:`Affine` stands for value + Σ terms_j ε_j ± error with every \\|ε_j\\| ≤ 1, one ε for each
-side of a box. Sums and products keep the terms, so that what depends on a parameter twice is not
-widened twice, and what is lost is of second order in the size of the box. Every rounding goes into
-the error: a sign that it leaves open is 0.
+An :class:`Affine` is an affine form value + Σ terms_j ε_j ± error with noise symbols
+\\|ε_j\\| ≤ 1. All forms share the symbols, one for each side of a box. Sums and products keep the
+terms. So two factors that depend on the same parameter do not widen the result twice, as they do in
+interval arithmetic; the overestimation is of second order in the size of the box. Roundings go into
+``error``.
 """
 
 from __future__ import annotations
@@ -37,20 +37,18 @@ from .tape import Tape
 
 #: Half a unit in the last place, relative.
 UNIT = 2.0**-53
-#: What an error bound itself may lose by the roundings of one operation.
+#: Factor that covers the roundings of one operation in the computation of an error bound.
 _SLACK = 1.0 + 2.0**-45
-#: What it may lose by the underflow of a product.
+#: Summand that covers the underflow of a product.
 _TINY = 1e-320
 
 
-#: Numbers of boxes, one for each or the same for all.
+#: One float for each box, or the same for all.
 Real: TypeAlias = float | FloatArray
 
 
 class _Zero(Arithmetic):
-    """The 0 of numbers without terms, and of what these reach: no arrays of zeros are made and
-    added up.
-    """
+    """The terms of numbers without terms: a 0 that needs no arrays."""
 
     __array_ufunc__ = None
 
@@ -70,14 +68,13 @@ _ZERO = _Zero()
 
 
 class Rounded(Arithmetic):
-    """Numbers ``value`` ± ``error``, arrays of one shape; operations with ints and floats take
-    these as exact.
+    """Numbers ``value`` ± ``error``, arrays of one shape; ints and floats in operations are
+    exact.
     """
 
     __slots__ = ("error", "value")
-    __array_ufunc__ = None  # an array on the left leaves the operation to the right
+    __array_ufunc__ = None  # array * number calls __rmul__
 
-    #: There are none.
     terms: Any = _ZERO
 
     def __init__(self, value: Real, error: Real = 0.0) -> None:
@@ -112,8 +109,7 @@ class Rounded(Arithmetic):
         error, terms = left * other.error + (right + other.error) * self.error + _TINY, _ZERO
         if self.terms is not _ZERO or other.terms is not _ZERO:
             own, others = _spread(self), _spread(other)
-            # What may be the 0 of numbers without terms stands on the left: its own product is
-            # taken before NumPy's.
+            # The left factors may be _ZERO, whose own operators must be called, not NumPy's.
             error = (
                 error
                 + own * (others + other.error)
@@ -124,14 +120,15 @@ class Rounded(Arithmetic):
         return _rounded(self.value * other.value, terms, error)
 
     def __truediv__(self, other: Number) -> Rounded:
-        other = as_number(other)
+        other = as_rounded(other)
         value = self.value / other.value
         size, reach, quotient = abs(other.value), other.radius(), abs(value)
         least = size - reach
-        # x/y = q + (x − q y)/w + (x − q y)(1/y − 1/w) for q = v/w, and |1/y − 1/w| ≤ |y − w| / (|w|
-        # (|w| − |y − w|)).
+        # With the values v of x and w of y, and q = v/w,
+        # x/y = q + (x − q y)/w + (x − q y)(1/y − 1/w),
+        # |1/y − 1/w| ≤ |y − w| / (|w| (|w| − |y − w|)).
         rounding = (_spread(other) * quotient + _spread(self)) * (4 * UNIT)
-        # What products that underflow lose grows with 1/w.
+        # The error of products that underflow is divided by w too.
         own = (rounding + (self.error + quotient * other.error) + _TINY) / size
         found = _number(value, (self.terms - other.terms * value) / other.value, own)
         error = (
@@ -146,7 +143,7 @@ class Rounded(Arithmetic):
     __pow__ = repeated_product
 
     def sqrt(self) -> Rounded:
-        """Square roots; an infinite error where negative numbers may be among them."""
+        """Square roots; the error is infinite where the argument may be negative."""
         reach = self.radius()
         value = np.sqrt(np.maximum(self.value, 0.0))
         # |√a − √m| ≤ |a − m|/√m
@@ -154,21 +151,21 @@ class Rounded(Arithmetic):
         return Rounded(value, np.where(self.value > reach, error, np.inf))
 
     def rows(self, index: IndexArray | BoolArray | slice) -> Rounded:
-        """Some of the numbers; of a single number, that."""
+        """Selected points; a scalar is the same at all points."""
         if np.ndim(self.value) == 0:
             return self
         return Rounded(self.value[index], np.broadcast_to(self.error, np.shape(self.value))[index])
 
     def sign(self) -> Int8Array:
-        """−1 or 1 where all that it stands for has that sign, else 0; 0 for NaN."""
+        """Signs that are proved, −1 or 1; 0 where none is, or for NaN."""
         reach = self.radius()
         above, below = self.value > reach, -self.value > reach
         return np.asarray(above, dtype=np.int8) - np.asarray(below, dtype=np.int8)
 
 
 class Affine(Rounded):
-    """Numbers of ``n`` boxes: ``value`` and ``error`` of shape (n,), ``terms`` of shape (sides,
-    n).
+    """Affine forms of N boxes: ``value`` and ``error`` of shape (…, N), ``terms`` of shape (noise
+    symbols, …, N).
     """
 
     __slots__ = ("terms",)
@@ -179,7 +176,7 @@ class Affine(Rounded):
 
     @classmethod
     def between(cls, interval: Intervals) -> Affine:
-        """Anything in an interval, of which nothing is known but that."""
+        """The form without terms that encloses an interval."""
         middle = interval.middle
         error = np.maximum(interval.high - middle, middle - interval.low) * _SLACK + _TINY
         return cls(
@@ -188,7 +185,9 @@ class Affine(Rounded):
 
     @classmethod
     def stacked(cls, entries: Sequence[Any], shape: Shape) -> Affine:
-        """Numbers of some entries, which may be floats, along a first axis of their own."""
+        """Entries, forms or floats for boxes of the given shape, as one form with a new first
+        axis.
+        """
         rows = [
             one if isinstance(one, Affine) else Affine(one, np.zeros((1, *shape)))
             for one in entries
@@ -197,10 +196,8 @@ class Affine(Rounded):
         terms = np.zeros((sides, len(rows), *shape))
         for column, row in enumerate(rows):
             terms[: row.terms.shape[0], column] = row.terms
-        value, error = (
-            np.stack([np.broadcast_to(part, shape) for part in parts])
-            for parts in zip(*((row.value, row.error) for row in rows), strict=True)
-        )
+        value = np.stack([np.broadcast_to(row.value, shape) for row in rows])
+        error = np.stack([np.broadcast_to(row.error, shape) for row in rows])
         return cls(value, terms, error)
 
     def __getitem__(self, index: object) -> Affine:
@@ -213,18 +210,18 @@ class Affine(Rounded):
         )
 
     def interval(self) -> Intervals:
-        """The interval in which the numbers lie."""
+        """The interval of all values of the form."""
         radius = self.radius()
         return Intervals(rounded_outward(np.stack([radius - self.value, radius + self.value])))
 
     @staticmethod
     def linear(x: Affine, middle: Affine, slopes: Intervals) -> Affine:
-        """f(x) from f(m) at the value m of x, and f′ over all of x."""
+        """f(x) by the mean value form, from f at the value of x and ``slopes`` f′ over all of x."""
         slope, reach = slopes.middle, x.radius()
-        off = np.maximum(slopes.high - slope, slope - slopes.low) * reach
+        nonlinear = np.maximum(slopes.high - slope, slope - slopes.low) * reach
         terms = slope * x.terms
         rounding = UNIT * np.abs(terms).sum(axis=0)
-        error = (np.abs(slope) * x.error + off + middle.error + rounding) * _SLACK + _TINY
+        error = (np.abs(slope) * x.error + nonlinear + middle.error + rounding) * _SLACK + _TINY
         finite = np.isfinite(error) & np.isfinite(middle.value)
         return Affine(
             np.where(finite, middle.value, 0.0),
@@ -244,8 +241,8 @@ def _rounded(value: Any, terms: FloatArray | _Zero, error: Real) -> Rounded:
     return Affine(value, terms, (error + UNIT * (np.abs(terms).sum(axis=0) + abs(value))) * _SLACK)
 
 
-def as_number(value: Any) -> Rounded:
-    """A number itself, and an int or float as one that is exact."""
+def as_rounded(value: Any) -> Rounded:
+    """A number as it is; an int or float as an exact number."""
     return value if isinstance(value, Rounded) else Rounded(value)
 
 
@@ -255,7 +252,9 @@ def _spread(number: Rounded) -> object:
 
 
 def sides(low: FloatArray, high: FloatArray) -> list[Affine]:
-    """One number for each side of boxes, whose corners have the shape (sides, n)."""
+    """One form for each side of boxes, with a noise symbol of its own; corners have the shape
+    (sides, N).
+    """
     middle = 0.5 * (low + high)
     half = np.maximum(np.nextafter(high - middle, np.inf), np.nextafter(middle - low, np.inf))
     terms = np.eye(len(low))[:, :, None] * np.where(high > low, half, 0.0)
@@ -263,25 +262,21 @@ def sides(low: FloatArray, high: FloatArray) -> list[Affine]:
 
 
 def cosine_and_sine(angle: Any) -> tuple[Any, Any]:
-    """Cosine and sine of an angle, to first order in what it depends on; of floats, which are
-    exact, as :class:`Rounded`.
-    """
-    cosine, sine = (
-        wave(angle.value if isinstance(angle, Affine) else angle) for wave in (np.cos, np.sin)
-    )
+    """Cosine and sine of an affine angle, linearized, or of floats, as :class:`Rounded`."""
     if not isinstance(angle, Affine):
-        one, other = (
-            Rounded(value, 2 * FUNCTION_ULPS * UNIT * abs(value) + _TINY)
-            for value in (cosine, sine)
-        )
-        return one, other
-    reach = angle.radius()
-    beyond = (0.5 * reach * reach + angle.error + 4 * FUNCTION_ULPS * UNIT * (1 + reach)) * _SLACK
-    return Affine(cosine, -sine * angle.terms, beyond), Affine(sine, cosine * angle.terms, beyond)
+        return _of_library(np.cos(angle)), _of_library(np.sin(angle))
+    cosine, sine, reach = np.cos(angle.value), np.sin(angle.value), angle.radius()
+    error = (0.5 * reach * reach + angle.error + 4 * FUNCTION_ULPS * UNIT * (1 + reach)) * _SLACK
+    return Affine(cosine, -sine * angle.terms, error), Affine(sine, cosine * angle.terms, error)
+
+
+def _of_library(value: Any) -> Rounded:
+    """A value of an elementary function, with the error of the library."""
+    return Rounded(value, 2 * FUNCTION_ULPS * UNIT * abs(value) + _TINY)
 
 
 def _through(name: str) -> Callable[[Affine], Affine]:
-    """A function of affine numbers from itself and its slope, of intervals."""
+    """An elementary function of affine forms, by the mean value form."""
     function = getattr(interval_arrays, name)
     intervals = Functions(interval_arrays, lambda value: value)
 
@@ -294,30 +289,29 @@ def _through(name: str) -> Callable[[Affine], Affine]:
 
 
 def _taken(value: float | Affine) -> Affine:
-    """A number as one without terms."""
+    """An affine form as it is; a float as a form without terms."""
     return (
         value if isinstance(value, Affine) else Affine(np.full(1, float(value)), np.zeros((1, 1)))
     )
 
 
 def evaluated(recorded: Tape, given: Affine, intervals: Intervals) -> Affine:
-    """Results of a tape along a first axis, from affine numbers of shape (rows, N) and intervals
-    beside them.
+    """Results of a tape, shape (outputs, N); its inputs are forms of shape (rows, N), and
+    intervals.
     """
     error = np.broadcast_to(given.error, given.value.shape)
     return Affine(*recorded.affine(given.value, given.terms, error, intervals))
 
 
 class _AffineFunctions(Functions):
-    #: π.
     pi = Affine.between(interval_arrays.PI)
 
     def sign(self, value: Number) -> Affine:
-        """−1, 0, 1."""
+        """The sign, as a form that encloses it."""
         return Affine.between(self.taken(value).interval().sign())
 
 
-#: The one that is needed.
+#: Functions of affine forms, for generated code.
 AFFINE = _AffineFunctions(
     SimpleNamespace(
         **{name: _through(name) for name in ("sqrt", "exp", "log", "tanh", "atan", "cos", "sin")}

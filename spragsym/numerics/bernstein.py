@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from .affine import UNIT, Rounded, as_number
+from .affine import UNIT, Rounded, as_rounded
 from .columns import ByColumn
 from .interval_arrays import BoolArray, FloatArray, IndexArray, Int8Array, quiet
 
@@ -140,7 +140,7 @@ def _beginning(coefficients: Sequence[Any], size: int) -> Parts:
     degree = len(coefficients) - 1
     value, error = np.empty((degree + 1, size)), np.empty((degree + 1, size))
     for power, coefficient in enumerate(coefficients):
-        scaled = as_number(coefficient) * (SCALE**power / math.comb(degree, power))
+        scaled = as_rounded(coefficient) * (SCALE**power / math.comb(degree, power))
         value[power], error[power] = scaled.value, scaled.error
         error[power] += 2 * degree * UNIT * np.abs(value[power])  # the factor is rounded itself
     largest = np.abs(value).max(axis=0)

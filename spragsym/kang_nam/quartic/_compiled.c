@@ -1,14 +1,19 @@
-/* The generated C solver as a Python extension: points in columns to equilibria in columns, without the interpreter's lock.
+/* The generated C solver as a Python extension: from columns of points to columns of equilibria,
+ * without the interpreter's lock.
  *
- * solve(theta0, mu0, kappa, alpha, sigma, beta, contact, settled, count, first, further) -> number of rows of `further`
+ * solve(theta0, mu0, kappa, alpha, sigma, beta, contact, settled, count, first, further)
+ *     -> number of rows of `further` that are used
+ *     Parameters are buffers of doubles of length n, or of length 1.
+ *     settled, count: n signed chars each.
+ *     first: a tuple of six columns of length n: theta, L, x, y, error (doubles) and stability
+ *     (signed chars).
+ *     further: a tuple of a buffer of n 64-bit rows, and the six columns of the slots from 1 on,
+ *     with room for n rows.
  *
- * Parameters are buffers of doubles of one length n or of length 1. `settled` and `count` are n signed chars. `first` is a tuple
- * of the six columns theta, L, x, y, error (doubles) and stability (signed chars), of n each; `further` a tuple of a buffer of n
- * 64-bit rows, then the six columns with room for n rows of the slots 1 and up.
+ * solve_widely: the same in double-double arithmetic.
  *
- * solve_widely(the same): in double-double arithmetic.
- *
- * count(theta0, mu0, kappa, alpha, sigma, beta, counts): the number of equilibria in contact, 0 where that is open. */
+ * count(theta0, mu0, kappa, alpha, sigma, beta, counts): number of equilibria in contact, 0 if it
+ * is not decided. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -28,10 +33,11 @@ typedef struct {
 } buffers;
 
 static Py_buffer *buffer_at(buffers *all, int place) {
-    Py_buffer *const in_order[] = {
-        &all->given[0], &all->given[1], &all->given[2], &all->given[3], &all->given[4], &all->given[5], &all->settled,
-        &all->count, &all->first[0], &all->first[1], &all->first[2], &all->first[3], &all->first[4], &all->first[5],
-        &all->rows, &all->further[0], &all->further[1], &all->further[2], &all->further[3], &all->further[4], &all->further[5]};
+    Py_buffer *const in_order[] = {&all->given[0], &all->given[1], &all->given[2], &all->given[3],
+        &all->given[4], &all->given[5], &all->settled, &all->count, &all->first[0], &all->first[1],
+        &all->first[2], &all->first[3], &all->first[4], &all->first[5], &all->rows,
+        &all->further[0], &all->further[1], &all->further[2], &all->further[3], &all->further[4],
+        &all->further[5]};
     return in_order[place];
 }
 
@@ -61,13 +67,15 @@ static double entry(const Py_buffer *view, Py_ssize_t place) {
 }
 
 static spragsym_parameters parameters_at(const Py_buffer given[PARAMETERS], Py_ssize_t place) {
-    const spragsym_parameters here = {entry(&given[0], place), entry(&given[1], place), entry(&given[2], place),
-        entry(&given[3], place), entry(&given[4], place), entry(&given[5], place)};
+    const spragsym_parameters here = {entry(&given[0], place), entry(&given[1], place),
+        entry(&given[2], place), entry(&given[3], place), entry(&given[4], place),
+        entry(&given[5], place)};
     return here;
 }
 
 /* A parameter of a block of points, 0 behind the last one. */
-static void load_column(const Py_buffer *given, Py_ssize_t start, int points, double column[BLOCK]) {
+static void load_column(
+    const Py_buffer *given, Py_ssize_t start, int points, double column[BLOCK]) {
     const double *const values = (const double *)given->buf;
     if (given->len == (Py_ssize_t)sizeof(double)) {
         for (int i = 0; i < points; i++) {
@@ -84,7 +92,8 @@ static void load_column(const Py_buffer *given, Py_ssize_t start, int points, do
 /* Points that are no parameters are refused and give way to a harmless one. */
 CLONED static void refuse_columns(point_columns *p, int refused[BLOCK]) {
     for (int i = 0; i < BLOCK; i++) {
-        const spragsym_parameters here = {p->theta0[i], p->mu0[i], p->kappa[i], p->alpha[i], p->sigma[i], p->beta[i]};
+        const spragsym_parameters here = {
+            p->theta0[i], p->mu0[i], p->kappa[i], p->alpha[i], p->sigma[i], p->beta[i]};
         const int good = allowed(&here);
         p->theta0[i] = good ? here.theta0 : 1.0;
         p->mu0[i] = good ? here.mu0 : 1.0;
@@ -97,8 +106,8 @@ CLONED static void refuse_columns(point_columns *p, int refused[BLOCK]) {
 }
 
 /* A block of points. What lies behind the last one is refused, since theta0 is 0 there. */
-static void load_columns(const Py_buffer given[PARAMETERS], double nbar, Py_ssize_t start, int points, point_columns *p,
-    int refused[BLOCK]) {
+static void load_columns(const Py_buffer given[PARAMETERS], double nbar, Py_ssize_t start,
+    int points, point_columns *p, int refused[BLOCK]) {
     double *const columns[PARAMETERS] = {p->theta0, p->mu0, p->kappa, p->alpha, p->sigma, p->beta};
     for (int k = 0; k < PARAMETERS; k++) {
         load_column(&given[k], start, points, columns[k]);
@@ -109,7 +118,8 @@ static void load_columns(const Py_buffer given[PARAMETERS], double nbar, Py_ssiz
     refuse_columns(p, refused);
 }
 
-static void store(const Py_buffer columns[COLUMNS], Py_ssize_t place, double theta, const Root *root) {
+static void store(
+    const Py_buffer columns[COLUMNS], Py_ssize_t place, double theta, const Root *root) {
     ((double *)columns[0].buf)[place] = theta;
     ((double *)columns[1].buf)[place] = root->L;
     ((double *)columns[2].buf)[place] = root->x;
@@ -124,7 +134,8 @@ static void store_none(const Py_buffer columns[COLUMNS], Py_ssize_t place) {
 }
 
 /* A point's equilibrium into its slot. */
-static void put(buffers *all, Py_ssize_t slots, Py_ssize_t place, Py_ssize_t used, int slot, double theta, const Root *root) {
+static void put(buffers *all, Py_ssize_t slots, Py_ssize_t place, Py_ssize_t used, int slot,
+    double theta, const Root *root) {
     if (slot == 0) {
         store(all->first, place, theta, root);
     } else {
@@ -132,8 +143,10 @@ static void put(buffers *all, Py_ssize_t slots, Py_ssize_t place, Py_ssize_t use
     }
 }
 
-/* A point is done: whether it is settled, and its row of `further`, if it takes one; the rows that are used by then. */
-static Py_ssize_t close_point(buffers *all, Py_ssize_t slots, Py_ssize_t place, int good, int count, Py_ssize_t used) {
+/* Store whether a point is settled, and its row of `further` if it has one; returns the number of
+ * rows that are used. */
+static Py_ssize_t close_point(
+    buffers *all, Py_ssize_t slots, Py_ssize_t place, int good, int count, Py_ssize_t used) {
     ((signed char *)all->settled.buf)[place] = (signed char)good;
     ((signed char *)all->count.buf)[place] = (signed char)(good ? count : 0);
     if (good && count > 1) {
@@ -146,8 +159,9 @@ static Py_ssize_t close_point(buffers *all, Py_ssize_t slots, Py_ssize_t place, 
 }
 
 /* What the groups say of a block, into the columns; the rows of `further` that are used by then. */
-static Py_ssize_t unload_columns(buffers *all, double nbar, Py_ssize_t start, int points, const int refused[BLOCK],
-    const point_columns *p, const root_columns groups[GROUPS], Py_ssize_t used) {
+static Py_ssize_t unload_columns(buffers *all, double nbar, Py_ssize_t start, int points,
+    const int refused[BLOCK], const point_columns *p, const root_columns groups[GROUPS],
+    Py_ssize_t used) {
     const Py_ssize_t slots = (nbar > 0.0) ? 2 : 3;
     int next = 0;
     for (int i = 0; i < points; i++) {
@@ -169,8 +183,8 @@ static Py_ssize_t unload_columns(buffers *all, double nbar, Py_ssize_t start, in
 }
 
 /* The same of a group in double-double arithmetic. */
-static Py_ssize_t unload_widely(buffers *all, double nbar, Py_ssize_t start, int points, const wide_points *p,
-    const wide_roots groups[MAX_ROOTS], Py_ssize_t used) {
+static Py_ssize_t unload_widely(buffers *all, double nbar, Py_ssize_t start, int points,
+    const wide_points *p, const wide_roots groups[MAX_ROOTS], Py_ssize_t used) {
     const Py_ssize_t slots = (nbar > 0.0) ? 2 : 3;
     int next = 0;
     for (int i = 0; i < points; i++) {
@@ -200,7 +214,8 @@ static Py_ssize_t solve_all_widely(buffers *all, double nbar, Py_ssize_t points)
         const int length = (points - start < WIDE_LANES) ? (int)(points - start) : WIDE_LANES;
         int refused[WIDE_LANES];
         for (int i = 0; i < WIDE_LANES; i++) {
-            const spragsym_parameters here = parameters_at(all->given, (i < length) ? start + i : start);
+            const spragsym_parameters here =
+                parameters_at(all->given, (i < length) ? start + i : start);
             refused[i] = !allowed(&here);
             set_widely(refused[i] ? &harmless : &here, nbar, i, &p);
         }
@@ -241,8 +256,8 @@ static int hold_columns(buffers *all, PyObject *tuple, int offset, Py_ssize_t it
     return 1;
 }
 
-static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact, PyObject *settled, PyObject *count,
-    PyObject *first, PyObject *further) {
+static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact, PyObject *settled,
+    PyObject *count, PyObject *first, PyObject *further) {
     if (!PyTuple_Check(first) || !PyTuple_Check(further) || PyTuple_GET_SIZE(first) != COLUMNS ||
         PyTuple_GET_SIZE(further) != COLUMNS + 1) {
         PyErr_SetString(PyExc_TypeError, "first and further are tuples of 6 and 7 buffers");
@@ -257,7 +272,8 @@ static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact
             return 0;
         }
     }
-    return hold(all, settled, 1, points, 1) && hold(all, count, 1, points, 1) && hold_columns(all, first, 0, points) &&
+    return hold(all, settled, 1, points, 1) && hold(all, count, 1, points, 1) &&
+        hold_columns(all, first, 0, points) &&
         hold(all, PyTuple_GET_ITEM(further, 0), (Py_ssize_t)sizeof(int64_t), points, 1) &&
         hold_columns(all, further, 1, points * (contact ? 2 : 3));
 }
@@ -273,8 +289,8 @@ static PyObject *solve_by(method solver, PyObject *arguments) {
     int contact;
     buffers all;
     all.held = 0;
-    if (!PyArg_ParseTuple(arguments, "OOOOOOiOOOO", &given[0], &given[1], &given[2], &given[3], &given[4], &given[5], &contact,
-            &settled, &count, &first, &further)) {
+    if (!PyArg_ParseTuple(arguments, "OOOOOOiOOOO", &given[0], &given[1], &given[2], &given[3],
+            &given[4], &given[5], &contact, &settled, &count, &first, &further)) {
         return NULL;
     }
     Py_ssize_t used = -1;
@@ -298,22 +314,25 @@ static PyObject *solve_more(PyObject *module, PyObject *arguments) {
     return solve_by(solve_all_widely, arguments);
 }
 
-/* What is no parameter has no number; the kernel itself leaves open what is not finite, and kappa and sigma that are not
- * positive. */
-CLONED static void count_columns(const double *theta0, const double *mu0, const double *kappa, const double *alpha,
-    const double *sigma, const double *beta, signed char *restrict counts) {
+/* Parameters outside of their ranges have no count. The kernel itself decides nothing if they are
+ * not finite, or if kappa or sigma is not positive. */
+CLONED static void count_columns(const double *theta0, const double *mu0, const double *kappa,
+    const double *alpha, const double *sigma, const double *beta, signed char *restrict counts) {
     for (int i = 0; i < BLOCK; i++) {
         const Direction undeformed = cosine_and_sine(theta0[i]);
-        const Point point = {undeformed.cosine, undeformed.sine, mu0[i], kappa[i], alpha[i], sigma[i], beta[i], 1.0};
+        const Point point = {
+            undeformed.cosine, undeformed.sine, mu0[i], kappa[i], alpha[i], sigma[i], beta[i], 1.0};
         const double number = one_or_three(point, UNIT_ROUNDOFF);
-        const int inside = (theta0[i] > 0.0) & (theta0[i] < 3.14159265358979323846) & (mu0[i] >= 0.0) &
-            (alpha[i] >= 0.0) & (beta[i] >= 0.0);
+        const int inside = (theta0[i] > 0.0) & (theta0[i] < 3.14159265358979323846) &
+            (mu0[i] >= 0.0) & (alpha[i] >= 0.0) & (beta[i] >= 0.0);
         counts[i] = (signed char)(inside ? number : 0.0);
     }
 }
 
-/* A parameter of a block of points: where it stands, or in `room` if it is one number or fewer than a block. */
-static const double *column_at(const Py_buffer *given, Py_ssize_t start, int points, double room[BLOCK]) {
+/* A parameter at the points of a block: a part of its buffer, or a copy in `room` if the buffer has
+ * one number, or fewer than a block. */
+static const double *column_at(
+    const Py_buffer *given, Py_ssize_t start, int points, double room[BLOCK]) {
     if (points == BLOCK && given->len != (Py_ssize_t)sizeof(double)) {
         return (const double *)given->buf + start;
     }
@@ -341,7 +360,8 @@ static PyObject *count_points(PyObject *module, PyObject *arguments) {
     buffers all;
     (void)module;
     all.held = 0;
-    if (!PyArg_ParseTuple(arguments, "OOOOOOO", &given[0], &given[1], &given[2], &given[3], &given[4], &given[5], &result)) {
+    if (!PyArg_ParseTuple(arguments, "OOOOOOO", &given[0], &given[1], &given[2], &given[3],
+            &given[4], &given[5], &result)) {
         return NULL;
     }
     const Py_ssize_t points = PyObject_Length(result);
@@ -362,13 +382,15 @@ static PyObject *count_points(PyObject *module, PyObject *arguments) {
     Py_RETURN_NONE;
 }
 
-static PyMethodDef methods[] = {{"solve", solve, METH_VARARGS, "Points in columns to equilibria in columns."},
+static PyMethodDef methods[] = {
+    {"solve", solve, METH_VARARGS, "Points in columns to equilibria in columns."},
     {"solve_widely", solve_more, METH_VARARGS, "The same in double-double arithmetic."},
-    {"count", count_points, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
+    {"count", count_points, METH_VARARGS,
+        "The number of equilibria in contact, 0 where that is open."},
     {NULL, NULL, 0, NULL}};
 
-static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled", "The generated C solver.", -1, methods,
-    NULL, NULL, NULL, NULL};
+static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled",
+    "The generated C solver.", -1, methods, NULL, NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__compiled(void) {
     PyObject *const module = PyModule_Create(&definition);

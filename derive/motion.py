@@ -1,5 +1,9 @@
-"""Motion of any model: accelerations in each regime in which they are smooth, their derivatives,
-borders, energy and powers.
+"""Equations of motion of any model: M(q) q″ = forces, piecewise smooth.
+
+A regime is a combination of touching contacts and slip directions in which the forces are smooth;
+its borders are zeros of gaps and sliding speeds. For every regime the module gives accelerations,
+their derivatives by state and parameters, borders, energy and powers. Dry friction that sticks has
+the constraint force that keeps the sliding speed constant.
 """
 
 import itertools
@@ -25,39 +29,39 @@ from .model import acceleration_of
 
 @dataclass(frozen=True)
 class Motion:
-    """The equations of motion M q″ = forces, solved for q″."""
+    """The equations of motion M q″ = forces, solved for q″, and what follows from them."""
 
     model: Mechanics
 
     @cached_property
     def coefficients(self) -> Names:
-        """μ of every friction, on either side."""
+        """The smooth law of every friction coefficient, by its symbol."""
         return {it.mu: laws.smooth_friction(it) for it in self.model.frictions}
 
     @cached_property
-    def holding(self) -> tuple[FrictionForce, ...]:
-        """The frictions that hold where nothing slides."""
+    def with_sticking(self) -> tuple[FrictionForce, ...]:
+        """The dry frictions: those that stick at sliding speed 0."""
         return tuple(it for it in self.model.frictions if it.holds is not None)
 
     def along(self, friction: FrictionForce) -> Row:
-        """Derivatives of the displacement that a friction opposes."""
+        """Derivatives by the coordinates of the displacement that a friction opposes."""
         return tuple(diff(friction.along, symbol) for symbol in self.model.coordinates)
 
     def slip(self, friction: FrictionForce) -> Expr:
-        """The sliding speed of a friction, among the borders."""
+        """The sliding speed of a friction, which is one of the borders."""
         return self.borders[len(self.model.contacts) + self.model.frictions.index(friction)]
 
     @cached_property
     def mobility(self) -> Matrix:
-        """Jᵀ M⁻¹ J of the displacements that frictions which hold oppose: by how much a unit of
-        each slows the sliding of each.
+        """Jᵀ M⁻¹ J of the dry frictions, with the columns of J from :meth:`along`: entry (i, j) is
+        by how much a unit of force j changes the rate of sliding speed i.
         """
-        along = [self.along(it) for it in self.holding]
+        along = [self.along(it) for it in self.with_sticking]
         return Matrix(along) * Matrix([self.over_mass(row) for row in along]).T
 
     def _coupled(self, index: int) -> list[int]:
-        """The frictions that hold whose forces a constraint depends on: its own, and those that the
-        mobility couples with it, one after another.
+        """Indices of the dry frictions that the mobility couples with one, directly or through
+        others, itself included.
         """
         found = [index]
         for row in found:
@@ -66,8 +70,9 @@ class Motion:
         return sorted(found)
 
     def _in_symbols(self, name: str, entries: Matrix) -> tuple[Matrix, Names]:
-        """Entries of a system, and by what symbols they stand in its determinants; by themselves
-        where they are numbers, or a friction is coupled with no other, and has no determinant.
+        """Entries replaced by symbols, and the meanings of these, so that determinants stay short.
+
+        Numbers, and rows of frictions that are coupled with no other, stay as they are.
         """
         symbols = entries.copy()
         for i, j in itertools.product(*map(range, entries.shape)):
@@ -76,75 +81,81 @@ class Motion:
         pairs = zip(symbols, entries, strict=True)
         return symbols, {symbol: entry for symbol, entry in pairs if symbol != entry}
 
-    def held(self, friction: FrictionForce, stuck: Row, slipping: Row) -> Expr:
-        """The solution f of mobility f = stuck for one friction where it holds, the others hold or
-        have the values ``slipping``: by Cramer's rule.
+    def sticking_force(self, friction: FrictionForce, stuck: Row, slipping: Row) -> Expr:
+        """The force of a friction that sticks, by Cramer's rule.
+
+        The forces f of the frictions that stick solve the rows of mobility · f = stuck; each of
+        the other frictions may stick or slip with the force in ``slipping``, as its symbol
+        ``FrictionForce.stuck`` says.
         """
-        own = self.holding.index(friction)
-        places = self._coupled(own)
+        number = self.with_sticking.index(friction)
+        coupled = self._coupled(number)
         mobility, _ = self._in_symbols("mobility", self.mobility)
-        system, right = sp.zeros(len(places)), sp.zeros(len(places), 1)
-        for row, index in enumerate(places):
-            share = S.One if index == own else self.holding[index].stuck
-            for column, other in enumerate(places):
-                none = S.One if row == column else S.Zero
-                system[row, column] = none + share * (mobility[index, other] - none)
-            right[row] = share * stuck[index] + (1 - share) * slipping[index]
-        whole = system.det(method="berkowitz")
-        system[:, places.index(own)] = right
-        return system.det(method="berkowitz") / whole
+        system, right = sp.zeros(len(coupled)), sp.zeros(len(coupled), 1)
+        for row, index in enumerate(coupled):
+            sticks = S.One if index == number else self.with_sticking[index].stuck
+            for column, other in enumerate(coupled):
+                identity = S.One if row == column else S.Zero
+                system[row, column] = identity + sticks * (mobility[index, other] - identity)
+            right[row] = sticks * stuck[index] + (1 - sticks) * slipping[index]
+        determinant = system.det(method="berkowitz")
+        system[:, coupled.index(number)] = right
+        return system.det(method="berkowitz") / determinant
 
     @cached_property
     def free(self) -> tuple[Row, Names]:
-        """Rates of the sliding speeds without the frictions that hold."""
-        free = dict.fromkeys((it.unknown for it in self.holding), S.Zero)
-        rates = [self.rate(self.slip(it), self.accelerations).subs(free) for it in self.holding]
+        """Rates of the sliding speeds without the dry frictions, in symbols, and their meanings."""
+        free = dict.fromkeys((it.unknown for it in self.with_sticking), S.Zero)
+        rates = [
+            self.rate(self.slip(it), self.accelerations).subs(free) for it in self.with_sticking
+        ]
         symbols, names = self._in_symbols("free", Matrix(rates))
         return tuple(symbols), names
 
     def constraint(self, friction: FrictionForce) -> Expr:
-        """The force that keeps the sliding speed from changing while the other frictions hold or
-        slip: the constraint force of sticking.
-        """
-        slipping = tuple(it.mu * it.normal.rubbing for it in self.holding)
-        return self.held(friction, self.free[0], slipping)
+        """The constraint force of sticking: with it the sliding speed stays constant."""
+        slipping = tuple(it.mu * it.normal.rubbing for it in self.with_sticking)
+        return self.sticking_force(friction, self.free[0], slipping)
 
     @cached_property
     def dry_friction(self) -> Names:
-        """Expressions for the symbols of frictions that hold.
+        """Expressions of the forces and modes of dry friction, by their symbols.
 
-        Sticking or not, the force is a sum and no coefficient times a normal force that goes to 0
-        where the contact is lost.
+        The force of sticking is not written as a coefficient times the normal force: that would
+        divide by a normal force that goes to 0 where the contact is lost.
         """
-        if not self.holding:
+        if not self.with_sticking:
             return {}
         _, mobility = self._in_symbols("mobility", self.mobility)
         forces = {
             it.unknown: (1 - it.stuck) * it.mu * it.normal.rubbing + it.stuck * self.constraint(it)
-            for it in self.holding
+            for it in self.with_sticking
         }
-        sticking = {it.stuck: 1 - it.side**2 for it in self.holding}
+        sticking = {it.stuck: 1 - it.side**2 for it in self.with_sticking}
         return {**self.inverted, **sticking, **mobility, **self.free[1], **forces}
 
     def margins(self, friction: FrictionForce, force: Expr) -> Row:
-        """Distances of a force of friction from its limit with the belt, and from that against it:
-        positive while friction holds.
+        """Distances of a friction force from its two limits, with the belt and against it; both are
+        positive while friction sticks.
         """
-        ahead, behind = (
+        limit_ahead, limit_against = (
             coefficient * friction.normal.rubbing
             for coefficient in laws.static_coefficients(friction)
         )
-        return ahead - force, behind + force
+        return limit_ahead - force, limit_against + force
 
     def side(self, friction: FrictionForce) -> Expr:
-        """The sign of the sliding speed; where nothing slides 1, or of friction that holds that of
-        the mode in which the motion goes on, while others at rest hold.
+        """The slip direction, ±1, or 0 for sticking.
+
+        At sliding speed 0 it is 1 for friction without sticking. Dry friction sticks there, or
+        slips in the direction of the limit that its constraint force exceeds while all other
+        frictions at rest stick.
         """
         if friction.holds is None:
             return reached(self.slip(friction))
         sliding = sp.sign(self.slip(friction))
         others = Names()
-        for it in self.holding:
+        for it in self.with_sticking:
             side = sp.sign(self.slip(it))
             others |= {it.stuck: 1 - side**2, it.mu: self.coefficients[it.mu].subs(it.side, side)}
         constraint = self.constraint(friction).xreplace(others)
@@ -153,55 +164,58 @@ class Motion:
 
     @cached_property
     def centrifugal(self) -> Row:
-        """The terms of Lagrange's equations besides M q″ where the mass matrix depends on the
-        place, or the energy has terms linear in the rates: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0.
+        """Inertia forces besides M q″: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0, of a mass matrix that depends
+        on the coordinates and of kinetic energy linear in the rates.
         """
-        it = self.model
-        energy = it.kinetic + it.linear
-        momenta = [diff(energy, rate) for rate in it.rates]
+        model = self.model
+        energy = model.kinetic + model.linear
+        momenta = [diff(energy, rate) for rate in model.rates]
         return tuple(
-            expanded(it.page.rate(momentum) - diff(energy, symbol))
-            for momentum, symbol in zip(momenta, it.coordinates, strict=True)
+            expanded(model.page.rate(momentum) - diff(energy, symbol))
+            for momentum, symbol in zip(momenta, model.coordinates, strict=True)
         )
 
     @cached_property
     def pull(self) -> Row:
-        """The right side of M q″ = …, in MU, PUSHING, directions and rates."""
-        it = self.model
-        rows = zip(it.residuals, it.resistance, self.centrifugal, strict=True)
-        return tuple(-static - damped - turned for static, damped, turned in rows)
+        """The right side of M q″ = …, in the symbols MU, PUSHING, directions and rates."""
+        model = self.model
+        rows = zip(model.residuals, model.resistance, self.centrifugal, strict=True)
+        return tuple(-static - damping - inertia for static, damping, inertia in rows)
 
     def balance(self, *normal: Expr) -> Row:
-        """M q″ less all forces, of which those of the contacts are ``normal``, in MU and the
-        symbols of the accelerations.
+        """The residuals M q″ − forces, in MU and the symbols of the accelerations, with given
+        expressions ``normal`` for the contact forces.
         """
-        it = self.model
+        model = self.model
         rows = []
         for symbol, inertia, pull in zip(
-            it.coordinates, it.mass * Matrix(self.named), self.pull, strict=True
+            model.coordinates,
+            model.mass * Matrix(self.acceleration_symbols),
+            self.pull,
+            strict=True,
         ):
             row = inertia - pull
-            for contact, force in zip(it.contacts, normal, strict=True):
-                share = S.Zero if contact.gap is None else diff(contact.gap, symbol)
-                for friction in it.frictions:
+            for contact, force in zip(model.contacts, normal, strict=True):
+                lever = S.Zero if contact.gap is None else diff(contact.gap, symbol)
+                for friction in model.frictions:
                     if friction.normal is contact and friction.along is not None:
-                        share += friction.mu * diff(friction.along, symbol)
-                row += (contact.force - force) * share
+                        lever += friction.mu * diff(friction.along, symbol)
+                row += (contact.force - force) * lever
             rows.append(expanded(row))
         return tuple(rows)
 
     @cached_property
     def accelerations(self) -> Row:
-        """q″ in μ, or in the frictions that hold, and in the entries of the inverse of M where
-        these are no quotients of parameters.
+        """q″ in the symbols of friction coefficients or dry friction forces, and of the entries of
+        M⁻¹ if M is not constant and diagonal.
         """
         return self.over_mass(self.forces)
 
     @cached_property
     def forces(self) -> Row:
-        """M q″, in μ or in the frictions that hold."""
+        """M q″, in the symbols of friction coefficients or dry friction forces."""
         rows = list(self.pull)
-        for it in self.holding:
+        for it in self.with_sticking:
             rows = [
                 row.subs(it.mu, 0) + it.unknown * share
                 for row, share in zip(rows, self.along(it), strict=True)
@@ -216,20 +230,20 @@ class Motion:
 
     @cached_property
     def is_coupled(self) -> bool:
-        """Whether M has entries beside its diagonal, or depends on the place."""
-        it = self.model
-        return not it.mass.is_diagonal() or it.mass.has(*it.coordinates)
+        """Whether M has entries off its diagonal, or depends on the coordinates."""
+        model = self.model
+        return not model.mass.is_diagonal() or model.mass.has(*model.coordinates)
 
     @cached_property
     def inverse(self) -> Matrix:
-        """Symbols of the entries of the inverse of M."""
+        """M⁻¹ as a symmetric matrix of symbols."""
         n = len(self.model.coordinates)
         return Matrix(
             n, n, lambda i, j: Symbol(f"_inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True)
         )
 
     @cached_property
-    def named(self) -> Symbols:
+    def acceleration_symbols(self) -> Symbols:
         """Symbols of the accelerations."""
         return tuple(
             Symbol(acceleration_of(symbol), real=True) for symbol in self.model.coordinates
@@ -237,14 +251,15 @@ class Motion:
 
     @cached_property
     def solved(self) -> Names:
-        """The accelerations by their symbols, where derivatives take them."""
-        named = dict(zip(self.named, self.accelerations, strict=True))
+        """Meanings of the symbols of accelerations and of M⁻¹, if derivatives use these symbols."""
+        named = dict(zip(self.acceleration_symbols, self.accelerations, strict=True))
         return {**self.inverted, **named} if self.is_coupled or self.model.holds else {}
 
     @cached_property
     def inverted(self) -> Names:
-        """Expressions for the entries of the inverse of M: M is inverted in numbers once, and never
-        differentiated.
+        """Meanings of the symbols of M⁻¹: cofactors over the determinant.
+
+        Derivatives are written with M⁻¹, so that the inverse is never differentiated.
         """
         if not self.is_coupled:
             return {}
@@ -256,109 +271,118 @@ class Motion:
             **{symbol: tidy(entry) / determinant for symbol, entry in entries},
         }
 
-    def slopes(self, symbol: Symbol, turns: Row | None = None) -> Row:
-        """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂forces
-        − ∂M q″; ``turns`` are those of the frictions.
-        """
-        turns = self.turns(symbol) if turns is None else turns
-        if not self.is_coupled:
-            return tuple(self.derivative(row, symbol, turns) for row in self.accelerations)
-        it = self.model
-        changes = it.mass.applyfunc(lambda entry: it.tidy(it.derivative(entry, symbol))) * Matrix(
-            self.named
-        )
-        pulls = Matrix([self.derivative(row, symbol, turns) for row in self.forces])
-        return tuple(self.inverse * (pulls - changes))
+    def slopes(self, symbol: Symbol, friction_slopes: Row | None = None) -> Row:
+        """Derivatives of the accelerations by a coordinate, a rate or a parameter.
 
-    def turns(self, symbol: Symbol) -> Row:
-        """Derivatives of μ of every friction, or of the force of one that holds: of several by
-        their names where they are not 0.
+        M ∂q″ = ∂forces − ∂M q″, with given ``friction_slopes`` or those of
+        :meth:`friction_slopes`.
+        """
+        friction_slopes = (
+            self.friction_slopes(symbol) if friction_slopes is None else friction_slopes
+        )
+        if not self.is_coupled:
+            return tuple(
+                self.derivative(row, symbol, friction_slopes) for row in self.accelerations
+            )
+        model = self.model
+        mass_change = model.mass.applyfunc(
+            lambda entry: model.tidy(model.derivative(entry, symbol))
+        ) * Matrix(self.acceleration_symbols)
+        pulls = Matrix([self.derivative(row, symbol, friction_slopes) for row in self.forces])
+        return tuple(self.inverse * (pulls - mass_change))
+
+    def friction_slopes(self, symbol: Symbol) -> Row:
+        """Derivatives of every friction coefficient, or dry friction force, by a symbol.
+
+        Of several frictions those that are not 0 are symbols; :meth:`slope_names` has their
+        meanings.
         """
         slopes = tuple(self.friction_slope(it, symbol) for it in self.model.frictions)
         if len(slopes) < 2:
             return slopes
         return tuple(
-            slope if slope == 0 else self._turn(it, symbol)
+            slope if slope == 0 else self._slope_symbol(it, symbol)
             for it, slope in zip(self.model.frictions, slopes, strict=True)
         )
 
-    def _turn(self, friction: FrictionForce, symbol: Symbol) -> Symbol:
+    def _slope_symbol(self, friction: FrictionForce, symbol: Symbol) -> Symbol:
         return Symbol(f"_turn_{friction.name}_{symbol}", real=True)
 
-    def turned(self, symbols: Symbols) -> Names:
-        """Derivatives of several frictions, by their names."""
+    def slope_names(self, symbols: Symbols) -> Names:
+        """Meanings of the symbols in :meth:`friction_slopes`."""
         if len(self.model.frictions) < 2:
             return {}
         return {
-            self._turn(it, symbol): self.friction_slope(it, symbol)
+            self._slope_symbol(it, symbol): self.friction_slope(it, symbol)
             for symbol in symbols
             for it in self.model.frictions
         }
 
     def friction_slope(self, friction: FrictionForce, symbol: Symbol) -> Expr:
-        """The derivative of μ; or that of a force that holds, which keeps the sliding speed from
-        changing.
-        """
+        """The derivative of a friction coefficient, or of a dry friction force, by a symbol."""
         mu = self.coefficients[friction.mu]
         if friction.holds is None:
             return self.model.derivative(mu, symbol)
         slipping = self.model.derivative(mu * friction.normal.rubbing, symbol)
-        return (1 - friction.stuck) * slipping + friction.stuck * self.held_slope(friction, symbol)
+        return (1 - friction.stuck) * slipping + friction.stuck * self.sticking_slope(
+            friction, symbol
+        )
 
-    def held_slope(self, friction: FrictionForce, symbol: Symbol) -> Expr:
-        """The derivative of the force that keeps a sliding speed from changing."""
-        still = tuple(
+    def sticking_slope(self, friction: FrictionForce, symbol: Symbol) -> Expr:
+        """The derivative of the constraint force of sticking by a symbol."""
+        without_sticking = tuple(
             S.Zero
-            if it in self.holding
+            if it in self.with_sticking
             else self.model.derivative(self.coefficients[it.mu], symbol)
             for it in self.model.frictions
         )
-        slopes = self.slopes(symbol, still)
+        accelerations = self.slopes(symbol, without_sticking)
         changes = tuple(
-            self.model.derivative(self.rate(self.slip(it), self.named), symbol)
-            - sum(a * b for a, b in zip(self.along(it), slopes, strict=True))
-            for it in self.holding
+            self.model.derivative(self.rate(self.slip(it), self.acceleration_symbols), symbol)
+            - sum(a * b for a, b in zip(self.along(it), accelerations, strict=True))
+            for it in self.with_sticking
         )
         slipping = tuple(
             self.model.derivative(self.coefficients[it.mu] * it.normal.rubbing, symbol)
-            for it in self.holding
+            for it in self.with_sticking
         )
-        return self.held(friction, changes, slipping)
+        return self.sticking_force(friction, changes, slipping)
 
-    def derivative(self, expression: Expr, symbol: Symbol, turns: Row) -> Expr:
-        """By a coordinate, a rate or a parameter, with ``turns`` for those of μ, or of the forces
-        that hold.
+    def derivative(self, expression: Expr, symbol: Symbol, friction_slopes: Row) -> Expr:
+        """The derivative of an expression by a coordinate, a rate or a parameter, with given
+        derivatives of the friction coefficients or dry friction forces.
         """
-        it = self.model
-        follow = (
-            diff(expression, one.unknown if one in self.holding else one.mu) * turn
-            for one, turn in zip(it.frictions, turns, strict=True)
+        model = self.model
+        through_friction = (
+            diff(expression, one.unknown if one in self.with_sticking else one.mu) * turn
+            for one, turn in zip(model.frictions, friction_slopes, strict=True)
         )
-        return it.tidy(it.derivative(expression, symbol) + Add(*follow))
+        return model.tidy(model.derivative(expression, symbol) + Add(*through_friction))
 
     # ---------------------------------------------------------------------------------------------
     # energy
 
     @cached_property
     def stored(self) -> Expr:
-        """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the
-        contact's.
+        """Total energy: kinetic energy, potential, applied forces with a potential, and contacts.
+
+        It is differentiated; :meth:`energy` has the same value and is evaluated.
         """
-        it = self.model
-        springs = zip(it.lines, it.stiffnesses, strict=True)
+        model = self.model
+        springs = zip(model.lines, model.stiffnesses, strict=True)
         at_rest = Add(*(k * line.rest**2 / 2 for line, k in springs))
-        return it.kinetic + it.potential + at_rest - self.work + self._stored_in_contacts
+        return model.kinetic + model.potential + at_rest - self.work + self._stored_in_contacts
 
     @cached_property
     def energy(self) -> Expr:
-        """The same with the springs' as k (l − r)²/2, which loses no digits where they are hardly
-        deformed: l² is dx² + dy².
+        """Total energy, with springs as k (l − r)²/2: this loses no digits where they are hardly
+        deformed, as terms of l² = dx² + dy² and l would.
         """
-        it = self.model
-        springs = zip(it.lines, it.stiffnesses, strict=True)
+        model = self.model
+        springs = zip(model.lines, model.stiffnesses, strict=True)
         strained = Add(*(k * (line.l - line.rest) ** 2 / 2 for line, k in springs))
-        without = expanded(it.potential - it.elastic_energy)
-        return it.kinetic + without + strained - self.work + self._stored_in_contacts
+        without = expanded(model.potential - model.elastic_energy)
+        return model.kinetic + without + strained - self.work + self._stored_in_contacts
 
     @cached_property
     def strain_energy(self) -> Expr:
@@ -369,7 +393,7 @@ class Motion:
 
     @cached_property
     def _stored_in_contacts(self) -> Expr:
-        """The energy of all contacts, each on its own side, with PUSHING."""
+        """The energy of all contacts that touch, with PUSHING."""
         stored = S.Zero
         for contact in self.model.contacts:
             if contact.gap is not None:
@@ -381,127 +405,128 @@ class Motion:
 
     @cached_property
     def work(self) -> Expr:
-        """A potential of the applied forces: the sum over coordinates of what is not counted
-        yet.
+        """Minus a potential of the applied forces: integrals over one coordinate after the other,
+        each of the force that earlier ones do not give.
         """
-        it = self.model
+        model = self.model
         total = S.Zero
-        for symbol, _, force in it.moved:
+        for symbol, _, force in model.moved:
             integral = sp.integrate(expanded(force - diff(total, symbol)), symbol)
-            # What has none in one form for all parameters, as sin(η b) for η = 0 too, is power.
-            total += S.Zero if integral.has(sp.Piecewise, sp.Integral) else integral
+            # A force without one integral for all parameters, as sin(η b), whose integral has
+            # another form at η = 0, is counted in applied_power.
+            if not integral.has(sp.Piecewise, sp.Integral):
+                total += integral
         return expanded(total)
 
     @cached_property
     def applied_power(self) -> Expr:
-        """Power of applied forces that have no potential; zero for those that have one."""
+        """Power of the applied forces that have no potential."""
         work = self.work
         powers = ((force - diff(work, q)) * rate for q, rate, force in self.model.moved)
         return expanded(Add(*powers))
 
     @cached_property
     def clock_power(self) -> Expr:
-        """Rate at which the clock changes what is stored, by ends, gaps and forces that follow
-        it.
+        """Rate at which the clock changes the energy, by spring ends, gaps and forces that follow
+        it; 0 without a clock.
         """
-        it = self.model
-        return S.Zero if it.clock is None else it.derivative(self.stored, it.clock) * it.rates[-1]
+        model = self.model
+        return (
+            S.Zero
+            if model.clock is None
+            else model.derivative(self.stored, model.clock) * model.rates[-1]
+        )
 
     def friction_force(self, friction: FrictionForce) -> Expr:
-        """In μ, or what it holds."""
+        """The force of a friction, in its coefficient; for dry friction its symbol."""
         if friction.along is None:
             return S.Zero
         return (
-            friction.unknown if friction in self.holding else friction.mu * friction.normal.rubbing
+            friction.unknown
+            if friction in self.with_sticking
+            else friction.mu * friction.normal.rubbing
         )
 
     @cached_property
     def damper_power(self) -> Expr:
-        """Of all dampers: never positive, but where the clock moves an end of one."""
-        it = self.model
-        if it.clock is None:
-            return -2 * it.dissipation
-        return -Add(*(diff(it.dissipation, rate) * rate for _, rate, _ in it.moved))
+        """Power of all dampers; never positive, unless the clock moves an end of one."""
+        model = self.model
+        if model.clock is None:
+            return -2 * model.dissipation
+        return -Add(*(diff(model.dissipation, rate) * rate for _, rate, _ in model.moved))
 
     @cached_property
     def outputs(self) -> dict[str, Expr]:
-        """Forces, energy and power in a smooth regime, by name; in μ, or the friction that
-        holds.
+        """Forces, energy and power in a regime, by name, in the symbols of friction coefficients or
+        dry friction forces.
         """
-        it = self.model
-        frictions = [friction for friction in it.frictions if friction.along is not None]
+        model = self.model
+        frictions = [friction for friction in model.frictions if friction.along is not None]
         forces = [self.friction_force(friction) for friction in frictions]
         rubbing = Add(*(f * one.rate for f, one in zip(forces, frictions, strict=True)))
         powers = rubbing + self.damper_power + self.applied_power + self.clock_power
-        springs = enumerate(zip(it.lines, it.stiffnesses, strict=True), 1)
+        springs = enumerate(zip(model.lines, model.stiffnesses, strict=True), 1)
         pressed = [friction.normal for friction in frictions]
 
-        def of(what: str, contact: NormalForce) -> str:
+        def name_of(what: str, contact: NormalForce) -> str:
             return f"{what}.{contact.name}" if contact.name else what
 
-        return {
-            **{
-                of("force.normal", contact): contact.force
-                for contact in it.contacts
-                if contact.gap is not None or contact in pressed
-            },
-            **{
-                of("force.friction", friction.normal): force
-                for friction, force in zip(frictions, forces, strict=True)
-            },
-            **{f"force.spring{n}": k * (line.l - line.rest) for n, (line, k) in springs if k != 0},
-            "energy": self.energy,
-            "power": powers,
-        }
+        found: dict[str, Expr] = {}
+        for contact in model.contacts:
+            if contact.gap is not None or contact in pressed:
+                found[name_of("force.normal", contact)] = contact.force
+        for friction, force in zip(frictions, forces, strict=True):
+            found[name_of("force.friction", friction.normal)] = force
+        for count, (line, k) in springs:
+            if k != 0:
+                found[f"force.spring{count}"] = k * (line.l - line.rest)
+        return found | {"energy": self.energy, "power": powers}
 
     def balances(self) -> bool:
-        """Whether the energy changes by the powers and by nothing else, as exact algebra for every
-        state.
+        """Whether the rate of the energy is the sum of the powers, by exact algebra for all states:
+        a check of the equations of motion.
         """
-        it = self.model
+        model = self.model
         change = S.Zero
-        for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
-            if symbol != it.clock:
-                change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
-        rubbing = Add(*(one.mu * one.normal.rubbing * one.rate for one in it.frictions))
+        for symbol, rate, pull in zip(model.coordinates, model.rates, self.pull, strict=True):
+            if symbol != model.clock:
+                change += model.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
+        rubbing = Add(*(one.mu * one.normal.rubbing * one.rate for one in model.frictions))
         powers = rubbing + self.damper_power + self.applied_power
-        turned, circles = it.circles(sp.Tuple(change, powers))
-        return equal(change.xreplace(turned), powers.xreplace(turned), circles)
+        waves, circles = model.circles(sp.Tuple(change, powers))
+        return equal(change.xreplace(waves), powers.xreplace(waves), circles)
 
     # ---------------------------------------------------------------------------------------------
     # borders
 
     @cached_property
     def borders(self) -> Row:
-        """Levels that are zero on a kink of the field: the border of every contact, every sliding
-        speed.
+        """Functions whose zeros are the kinks of the field: the border of every contact, then every
+        sliding speed; 1 where there is none.
         """
-        it = self.model
-        return (
-            *(S.One if contact.border is None else contact.border for contact in it.contacts),
-            *(
-                laws.slip(friction) if friction.along is not None else S.One
-                for friction in it.frictions
-            ),
-        )
+        contacts = [S.One if it.border is None else it.border for it in self.model.contacts]
+        slips = [S.One if it.along is None else laws.slip(it) for it in self.model.frictions]
+        return (*contacts, *slips)
 
     @cached_property
     def curved(self) -> bool:
-        """Whether a border is no linear function of the coordinates and rates."""
-        it = self.model
+        """Whether a border is a nonlinear function of the coordinates and rates."""
+        model = self.model
         return any(
-            not sp.hessian(border, (*it.coordinates, *it.rates)).is_zero_matrix
+            not sp.hessian(border, (*model.coordinates, *model.rates)).is_zero_matrix
             for border in self.borders
         )
 
     def rate(self, expression: Expr, accelerations: Symbols) -> Expr:
-        """d/dt of an expression in coordinates and rates."""
-        it = self.model
-        changes = zip((*it.coordinates, *it.rates), (*it.rates, *accelerations), strict=True)
-        return Add(*(it.derivative(expression, symbol) * value for symbol, value in changes))
+        """The derivative by time of an expression in coordinates and rates."""
+        model = self.model
+        changes = zip(
+            (*model.coordinates, *model.rates), (*model.rates, *accelerations), strict=True
+        )
+        return Add(*(model.derivative(expression, symbol) * value for symbol, value in changes))
 
     # ---------------------------------------------------------------------------------------------
-    # what functions take
+    # arguments of the generated functions
 
     @property
     def variables(self) -> Symbols:
@@ -510,84 +535,86 @@ class Motion:
 
     @property
     def moving(self) -> Symbols:
-        """These and the parameters."""
+        """Coordinates, rates and parameters."""
         return (*self.variables, *self.model.arguments)
 
     @property
     def accelerated(self) -> Symbols:
-        """The same with the accelerations."""
-        return (*self.variables, *self.named, *self.model.arguments)
+        """Coordinates, rates, accelerations and parameters."""
+        return (*self.variables, *self.acceleration_symbols, *self.model.arguments)
 
     @property
     def sides(self) -> Symbols:
-        """SIDE of every friction."""
+        """The symbols SIDE of all frictions."""
         return tuple(friction.side for friction in self.model.frictions)
 
     @property
     def ways(self) -> Symbols:
-        """The ways on which torsion springs are counted."""
+        """Symbols that say on which branch each torsion angle is continued."""
         return tuple(torsion.way for torsion in self.model.torsions)
 
     @property
     def regime(self) -> Symbols:
-        """What smooth functions take: the numbers of a mode too, what pushes, the sides, and what
-        of the laws is felt.
+        """Arguments of functions in a regime: state, parameters, contact indicators, slip
+        directions and the switches of exponential layers (:func:`.laws.near`).
         """
         near = (factor for friction in self.model.frictions for factor in laws.near(friction))
         return (*self.moving, *self.model.pushings, *self.sides, *near)
 
     @cached_property
     def shorthands(self) -> Names:
-        """What stands in the accelerations, by its symbols."""
+        """Meanings of the symbols in the accelerations."""
         own = {**directions(self.model), **self.model.depths}
         return {**own, **self.coefficients, **self.dry_friction, **self.solved}
 
     def smooth(
         self, name: str, summary: str, results: Results, returns: str, by: Symbols = ()
     ) -> Function:
-        """A function in a smooth regime, continued beyond its borders."""
+        """A generated function in a regime, which is smooth beyond the borders too.
+
+        ``by`` has the symbols by which the results are derivatives.
+        """
         continued = {torsion.phi: torsion.continued for torsion in self.model.torsions}
-        names = self.shorthands | continued | self.turned(by)
+        names = self.shorthands | continued | self.slope_names(by)
         return of_page(name, summary, (*self.regime, *self.ways), results, returns, names)
 
     def rows_by(self, rows: Row, symbols: Symbols) -> tuple[Row, ...]:
-        """Derivatives of rows in a regime, each by all symbols."""
-        turns = [(symbol, self.turns(symbol)) for symbol in symbols]
+        """Derivatives of rows in a regime: one tuple a row, with an entry for each symbol."""
+        by_friction = [(symbol, self.friction_slopes(symbol)) for symbol in symbols]
         return tuple(
-            tuple(self.derivative(row, symbol, turn) for symbol, turn in turns) for row in rows
+            tuple(self.derivative(row, symbol, turn) for symbol, turn in by_friction)
+            for row in rows
         )
 
 
-def _rows(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
-    """Derivatives of the accelerations, a row for each."""
-    columns = [motion.slopes(symbol) for symbol in symbols]
-    count = len(motion.accelerations)
-    return tuple(tuple(column[row] for column in columns) for row in range(count))
+def _jacobian(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
+    """Derivatives of the accelerations: one tuple an acceleration, with an entry a symbol."""
+    return tuple(zip(*(motion.slopes(symbol) for symbol in symbols), strict=True))
 
 
-def _slopes(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
-    """Derivatives of every sliding speed that friction holds and, while it sticks, of the margins
-    of the force of friction.
+def _sticking_slopes(motion: Motion, symbols: Symbols) -> tuple[Row, ...]:
+    """Derivatives, for every dry friction, of the sliding speed and of both margins while it
+    sticks.
     """
     found = []
-    for it in motion.holding:
+    for it in motion.with_sticking:
         rows = motion.slip(it), *motion.margins(it, it.unknown)
-        turns = {
+        friction_slopes = {
             symbol: tuple(
-                motion.held_slope(it, symbol) if one is it else S.Zero
+                motion.sticking_slope(it, symbol) if one is it else S.Zero
                 for one in motion.model.frictions
             )
             for symbol in symbols
         }
         found += [
-            tuple(motion.derivative(row, symbol, turn) for symbol, turn in turns.items())
+            tuple(motion.derivative(row, symbol, turn) for symbol, turn in friction_slopes.items())
             for row in rows
         ]
     return tuple(found)
 
 
 def directions(model: Mechanics) -> Names:
-    """Lengths and directions of all lines, and turnings of torsion springs, by the place."""
+    """Lengths and directions of all lines, and torsion angles, in coordinates."""
     found: Names = {}
     for line in model.lines:
         found |= {line.l: line.length, line.c: line.dx / line.l, line.s: line.dy / line.l}
@@ -595,7 +622,7 @@ def directions(model: Mechanics) -> Names:
 
 
 def outputs(model: Mechanics) -> Module:
-    """Forces, energy and power of a motion with their derivatives, for an export as a whole."""
+    """The generated module of forces, energy and power of a motion, with their derivatives."""
     motion = Motion(model)
     rows = tuple(motion.outputs.values())
     symbols = (*motion.variables, *map(number, model.parameters))
@@ -621,7 +648,13 @@ def outputs(model: Mechanics) -> Module:
 
 
 def module(model: Mechanics) -> Module:
-    """The generated module."""
+    """The generated module of the equations of motion.
+
+    Raises
+    ------
+    ArithmeticError
+        If the energy does not balance: the derivation contradicts itself.
+    """
     motion = Motion(model)
     if not motion.balances():
         raise ArithmeticError(
@@ -641,14 +674,14 @@ def module(model: Mechanics) -> Module:
         smooth(
             "regime_jacobian",
             "Derivatives of regime_rhs by the coordinates and the rates.",
-            _rows(motion, motion.variables),
+            _jacobian(motion, motion.variables),
             "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)",
             motion.variables,
         ),
         smooth(
             "regime_by_parameters",
             "Derivatives of regime_rhs by all parameters, an angle as the angle.",
-            _rows(motion, parameters),
+            _jacobian(motion, parameters),
             "((∂q_1″/∂p_1, …), …)",
             parameters,
         ),
@@ -665,7 +698,7 @@ def module(model: Mechanics) -> Module:
             "layer_rates",
             "How they change along a motion with the given accelerations.",
             (*motion.accelerated, *motion.sides),
-            tuple(motion.rate(layer, motion.named) for layer in layers),
+            tuple(motion.rate(layer, motion.acceleration_symbols) for layer in layers),
             "rates of (z_1, …)",
         ),
     ]
@@ -683,25 +716,25 @@ def module(model: Mechanics) -> Module:
                 "turning_rates",
                 "How they change along a motion.",
                 (*motion.accelerated, *motion.ways),
-                tuple(motion.rate(border, motion.named) for border in turnings),
+                tuple(motion.rate(border, motion.acceleration_symbols) for border in turnings),
                 "rates of (b_1, …)",
             ),
         ]
     if model.holds:
-        margins = (motion.margins(it, motion.constraint(it)) for it in motion.holding)
+        margins = (motion.margins(it, motion.constraint(it)) for it in motion.with_sticking)
         functions += [
             smooth(
                 "grip",
                 "How far the force of friction that holds is from its limits, with the belt and "
                 "against it: positive while it sticks.",
                 tuple(itertools.chain.from_iterable(margins)),
-                "(ahead, behind)" if len(motion.holding) < 2 else "(ahead_1, behind_1, …)",
+                "(ahead, behind)" if len(motion.with_sticking) < 2 else "(ahead_1, behind_1, …)",
             ),
             smooth(
                 "grip_slopes",
                 "Derivatives of the sliding speed, and of these while it sticks, by coordinates, "
                 "rates and all parameters.",
-                _slopes(motion, (*motion.variables, *parameters)),
+                _sticking_slopes(motion, (*motion.variables, *parameters)),
                 "((∂slip/∂q_1, …, ∂slip/∂v_1, …, ∂slip/∂p_1, …), …)",
             ),
         ]
@@ -736,11 +769,12 @@ def module(model: Mechanics) -> Module:
 
 
 def _everywhere(motion: Motion) -> Function:
-    """The kinked right-hand side."""
-    model, signs = motion.model, Names()
+    """The right-hand side at any state, kinked at the borders."""
+    model = motion.model
+    signs = Names()
     for contact, border in zip(model.contacts, motion.borders, strict=False):
         below = Symbol(f"_below{contact.name and '_'}{contact.name}", real=True)
-        # A law with a root has no slope at its border, which is then lift-off's.
+        # A law that is no polynomial may have no slope at its border, as a root: that is lift-off.
         signs[below] = 1 + reached(-border) if contact.polynomial else 1 - reached(border)
         signs[contact.pushing] = S.One if contact.border is None else below / 2
     signs |= {friction.side: motion.side(friction) for friction in model.frictions}
@@ -789,7 +823,7 @@ def _stored(motion: Motion) -> tuple[Function, ...]:
 
 
 def _kinks(motion: Motion) -> tuple[Function, ...]:
-    """Every contact's border and every sliding speed."""
+    """The generated functions of the borders and of their rates."""
     gaps, slips = ("gap, slip", "gap and the sliding speed")
     if len(motion.model.contacts) > 1:
         gaps, slips = "gap_1, …, slip_1, …", "gaps and the sliding speeds"
@@ -806,7 +840,7 @@ def _kinks(motion: Motion) -> tuple[Function, ...]:
             "border_rates",
             "How the borders change along a motion with the given accelerations.",
             motion.accelerated,
-            tuple(motion.rate(border, motion.named) for border in motion.borders),
+            tuple(motion.rate(border, motion.acceleration_symbols) for border in motion.borders),
             f"rates of {gaps}",
         ),
     )

@@ -154,7 +154,7 @@ def motion() -> Pair:
     coefficient μ yet to be given.
     """
     general = Motion(of_page())
-    accelerations = dict(zip(general.named, (AX, AY), strict=True))
+    accelerations = dict(zip(general.acceleration_symbols, (AX, AY), strict=True))
     along, across = (
         expand(in_article(of_page(), row.subs(accelerations))) for row in general.balance(nm.n)
     )

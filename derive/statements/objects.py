@@ -180,7 +180,7 @@ class Derivation:
     @cached_property
     def accelerations(self) -> tuple[Symbol, ...]:
         """Symbols of the accelerations."""
-        return self.motion.named
+        return self.motion.acceleration_symbols
 
     @cached_property
     def parameters(self) -> dict[str, Symbol]:
@@ -354,7 +354,7 @@ def _acceleration(derivation: Derivation, name: str, side: str) -> Object:
         for symbol, value in derivation.motion.inverted.items()
     }
     # Substituted twice: entries of the inverse of M hold a symbol for its determinant.
-    slipping = {one.unknown: one.mu * one.normal.rubbing for one in derivation.motion.holding}
+    slipping = {one.unknown: one.mu * one.normal.rubbing for one in derivation.motion.with_sticking}
     whole = (
         derivation.spelled(row.xreplace(slipping), side) for row in derivation.motion.accelerations
     )

@@ -398,7 +398,7 @@ def test_the_articles_page_gives_lagranges_equations() -> None:
         .doit()
         .subs({x.diff().diff(): mechanics.AX, y.diff().diff(): mechanics.AY})
     )
-    measured = objects.derivation(mechanics.page(), mechanics.of_page(), "units")
+    measured = objects.derivation_of(mechanics.page(), mechanics.of_page(), "units")
     ours = objects.derived(measured, "motion").entries
     theta0 = sp.Symbol("theta0")
     known = {x: sp.Symbol("x"), y: sp.Symbol("y"), nm.c0: sp.cos(theta0), nm.s0: sp.sin(theta0)}

@@ -1,19 +1,17 @@
-"""From a page to dimensionless mechanics: the units of measure become 1, and every straight spring
-gets a direction and a length.
+"""Mechanics of a page: energies, generalized forces and mass matrix, dimensionless or with units.
 
-A spring between two points has the vector (dx, dy) from its first end, the mass's, to its second,
-its length l, and its direction (c, s) = (dx, dy)/l. Forces are written in c, s and l as symbols of
-their own, and derivatives follow by the chain rule
+A spring between two points has the vector (dx, dy) from its first end, on the mass, to its second,
+the length l and the direction (c, s) = (dx, dy)/l. Forces are written in the symbols c, s and l,
+and derivatives follow by the chain rule
 
     ∂l = c ∂dx + s ∂dy,    ∂c = s (s ∂dx − c ∂dy)/l,    ∂s = −c (s ∂dx − c ∂dy)/l,
 
-so that no square root is ever differentiated. Likewise the turning of a torsion spring is a symbol
-φ of its own, with
+so that no square root is differentiated. The angle of a torsion spring is a symbol φ, with
 
     ∂φ = (c ∂dy − s ∂dx)/l − ∂rest,
 
-so that its energy k φ²/2 is exact and its forces are linear in φ: an arc tangent is taken once, in
-numbers.
+so that its energy is k φ²/2 and its forces are linear in φ. Generated code computes l and φ, with
+one root and one arc tangent, and then evaluates these expressions.
 """
 
 from collections.abc import Callable, Mapping
@@ -26,15 +24,15 @@ from sympy import Add, Dummy, Expr, Matrix, S, Symbol, diff
 from .algebra import Circles, Names, Pair, Row, Symbols, expanded, fewest_terms, quotients
 from .model import Contact, Datum, Element, Page, PageError, Point, expression_of, speed_of
 
-#: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
+#: Contact indicator: 1 in contact, 0 in lift-off; n̄ of the article.
 PUSHING = Symbol("pushing", real=True)
-#: Sign of the sliding speed: 1 where the belt is ahead, −1 where the mass is.
+#: Sign of the sliding speed: 1 if the belt is faster, −1 if the mass is.
 SIDE = Symbol("side", real=True)
-#: The friction coefficient, where a function takes it as a number.
+#: The friction coefficient as an argument of functions.
 MU = Symbol("mu", real=True)
-#: Penetration, positive, of a law that is no polynomial.
+#: Penetration, positive, the variable of a contact law.
 DEPTH = Symbol("_depth", positive=True)
-#: A sliding speed, positive.
+#: Sliding speed, positive, the variable of a friction law.
 SLIP = Symbol("_slip", positive=True)
 
 
@@ -52,32 +50,32 @@ class Line:
 
     @property
     def length(self) -> Expr:
-        """Length of a line, by its vector."""
+        """The length in terms of the vector."""
         return sp.sqrt(self.dx**2 + self.dy**2)
 
     def slopes(self, dx: Expr, dy: Expr) -> Names:
-        """Changes of direction and length when the vector changes by (dx, dy)."""
-        turn = self.s * dx - self.c * dy
+        """Changes of length and direction, by their symbols, if the vector changes by (dx, dy)."""
+        cross = self.s * dx - self.c * dy
         return {
             self.l: self.c * dx + self.s * dy,
-            self.c: self.s * turn / self.l,
-            self.s: -self.c * turn / self.l,
+            self.c: self.s * cross / self.l,
+            self.s: -self.c * cross / self.l,
         }
 
 
 @dataclass(frozen=True)
 class Turning:
-    """Rotation of a line from its inclination at rest, against a torsion spring: φ in (−π, π], the
-    least turning.
+    """A torsion spring: the angle φ in (−π, π] by which a line is turned from its inclination at
+    rest.
     """
 
     line: Line
     stiffness: Expr
-    rest: Expr  #: the inclination at rest, in angles
+    rest: Expr  #: the inclination at rest
     cosine_of_rest: Expr
     sine_of_rest: Expr
     phi: Symbol
-    way: Symbol  #: where φ is continued beyond π (1) or beyond −π (−1)
+    way: Symbol  #: the branch of φ: 1 if it is continued beyond π, −1 if beyond −π
 
     @property
     def cosine(self) -> Expr:
@@ -96,64 +94,65 @@ class Turning:
 
     @property
     def least(self) -> Expr:
-        """φ by its cosine and sine."""
+        """The principal value of φ, by atan2."""
         return sp.atan2(self.sine, self.cosine)
 
     @property
     def continued(self) -> Expr:
-        """φ on its way: from −π/2 to 3π/2, or from −3π/2 to π/2, smooth across the ray on which the
-        least turning jumps.
+        """φ on its branch, from −π/2 to 3π/2 or from −3π/2 to π/2: smooth at ±π, where the
+        principal value jumps.
         """
         return self.way * (sp.pi / 2 - sp.atan2(self.cosine, self.way * self.sine))
 
     @property
     def border(self) -> Expr:
-        """Positive from −0.93 to π, times the way: where a motion changes it. The two ways share
-        the border ±π.
+        """A function that is positive for way · φ from −0.93 to π; the branch changes at its zeros.
+
+        Both branches have the border ±π.
         """
         return 1 + self.cosine + 2 * self.way * self.sine
 
 
 @dataclass(frozen=True)
 class Angle:
-    """An angle enters by its cosine and sine; ``alone`` it stands by itself as well, as in k (φ −
-    θ₀)²/2.
-    """
+    """A parameter that is an angle: expressions hold symbols for its cosine and sine."""
 
     symbol: Symbol
     c: Symbol
     s: Symbol
-    alone: bool
+    alone: bool  #: whether they also hold the angle itself, as in k (φ − θ₀)²/2
 
     @property
     def parts(self) -> Symbols:
-        """Symbols of an angle among the arguments of functions."""
+        """The symbols that stand for the angle among the arguments of functions."""
         return (self.symbol, self.c, self.s) if self.alone else (self.c, self.s)
 
 
 def of_contact(symbol: Symbol, name: str, mark: str = "") -> Symbol:
-    """The symbol of the contact of that name, or of the only one, which has none, behind a mark."""
+    """A symbol with a mark before it and the contact's name behind it; a single contact has the
+    empty name.
+    """
     return Symbol(f"{mark}{symbol}{name and '_'}{name}", **symbol.assumptions0)
 
 
 @dataclass(frozen=True)
 class NormalForce:
-    """The normal force of a contact: its law in :attr:`depth` behind a gap, or a given force.
+    """The normal force of a contact: a law of the penetration −gap, or a given force.
 
-    Two regimes meet at its border. One that opens has its force where the gap is not positive and
-    none beyond. One that presses on either of two faces, as in a slot, has the same force N in
-    both, and rubs with the size of N: PUSHING tells the sign of N.
+    Two regimes meet at its border. A unilateral contact has a force for gap ≤ 0 and none beyond. A
+    contact with two faces, as in a slot, has the same force N in both regimes, and friction of
+    |N|: there PUSHING says the sign of N.
     """
 
-    name: str  #: empty of the only contact
+    name: str  #: empty if there is only one contact
     gap: Expr | None
-    unilateral: bool  #: whether it opens
-    either_face: bool  #: whether it rubs on either of two faces
-    law: Expr  #: in the penetration
-    #: Whether the law stands in coordinates, else in the penetration: see :func:`_in_coordinates`.
+    unilateral: bool  #: whether it can open
+    either_face: bool  #: whether friction acts on either of two faces
+    law: Expr  #: in :attr:`depth`
+    #: whether the force is written in coordinates and not in the penetration
     in_coordinates: bool
     line: int
-    #: Before PUSHING, MU and SIDE: an underscore where the page has one of these names.
+    #: prefix of the symbols PUSHING, MU and SIDE: an underscore if the page uses one of these names
     mark: str = ""
 
     @property
@@ -173,71 +172,72 @@ class NormalForce:
 
     @cached_property
     def push(self) -> Expr:
-        """The force on the contact's side, in coordinates or in the penetration."""
+        """The normal force in contact, in coordinates or in the penetration."""
         if self.gap is not None and self.in_coordinates:
             return expanded(self.law.subs(self.depth, -self.gap))
         return self.law
 
     @cached_property
     def force(self) -> Expr:
-        """The force, with PUSHING."""
+        """The normal force in either regime, with PUSHING."""
         return self.pushing * self.push if self.unilateral else self.push
 
     @property
     def rubbing(self) -> Expr:
-        """The force with which it rubs, with PUSHING."""
+        """The size of the normal force that friction takes, with PUSHING."""
         return (2 * self.pushing - 1) * self.push if self.either_face else self.force
 
     @cached_property
     def border(self) -> Expr | None:
-        """Not positive where PUSHING is 1, not negative where it is 0; None of one regime."""
+        """A function that is ≤ 0 where PUSHING is 1 and ≥ 0 where it is 0; None if there is only
+        one regime.
+        """
         if self.either_face:
             return -self.push if self.gap is None else -self.push.subs(self.depth, -self.gap)
         return self.gap if self.unilateral else None
 
     @cached_property
     def energy(self) -> Expr:
-        """The integral of the law over the penetration, from 0, in the penetration."""
+        """The energy of the contact: the integral of the law from 0 to the penetration."""
         energy = sp.integrate(self.law, self.depth)
         return energy - energy.subs(self.depth, 0)
 
     @cached_property
     def penetration(self) -> Expr:
-        """Expression for DEPTH: the penetration, and in lift-off, where the law is multiplied by 0,
-        a tiny one at which it is finite.
+        """The value of DEPTH: −gap in contact; in lift-off, where the law is multiplied by 0, a
+        tiny number at which it is finite.
 
-        The square keeps 1 − PUSHING, a whole number, together: added apart, 1 would take the last
-        digits of a shallow penetration.
+        The square keeps SymPy from expanding (1 − PUSHING): a term 1 in the sum would cost a
+        shallow penetration its last digits.
         """
         if self.gap is None:
             return S.Zero
         if not self.unilateral:
             return -self.gap
-        # Penetration in lift-off: small, so that no exponential of it is infinite, and
-        # not 0, where slopes of a root are.
-        touch = sp.Rational(1, 2**40)
-        return self.pushing * (-self.gap) + (1 - self.pushing) ** 2 * touch
+        # Small, so that no exponential of it is infinite; not 0, where roots have infinite slopes.
+        in_liftoff = sp.Rational(1, 2**40)
+        return self.pushing * (-self.gap) + (1 - self.pushing) ** 2 * in_liftoff
 
 
 @dataclass(frozen=True)
 class FrictionForce:
-    """Friction on a contact: μ times its normal force along a displacement."""
+    """Friction on a contact: μ times its normal force, against a displacement."""
 
     normal: NormalForce
-    along: Expr | None  #: the displacement that it opposes; None where there is no friction
+    along: Expr | None  #: the displacement that it opposes; None if there is no friction
     rate: Expr  #: d(along)/dt
-    belt: Expr
-    still: Expr  #: the belt's speed at the phase 0 of a clock that it follows
-    #: The law for the belt ahead and for the mass ahead, in the positive sliding speed.
+    belt: Expr  #: speed of the belt
+    still: Expr  #: speed of the belt at phase 0 of the clock
+    #: the coefficient in :data:`SLIP`, for a belt faster or slower than the mass
     ahead: Expr
     behind: Expr
-    holds: Expr | None
-    at_rest: Expr | None
+    holds: Expr | None  #: static coefficient of dry friction
+    at_rest: Expr | None  #: coefficient that statics takes, if the page names one
     line: int
 
     @property
     def name(self) -> str:
-        """That of its contact."""
+        """The name of its contact."""
         return self.normal.name
 
     @property
@@ -252,28 +252,28 @@ class FrictionForce:
 
     @property
     def stuck(self) -> Symbol:
-        """1 while it holds the mass to the belt, 0 while it slips."""
+        """A symbol that is 1 while it sticks and 0 while it slips."""
         return of_contact(Symbol("_stuck", real=True), self.name)
 
     @property
     def unknown(self) -> Symbol:
-        """Its force while it holds."""
+        """The symbol of the force of dry friction."""
         return of_contact(Symbol("_friction", real=True), self.name)
 
 
 def named(function: str, of: NormalForce | FrictionForce) -> str:
-    """The generated function of one contact: that of the only one has no name behind it."""
+    """The name of a generated function that there is for each contact or friction."""
     return f"{function}_{of.name}" if of.name else function
 
 
 def on(of: NormalForce | FrictionForce) -> str:
-    """Name of the contact in a sentence, where there are several."""
+    """The name of the contact for a sentence, " of front"; empty if there is only one."""
     return f" of {of.name}" if of.name else ""
 
 
 @dataclass(frozen=True)
 class Mechanics:
-    """Parts of the equations of a dimensionless model."""
+    """The mechanics of a model: the parts of which its equations are made."""
 
     page: Page
     coordinates: Symbols
@@ -282,24 +282,24 @@ class Mechanics:
     angles: tuple[Angle, ...]
     lines: tuple[Line, ...]
     torsions: tuple[Turning, ...]
-    kinetic: Expr  #: the part of it that is quadratic in the rates
-    linear: Expr  #: the part that is linear in them, as in a frame that turns
-    still: Expr  #: the part without them, which stands in the potential with the other sign
-    #: In coordinates, lengths and turnings, without the contact and the applied forces.
+    kinetic: Expr  #: terms of the kinetic energy that are quadratic in the rates
+    linear: Expr  #: terms that are linear in the rates, as in a rotating frame
+    still: Expr  #: terms without rates; the potential holds them with the other sign
+    #: in coordinates, lengths and torsion angles, without contacts and applied forces
     potential: Expr
-    stiffnesses: Row  #: of the spring along every line, 0 where there is none
+    stiffnesses: Row  #: of the spring along every line, 0 if there is only a damper
     applied: Row  #: generalized applied forces
-    #: Half of the power that the dampers take, in rates, directions and lengths.
+    #: Rayleigh's dissipation function, half the power of the dampers
     dissipation: Expr
-    contacts: tuple[NormalForce, ...]  #: of a page without one a force that is 0
-    frictions: tuple[FrictionForce, ...]  #: of a page without one a friction along nothing
+    contacts: tuple[NormalForce, ...]  #: a force that is 0 on a page without contacts
+    frictions: tuple[FrictionForce, ...]  #: one without ``along`` on a page without friction
     clock: Symbol | None  #: the coordinate that grows at a given rate
-    speed: Expr  #: that rate; 0 without
+    speed: Expr  #: that rate; 0 without a clock
     scaled: Callable[[Expr], Expr]  #: makes an expression of the page dimensionless
 
     @property
     def holds(self) -> bool:
-        """Whether friction holds the mass where nothing slides."""
+        """Whether there is dry friction, which sticks."""
         return any(friction.holds is not None for friction in self.frictions)
 
     # ---------------------------------------------------------------------------------------------
@@ -307,11 +307,11 @@ class Mechanics:
 
     @cached_property
     def arguments(self) -> Symbols:
-        """Symbols of all parameters, angles as their parts."""
+        """Arguments of functions for all parameters, an angle as cosine and sine."""
         return tuple(symbol for datum in self.parameters for symbol in self.parts(number(datum)))
 
     def parts(self, symbol: Symbol) -> Symbols:
-        """A parameter as arguments of functions: an angle as its cosine and sine."""
+        """Arguments of functions for one parameter, an angle as cosine and sine."""
         return next((angle.parts for angle in self.angles if angle.symbol == symbol), (symbol,))
 
     @cached_property
@@ -328,16 +328,18 @@ class Mechanics:
     # the chain rule
 
     def partial(self, expression: Expr, symbol: Symbol) -> Expr:
-        """∂/∂symbol with directions and lengths held; an angle by its cosine and sine."""
+        """∂/∂symbol at constant directions and lengths; an angle by the chain rule of its cosine
+        and sine.
+        """
         for angle in self.angles:
             if angle.symbol == symbol:
-                turned = angle.c * diff(expression, angle.s) - angle.s * diff(expression, angle.c)
-                return turned + diff(expression, symbol)
+                by_angle = angle.c * diff(expression, angle.s) - angle.s * diff(expression, angle.c)
+                return by_angle + diff(expression, symbol)
         return diff(expression, symbol)
 
     def derivative(self, expression: Expr, symbol: Symbol) -> Expr:
-        """d/dsymbol, by a coordinate or a parameter, with directions, lengths, turnings and the
-        penetration following.
+        """d/dsymbol, by a coordinate or a parameter, by the chain rule of directions, lengths,
+        torsion angles and penetrations.
         """
         total = self.partial(expression, symbol)
         for line in self.lines:
@@ -346,53 +348,57 @@ class Mechanics:
                 total += diff(expression, inner) * slope
         for torsion in self.torsions:
             line = torsion.line
-            turn = (
+            angle_slope = (
                 line.c * self.partial(line.dy, symbol) - line.s * self.partial(line.dx, symbol)
             ) / line.l
-            total += diff(expression, torsion.phi) * (turn - diff(torsion.rest, symbol))
+            total += diff(expression, torsion.phi) * (angle_slope - diff(torsion.rest, symbol))
         for contact in self.contacts:
             if contact.gap is not None and expression.has(contact.depth):
                 total -= diff(expression, contact.depth) * self.partial(contact.gap, symbol)
         return total
 
     def tidy(self, expression: Expr) -> Expr:
-        """In the fewest terms: by c² + s² = 1, either square of every direction may go; common
-        factors stand outside.
+        """The expression in few terms: c² + s² = 1 eliminates a square of every direction, and
+        common factors are taken out.
 
-        Each parameter stands once where it can: an interval of it counts once, too.
+        A parameter that occurs once makes intervals narrower.
         """
-        # Kept whole: expanded, they may overflow, or become sums of logarithms.
+        # Functions are not expanded: exponentials may overflow, and logarithms become sums.
         nodes = sorted(
             expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan) | self._quotients(expression),
             key=sp.default_sort_key,
         )
-        kept = {1 / line.l: Dummy() for line in self.lines} | {node: Dummy() for node in nodes}
+        placeholders = {1 / line.l: Dummy() for line in self.lines} | {
+            node: Dummy() for node in nodes
+        }
         shortest = expanded(
-            expanded(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)
+            expanded(expression.xreplace({node: placeholders[node] for node in nodes})).subs(
+                placeholders
+            )
         ).subs({friction.side**2: 1 for friction in self.frictions})
-        turned, circles = self.circles(shortest)
-        shortest = shortest.xreplace(turned)
-        kept |= turned
+        wave_symbols, circles = self.circles(shortest)
+        shortest = shortest.xreplace(wave_symbols)
+        placeholders |= wave_symbols
         for cosine, sine in circles:
             if shortest.has(cosine, sine):
                 shortest = fewest_terms(shortest, cosine, sine)
-        whole = sp.factor_terms(
-            shortest.subs({dummy: quotient for quotient, dummy in kept.items()})
+        factored = sp.factor_terms(
+            shortest.subs({dummy: quotient for quotient, dummy in placeholders.items()})
         )
-        return sp.collect(whole, tuple(map(number, self.parameters)))
+        return sp.collect(factored, tuple(map(number, self.parameters)))
 
     def circles(self, expression: sp.Basic) -> tuple[Names, Circles]:
-        """Symbols for the cosines and sines in an expression, and the pairs of them that lie on
-        unit circles, the directions of the lines first.
+        """Symbols for the cosines and sines in an expression, and all pairs of symbols on unit
+        circles: first the directions of the lines, then these.
         """
         pairs = waves(expression)
-        turned = {node: Dummy(real=True) for pair in pairs for node in pair}
+        wave_symbols = {node: Dummy(real=True) for pair in pairs for node in pair}
         lines = ((line.c, line.s) for line in self.lines)
-        return turned, (*lines, *((turned[c], turned[s]) for c, s in pairs))
+        return wave_symbols, (*lines, *((wave_symbols[c], wave_symbols[s]) for c, s in pairs))
 
     def _quotients(self, expression: Expr) -> set[Expr]:
-        """Quotients and roots of what has a direction or an angle: no polynomials in its cosine and
-        sine, as 1/(1 + cos² v²) is none.
+        """Quotients and roots whose base holds a direction or an angle, as 1/(1 + cos² v²): these
+        are no polynomials in cosine and sine.
         """
         directions = {symbol for line in self.lines for symbol in (line.c, line.s)}
         return {
@@ -416,18 +422,20 @@ class Mechanics:
 
     @property
     def depths(self) -> Names:
-        """Expressions for DEPTH of every contact."""
+        """Meanings of the symbols DEPTH of all contacts."""
         return {contact.depth: contact.penetration for contact in self.contacts}
 
     @cached_property
     def residuals(self) -> Row:
-        """Minus the generalized forces at rest, in MU and PUSHING."""
+        """The residuals of the equilibrium: minus the generalized forces at rest, in MU and
+        PUSHING.
+        """
         return self._residuals(self.potential)
 
     @cached_property
     def residuals_apart(self) -> Row:
-        """The same without the springs along lines, each of which adds its tension times (c ∂dx + s
-        ∂dy), and without torsion springs.
+        """The residuals without torsion springs and springs along lines; each of the latter adds
+        its tension times (c ∂dx + s ∂dy).
         """
         torsions = Add(*(torsion.energy for torsion in self.torsions))
         return self._residuals(expanded(self.potential - self.elastic_energy - torsions))
@@ -441,7 +449,7 @@ class Mechanics:
         rows = []
         for symbol, force in zip(self.coordinates, self.applied, strict=True):
             if symbol == self.clock:
-                # Nothing acts on the clock: s″ = Ω (Ω − s′), which is 0 where it keeps its rate.
+                # The clock obeys s″ = Ω (Ω − s′), which is 0 at its rate Ω.
                 rows.append(-(self.speed**2))
                 continue
             row = self.derivative(potential, symbol) - force
@@ -456,7 +464,7 @@ class Mechanics:
 
     @cached_property
     def resistance(self) -> Row:
-        """Forces of the dampers, on the side of the residuals."""
+        """Minus the forces of the dampers, which are added to the residuals."""
         return tuple(
             self.speed * rate if symbol == self.clock else expanded(diff(self.dissipation, rate))
             for symbol, rate in zip(self.coordinates, self.rates, strict=True)
@@ -464,13 +472,13 @@ class Mechanics:
 
     @property
     def moved(self) -> tuple[tuple[Symbol, Symbol, Expr], ...]:
-        """Each coordinate but the clock, its rate and the applied force."""
+        """Coordinate, rate and applied force, of every coordinate except the clock."""
         each = zip(self.coordinates, self.rates, self.applied, strict=True)
         return tuple(one for one in each if one[0] != self.clock)
 
     @cached_property
     def mass(self) -> Matrix:
-        """M of the kinetic energy q′ᵀ M q′/2."""
+        """The mass matrix M of the kinetic energy q′ᵀ M q′/2."""
         M = sp.hessian(self.kinetic, self.rates)
         if self.clock is not None:
             M[-1, -1] = S.One
@@ -478,17 +486,16 @@ class Mechanics:
 
     @cached_property
     def gyroscopic(self) -> Matrix:
-        """G of the forces G q′ of a kinetic energy linear in the rates, a · q′: G_ij = ∂a_i/∂q_j −
-        ∂a_j/∂q_i, which is antisymmetric and takes no power.
+        """The gyroscopic matrix G of a kinetic energy a(q) · q′ linear in the rates.
+
+        G_ij = ∂a_i/∂q_j − ∂a_j/∂q_i is antisymmetric, so that its forces have no power.
         """
-        slopes = Matrix([self.linear]).jacobian(self.rates).jacobian(self.coordinates)
-        return (slopes - slopes.T).applyfunc(expanded)
+        momenta_slopes = Matrix([self.linear]).jacobian(self.rates).jacobian(self.coordinates)
+        return (momenta_slopes - momenta_slopes.T).applyfunc(expanded)
 
 
 def waves(expression: sp.Basic) -> list[Pair]:
-    """Cosine and sine of everything of which the expression takes one of them, in an order of their
-    own.
-    """
+    """The pairs cos u, sin u for all arguments u of cosines and sines in an expression, sorted."""
     arguments = {node.args[0] for node in expression.atoms(sp.cos, sp.sin)}
     return [
         (sp.cos(argument), sp.sin(argument))
@@ -497,7 +504,7 @@ def waves(expression: sp.Basic) -> list[Pair]:
 
 
 def number(datum: Datum) -> Symbol:
-    """The dimensionless quantity that a parameter becomes."""
+    """The symbol of the dimensionless number that a parameter becomes."""
     assumptions = {
         name: True
         for name in ("positive", "nonnegative", "real")
@@ -507,18 +514,20 @@ def number(datum: Datum) -> Symbol:
 
 
 def of(page: Page, units: bool = False) -> Mechanics:
-    """The mechanics of a page; a :class:`~derive.model.PageError` where the page can't be carried
-    through.
+    """The mechanics of a page: dimensionless, or in the page's own quantities if ``units``.
 
-    With ``units`` its quantities stay what they are, and nothing becomes 1.
+    Raises
+    ------
+    PageError
+        If the page can't be derived.
     """
     if page.inertia is None:
         raise PageError(0, "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)")
     scaled = _Scaled(page, units)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
     kinetic, linear, still = _by_rates(page, scaled(page.inertia[0]))
-    stored = Add(*(scaled(energy) for energy, _ in page.energies))
-    potential = rest_energy + stored - still
+    page_energy = Add(*(scaled(energy) for energy, _ in page.energies))
+    potential = rest_energy + page_energy - still
     contacts = _contacts(page, scaled)
     return Mechanics(
         page=page,
@@ -539,7 +548,7 @@ def of(page: Page, units: bool = False) -> Mechanics:
         clock=page.timer and page.timer.symbol,
         speed=S.Zero if page.timer is None else scaled(page.timer.speed),
         scaled=scaled,
-        # The last, since it is known only now which angles stand by themselves.
+        # The last one: only now is it known which angles occur by themselves.
         angles=tuple(
             Angle(angle, *parts, angle in scaled.alone) for angle, parts in scaled.angles.items()
         ),
@@ -547,8 +556,8 @@ def of(page: Page, units: bool = False) -> Mechanics:
 
 
 class _Scaled:
-    """Makes an expression dimensionless: units of measure become 1, parameters numbers, angles
-    cosines and sines (``units``: only these).
+    """Makes expressions dimensionless: units of measure become 1, parameters become numbers, and
+    angles become cosines and sines; with ``units`` only the last.
     """
 
     def __init__(self, page: Page, units: bool) -> None:
@@ -558,7 +567,7 @@ class _Scaled:
         self.numbers: Mapping[Expr, Expr] = {} if units else numbers
         self.turned: dict[Expr, Expr] = {}
         self.angles: dict[Symbol, tuple[Symbol, Symbol]] = {}
-        #: Angles that were found by themselves.
+        #: angles that occurred by themselves, not as cosine or sine
         self.alone: set[sp.Basic] = set()
         for datum in page.parameters:
             if datum.unit == "rad":
@@ -577,7 +586,9 @@ class _Scaled:
 
 
 def _by_rates(page: Page, energy: Expr) -> Row:
-    """The kinetic energy without its parts linear in the rates and without rates, and these."""
+    """The kinetic energy split into terms that are quadratic in the rates, linear, and without
+    rates.
+    """
     at_rest = dict.fromkeys(page.rates, S.Zero)
     still = energy.subs(at_rest)
     linear = Add(*(diff(energy, rate).subs(at_rest) * rate for rate in page.rates))
@@ -588,8 +599,8 @@ def _by_rates(page: Page, energy: Expr) -> Row:
 
 
 def elastic(line: Line, stiffness: Expr) -> Expr:
-    """The energy k (l − r)²/2 as k (dx² + dy²)/2 − k r l, up to a constant: its forces are linear
-    in coordinates and direction.
+    """The energy k (l − r)²/2 up to a constant, as k (dx² + dy²)/2 − k r l: its forces are linear
+    in coordinates and directions.
     """
     return stiffness * ((line.dx**2 + line.dy**2) / 2 - line.rest * line.l)
 
@@ -597,27 +608,27 @@ def elastic(line: Line, stiffness: Expr) -> Expr:
 def _lines(
     page: Page, scaled: _Scaled
 ) -> tuple[tuple[Line, ...], Row, tuple[Turning, ...], Expr, Expr]:
-    """Lines of springs and dampers, each once; stiffness along each; turnings; energy of springs;
-    half the power of the dampers.
+    """The lines of springs and dampers, the stiffness along each, the torsion springs, the energy
+    of all springs, and the dissipation function.
     """
-    found: list[Line] = []
-    along: dict[Line, Expr] = {}
+    lines: list[Line] = []
+    stiffness_of: dict[Line, Expr] = {}
     energy = dissipation = S.Zero
 
     def line_of(ends: tuple[Point, Point], rest: Expr | None, line: int) -> Line:
-        """The line between two points; that of a spring with this undeformed length, for a damper
-        that of any.
+        """The line between two points, an earlier one if it has the same undeformed length; of a
+        damper (None) any earlier one.
         """
         ((ax, ay), (bx, by)) = ends
         vector = scaled(bx - ax), scaled(by - ay)
-        for earlier in found:
+        for earlier in lines:
             if (earlier.dx, earlier.dy) == vector and rest in (None, earlier.rest):
                 return earlier
-        count = len(found) + 1
+        count = len(lines) + 1
         c, s = sp.symbols(f"c{count} s{count}", real=True)
         length = Symbol(f"l{count}", positive=True)
-        found.append(Line(*vector, S.Zero if rest is None else rest, c, s, length, line))
-        return found[-1]
+        lines.append(Line(*vector, S.Zero if rest is None else rest, c, s, length, line))
+        return lines[-1]
 
     for spring in page.springs:
         stiffness = scaled(spring.strength)
@@ -626,7 +637,7 @@ def _lines(
         else:
             line = line_of(spring.ends, scaled(spring.rest), spring.line)
             energy += elastic(line, stiffness)
-            along[line] = along.get(line, S.Zero) + stiffness
+            stiffness_of[line] = stiffness_of.get(line, S.Zero) + stiffness
     torsions = tuple(
         _turning(torsion, line_of(torsion.ends, None, torsion.line), count, scaled)
         for count, torsion in enumerate(page.torsions, 1)
@@ -642,8 +653,8 @@ def _lines(
             speed = line.c * page.rate(line.dx) + line.s * page.rate(line.dy)
         dissipation += coefficient * speed**2 / 2
     return (
-        tuple(found),
-        tuple(along.get(line, S.Zero) for line in found),
+        tuple(lines),
+        tuple(stiffness_of.get(line, S.Zero) for line in lines),
         torsions,
         energy,
         dissipation,
@@ -667,7 +678,7 @@ def _turning(torsion: Element, line: Line, count: int, scaled: _Scaled) -> Turni
 
 
 def _applied(page: Page, scaled: _Scaled) -> Row:
-    """Generalized forces by virtual work."""
+    """Generalized applied forces, by virtual work."""
     forces = [S.Zero] * len(page.places)
     for force in page.forces:
         for component, where in zip(force.components, force.place, strict=True):
@@ -680,52 +691,55 @@ def _applied(page: Page, scaled: _Scaled) -> Row:
 
 
 def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
-    """The normal force of every contact of the page; of a page without one, of None, 0."""
+    """The normal force of every contact; without contacts a zero force for the key None."""
     if not page.contacts:
         return {None: NormalForce("", None, False, False, S.Zero, False, 0)}
     found: dict[Contact | None, NormalForce] = {}
-    own = {datum.becomes for datum in page.parameters} | set(map(str, page.places))
-    mark = "_" if own & {str(PUSHING), str(MU), str(SIDE)} else ""
+    taken = {datum.becomes for datum in page.parameters} | set(map(str, page.places))
+    mark = "_" if taken & {str(PUSHING), str(MU), str(SIDE)} else ""
     for contact in page.contacts:
         name = contact.name if len(page.contacts) > 1 else ""
         depth = of_contact(DEPTH, name)
         gap = None if contact.gap is None else scaled(contact.gap)
         law = scaled(expression_of(contact.law(depth)))
-        expressed = _in_coordinates(page, gap, law, depth)
+        in_coordinates = _in_coordinates(page, gap, law, depth)
         opens = contact.unilateral and gap is not None
         rubs = any(friction.on in (None, contact) for friction in page.frictions)
         either = rubs and not contact.unilateral
-        found[contact] = NormalForce(name, gap, opens, either, law, expressed, contact.line, mark)
+        found[contact] = NormalForce(
+            name, gap, opens, either, law, in_coordinates, contact.line, mark
+        )
     return found
 
 
 def _in_coordinates(page: Page, gap: Expr | None, law: Expr, depth: Symbol) -> bool:
-    """Whether a contact law stands in coordinates, else in the penetration.
+    """Whether a contact law is expanded in coordinates; else it stays in the penetration.
 
-    In the penetration stand laws that are no polynomials, of a gap that bends, and powers of one
-    that takes several coordinates: in coordinates those would be large terms that cancel, and whose
-    intervals tell nothing.
+    Laws that are no polynomials stay, laws of a gap that is nonlinear in the coordinates, and
+    powers of a gap of several coordinates: expanded, their large terms would cancel, and intervals
+    of them would be wide.
     """
     if gap is None or not law.is_polynomial(depth):
         return False
     slopes = [slope for one in page.places if (slope := diff(gap, one)) != 0]
-    bends = any(slope.has(*page.places) for slope in slopes)
-    return not bends and (len(slopes) == 1 or sp.degree(law, depth) <= 1)
+    is_curved = any(slope.has(*page.places) for slope in slopes)
+    return not is_curved and (len(slopes) == 1 or sp.degree(law, depth) <= 1)
 
 
 def _frictions(
     page: Page, scaled: _Scaled, contacts: Mapping[Contact | None, NormalForce]
 ) -> tuple[FrictionForce, ...]:
-    """All friction of the page; of a page without one that along nothing."""
+    """The friction of the page; without friction one that has no displacement."""
     first, zero = next(iter(contacts.values())), S.Zero
     if not page.frictions:
         return (FrictionForce(first, None, zero, zero, zero, zero, zero, None, None, 0),)
     found = []
     for it in page.frictions:
         ahead, behind = (scaled(expression_of(it.law(sign * SLIP))) for sign in (1, -1))
-        holds, at_rest = (None if part is None else scaled(part) for part in (it.holds, it.at_rest))
-        along, belt = scaled(it.along), scaled(it.belt)
-        still = belt
+        holds = None if it.holds is None else scaled(it.holds)
+        at_rest = None if it.at_rest is None else scaled(it.at_rest)
+        along = scaled(it.along)
+        belt = still = scaled(it.belt)
         if page.timer is not None:
             belt = belt.subs(speed_of(page.timer.symbol), scaled(page.timer.speed))
             still = belt.subs(page.timer.symbol, 0)

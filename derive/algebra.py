@@ -1,10 +1,8 @@
-"""Exact comparison: two expressions are equal when their difference reduces to zero, and not
-otherwise.
+"""Exact comparison of expressions: they are equal if and only if their difference reduces to 0.
 
-An angle enters as a pair of symbols for its cosine and sine. A difference is brought over one
-denominator and its numerator reduced modulo cos² + sin² = 1 for each pair, which is a Gröbner
-basis: the remainder is zero exactly when the numerator vanishes on all of the unit circles. No
-float takes part.
+An angle is a pair of symbols for its cosine and sine. A difference is brought over one denominator,
+and its numerator is reduced modulo cos² + sin² = 1 of each pair. These relations are a Gröbner
+basis: the remainder is 0 exactly if the numerator vanishes on all unit circles. No floats are used.
 """
 
 import itertools
@@ -19,23 +17,23 @@ from sympy import Dummy, Expr, S, Symbol, expand
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
-#: Expressions in a row, as coefficients and results are, and two of them.
+#: Tuples of expressions, and pairs.
 Row: TypeAlias = tuple[Expr, ...]
 Pair: TypeAlias = tuple[Expr, Expr]
-#: Symbols in a row, as arguments are, and what symbols stand for.
+#: Tuples of symbols, as arguments are, and the meanings of symbols.
 Symbols: TypeAlias = tuple[Symbol, ...]
 Names: TypeAlias = dict[Symbol, Expr]
-#: Pairs of symbols, each for the cosine and the sine of one angle.
+#: Pairs of symbols for cosine and sine of an angle.
 Circles = tuple[tuple[Symbol, Symbol], ...]
 #: Factors of a denominator, and their powers.
 Factors: TypeAlias = Mapping[PolyElement, int]
 
 
 def expanded(expression: Expr) -> Expr:
-    """Products and powers written out, but for denominators and exponentials.
+    """An expression multiplied out, except for denominators and exponentials.
 
-    1/(1 − x)² keeps its sign over an interval, 1/(1 − 2x + x²) does not; and exp(−(x − 1)²) is at
-    most 1, where factors of it, as exp(2 x), exceed all floats.
+    Over intervals 1/(1 − x)² keeps its sign, and 1/(1 − 2x + x²) does not; exp(−(x − 1)²) is at
+    most 1, and a factor of it, as exp(2 x), overflows.
     """
     below = {
         node
@@ -47,12 +45,12 @@ def expanded(expression: Expr) -> Expr:
 
 
 def reached(level: Expr) -> Expr:
-    """1 where a level is not negative, −1 where it is: a border belongs to one of its sides."""
+    """1 where a level is ≥ 0, −1 where it is negative."""
     return sp.sign(2 * sp.sign(level) + 1)
 
 
 def quotients(expression: Expr) -> list[sp.Pow]:
-    """Quotients and roots in it: powers that are no products."""
+    """The quotients and roots in an expression: powers whose exponents are no positive integers."""
     return [
         node
         for node in expression.atoms(sp.Pow)
@@ -74,29 +72,29 @@ def reduce_circles(polynomial: Expr, circles: Circles) -> Expr:
 
 
 def fewest_terms(polynomial: Expr, cosine: Symbol, sine: Symbol) -> Expr:
-    """By c² + s² = 1 either square may go: whichever leaves fewer terms."""
+    """A polynomial with c² or s² eliminated by c² + s² = 1, whichever leaves fewer terms."""
     forms = (reduce_circles(polynomial, (pair,)) for pair in ((cosine, sine), (sine, cosine)))
     return min(forms, key=lambda form: len(sp.Add.make_args(form)))
 
 
 @dataclass(frozen=True)
 class Gap:
-    """A difference in symbols: what stands for functions, and for roots with their bases."""
+    """A difference with symbols in place of functions and roots."""
 
     value: Expr
-    unknowns: dict[Expr, Dummy]
-    roots: dict[Expr, Dummy]
-    order: int  #: the power of every root that is its base
+    unknowns: dict[Expr, Dummy]  #: symbols by the functions
+    roots: dict[Expr, Dummy]  #: symbols by the bases of the roots
+    order: int  #: the symbol to this power is the base
 
 
 def gap(left: Expr, right: Expr, circles: Circles) -> Gap:
     """``left − right`` with a symbol for every function and every root.
 
-    Every absolute value, sign or other function is treated as an independent unknown, and so is one
-    root of every base, of which its powers are powers, and one exponential of all whose exponents
-    are rational multiples of each other. An equality that holds only because of a relation between
-    two of them is not recognised; arguments and bases that are equal as polynomials on the circles
-    are the same, and arguments of odd and even functions that are opposite.
+    The symbols are independent unknowns, so that an equality that needs a relation between two
+    functions is not recognized. These relations are: fractional powers of one base are powers of
+    one root; exponentials with commensurable exponents are powers of one; functions of arguments
+    that are equal on the circles are equal; odd and even functions of opposite arguments are
+    opposite or equal.
     """
 
     def normal(argument: Expr) -> Expr:
@@ -105,7 +103,7 @@ def gap(left: Expr, right: Expr, circles: Circles) -> Gap:
         return argument
 
     def unknown(node: Expr) -> Expr:
-        """Stand-in for a function, or for the case that it is one."""
+        """The expression, in symbols, for a function or a piecewise expression."""
         if not isinstance(node, sp.Function):
             return named(node)
         arguments = [normal(argument) for argument in node.args]
@@ -132,7 +130,7 @@ def gap(left: Expr, right: Expr, circles: Circles) -> Gap:
     roots: dict[Expr, Dummy] = {}
 
     def root(node: sp.Pow) -> Expr:
-        """A power of the symbol that stands for the root of a base; of 1 it is 1."""
+        """A fractional power as a power of the symbol for the root of its base."""
         base = normal(node.base)
         if (power := base**node.exp).is_Rational:
             return power
@@ -143,13 +141,13 @@ def gap(left: Expr, right: Expr, circles: Circles) -> Gap:
 
 
 def equal(left: Expr, right: Expr, circles: Circles) -> bool:
-    """Whether :func:`difference` is 0, without its form."""
+    """Whether :func:`difference` is 0; faster, since its form is not computed."""
     return not _reduced(gap(left, right, circles), circles)[0]
 
 
 def difference(left: Expr, right: Expr, circles: Circles) -> Expr:
-    """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit
-    circles, with the unknowns of :func:`gap`.
+    """``left − right`` in normal form: 0 exactly if both are equal on the unit circles, with the
+    functions and roots of :func:`gap` as unknowns.
     """
     found = gap(left, right, circles)
     numerator, factors = _reduced(found, circles)
@@ -157,13 +155,13 @@ def difference(left: Expr, right: Expr, circles: Circles) -> Expr:
     shown = numerator.as_expr() / sp.Mul(*below)
     for base, root in reversed(found.roots.items()):
         shown = shown.subs(root, sp.Pow(base, sp.Rational(1, found.order)))
-    # The outermost first, for its arguments hold the others.
+    # Outer functions first: their arguments hold symbols of inner ones.
     return shown.subs([(dummy, node) for node, dummy in reversed(found.unknowns.items())])
 
 
 def _reduced(found: Gap, circles: Circles) -> tuple[PolyElement, Factors]:
-    """Numerator of a difference, 0 exactly where that is, and the factors of its denominator: in
-    polynomials with whole coefficients.
+    """The reduced numerator of a difference, and the factors of its denominator with their powers,
+    as polynomials with integer coefficients.
     """
     values = (found.value, *found.roots, *found.roots.values(), *itertools.chain(*circles))
     atoms = set().union(*(value.atoms() for value in values))
@@ -183,7 +181,7 @@ def _reduced(found: Gap, circles: Circles) -> tuple[PolyElement, Factors]:
 
 
 def _quotient(value: Expr, ring: PolyRing) -> tuple[PolyElement, Factors]:
-    """The numerator of a value, and the factors of its denominator with their powers."""
+    """The numerator of an expression, and the factors of its denominator with their powers."""
     if value.is_Rational:
         return ring(value.p), {} if value.q == 1 else {ring(value.q): 1}
     if value in ring.symbols:
@@ -217,7 +215,9 @@ def _multiplied(polynomial: PolyElement, factors: Factors) -> PolyElement:
 def _lowered(
     polynomial: PolyElement, name: PolyElement, order: int, above: PolyElement, below: Factors
 ) -> tuple[PolyElement, int]:
-    """A polynomial times a power of ``below``, modulo name^order = above/below; and the power."""
+    """A polynomial reduced modulo name^order = above/below, times the power of ``below`` that
+    clears denominators; and that power.
+    """
     ring = polynomial.ring
     index, divisor = ring.gens.index(name), _multiplied(ring.one, below)
     parts: dict[int, dict[tuple[int, ...], int]] = {}
@@ -234,8 +234,8 @@ def _lowered(
 
 
 def manifestly_positive(polynomial: Expr) -> bool:
-    """Whether no coefficient is negative, and one term holds none but positive symbols: sufficient
-    for being positive, not necessary.
+    """Whether a polynomial is positive because all coefficients are, all symbols are nonnegative,
+    and one term has positive symbols only: a sufficient condition.
     """
     symbols = sorted(polynomial.free_symbols, key=str)
     terms = sp.Poly(expand(polynomial), *symbols).terms()

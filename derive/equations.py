@@ -1,4 +1,4 @@
-"""The equations of motion of a model as LaTeX, for people."""
+"""The equations of motion of a model in LaTeX, to be read by people."""
 
 import sympy as sp
 from sympy import Symbol
@@ -9,8 +9,8 @@ from .motion import Motion
 
 
 def equations(model: Mechanics) -> list[str]:
-    """One line a coordinate, M q″ + forces = 0, then the definitions of directions and of μ, and of
-    a contact law that is no polynomial.
+    """Lines of LaTeX: M q″ + forces = 0 for each coordinate, then the definitions of directions,
+    torsion angles, friction coefficients, normal forces and penetrations.
     """
     names = _names(model)
     motion = Motion(model)
@@ -52,6 +52,7 @@ def equations(model: Mechanics) -> list[str]:
 
 
 def _names(model: Mechanics) -> dict[Symbol, str]:
+    """LaTeX of all symbols."""
     names = {entry.symbol: entry.latex for entry in model.page.coordinates}
     names |= {entry.rate: rf"\dot{{{entry.latex}}}" for entry in model.page.coordinates}
     names |= {number(datum): sp.latex(number(datum)) for datum in model.parameters}
@@ -77,12 +78,12 @@ def _names(model: Mechanics) -> dict[Symbol, str]:
 
 
 def _sign(contact: NormalForce) -> Symbol:
-    """The sign of its force, which tells the face that it presses on."""
+    """The symbol of the sign of a contact's force, which says on which face it presses."""
     return Symbol(f"_sign_{contact.name}", real=True)
 
 
 def _below(name: str) -> str:
-    """The name of one of several contacts as an index."""
+    """The name of a contact as a LaTeX index; empty if there is only one."""
     return rf"_{{\mathrm{{{name}}}}}" if name else ""
 
 

@@ -1,12 +1,11 @@
-"""The friction law: its two smooth sides, the thin layers in it that a large time step would jump
-over, and its value at steady sliding.
+"""Friction laws: their smooth sides, their boundary layers, and the coefficient at steady sliding.
 
-An exponential of the sliding speed makes a layer at v = 0, as does a hyperbolic tangent, which is
-±1 and an exponential: far from it all its derivatives are below rounding. Every one gets a factor
-NEAR, 1 where it is felt and 0 where it is left out, and :func:`layers` says how far away a motion
-is, as minus its exponent. tanh z is written as 1 − 2 exp(−2z)/(1 + exp(−2z)): where it rounds to 1,
-its Taylor coefficients by (tanh z)′ = 1 − tanh² z are all zero, and a step of that length misses
-the layer.
+An exponential of the sliding speed v, or a hyperbolic tangent, has a boundary layer at v = 0. Far
+from it all derivatives are below rounding, so that an integrator with an error estimate would step
+over it. Every such term therefore gets a switch, 1 near the layer and 0 where the term is left out,
+and :func:`layers` gives minus its exponent as the distance from the layer. tanh z is written as
+1 − 2 exp(−2z)/(1 + exp(−2z)): with (tanh z)′ = 1 − tanh² z all Taylor coefficients would be 0 where
+tanh z rounds to 1.
 """
 
 import sympy as sp
@@ -16,8 +15,8 @@ from .algebra import Pair, Row, Symbols
 from .mechanics import SLIP, FrictionForce
 from .model import PageError
 
-#: The share of the static coefficient that is used where nothing slides, from −1, against the belt,
-#: to 1, with it.
+#: The share of the static coefficient in use while friction sticks, from −1 (against the belt) to
+#: 1.
 HELD = Symbol("held", real=True)
 
 
@@ -27,15 +26,16 @@ def slip(friction: FrictionForce) -> Expr:
 
 
 def near(friction: FrictionForce) -> Symbols:
-    """The factors of its exponentials."""
+    """The switches of the law's boundary layers."""
     end = friction.name and f"_on_{friction.name}"
     count = len(_layers(friction))
     return tuple(Symbol(f"near{number}{end}", real=True) for number in range(1, count + 1))
 
 
 def _layers(friction: FrictionForce) -> list[tuple[Expr, Expr, Expr, Expr]]:
-    """Exponentials and hyperbolic tangents of the sliding speed, in a fixed order; the limit of
-    each, what it lacks, its −exponent.
+    """The exponentials and hyperbolic tangents of the sliding speed, in a fixed order.
+
+    Each comes with its limit far from the layer, the difference from that, and minus the exponent.
     """
     nodes = {
         node
@@ -57,16 +57,20 @@ def _layers(friction: FrictionForce) -> list[tuple[Expr, Expr, Expr, Expr]]:
 
 
 def _within_domains(value: Expr) -> Expr:
-    """A value of which only the sign is asked, with parameters away from 0 where that is the end of
-    their domain.
-    """
+    """An expression with nonnegative parameters assumed positive, for the sign of its limit."""
     return value.xreplace(
         {it: Symbol(it.name, positive=True) for it in value.free_symbols if it.is_nonnegative}
     )
 
 
 def limit(friction: FrictionForce, law: Expr, speed: Symbol, end: Expr) -> Expr:
-    """The limit of the friction law, or of a part of it, at an end of the sliding speed."""
+    """The limit of a friction law, or of a part of it, at an end of the sliding speed.
+
+    Raises
+    ------
+    PageError
+        If SymPy does not find it.
+    """
     try:
         return sp.limit(law, speed, end)
     except NotImplementedError as error:
@@ -80,7 +84,7 @@ def limit(friction: FrictionForce, law: Expr, speed: Symbol, end: Expr) -> Expr:
 
 
 def layers(friction: FrictionForce) -> Row:
-    """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
+    """Distances from the boundary layers: minus the exponent of every exponential of the speed."""
     return tuple(
         expand(exponent).subs(SLIP, friction.side * slip(friction))
         for *_, exponent in _layers(friction)
@@ -88,8 +92,9 @@ def layers(friction: FrictionForce) -> Row:
 
 
 def smooth_friction(friction: FrictionForce, felt: bool = False) -> Expr:
-    """μ without the absolute value and the sign that kink it, for either SIDE; its exponentials
-    with their NEAR unless all are felt.
+    """The friction coefficient as a smooth function of the sliding speed, for given SIDE.
+
+    Boundary layers have their switches (:func:`near`), unless all are ``felt``.
     """
     ahead, behind = friction.ahead, friction.behind
     found = _layers(friction)
@@ -107,33 +112,33 @@ def smooth_friction(friction: FrictionForce, felt: bool = False) -> Expr:
 
 
 def static_coefficients(friction: FrictionForce) -> Pair:
-    """Static friction coefficients with the belt and against it: not less than the kinetic ones at
-    sliding speed 0.
+    """Static friction coefficients with the belt and against it: the larger of ``holds`` and the
+    kinetic coefficient at sliding speed 0.
     """
     holds = friction.holds
     assert holds is not None
-    found = []
-    for side, sign in ((friction.ahead, 1), (friction.behind, -1)):
-        begins = sign * limit(friction, side, SLIP, S.Zero)
-        more = sp.simplify(holds - begins)
-        found.append(
-            holds
-            if more.is_nonnegative
-            else begins
-            if more.is_nonpositive
-            else (holds + begins + sp.Abs(holds - begins)) / 2
-        )
-    return found[0], found[1]
+
+    def larger(kinetic: Expr) -> Expr:
+        difference = sp.simplify(holds - kinetic)
+        if difference.is_nonnegative:
+            return holds
+        if difference.is_nonpositive:
+            return kinetic
+        return (holds + kinetic + sp.Abs(holds - kinetic)) / 2
+
+    ahead = limit(friction, friction.ahead, SLIP, S.Zero)
+    behind = -limit(friction, friction.behind, SLIP, S.Zero)
+    return larger(ahead), larger(behind)
 
 
 def friction_held(friction: FrictionForce) -> Expr:
-    """μ where a share of the static coefficient is used, in which it is linear."""
+    """The friction coefficient while it sticks, linear in :data:`HELD`."""
     ahead, behind = static_coefficients(friction)
     return (ahead + behind) / 2 * HELD + (ahead - behind) / 2
 
 
 def friction_at_speed(friction: FrictionForce) -> Expr:
-    """μ at the belt's speed: what holds a motion that has come to rest."""
+    """The friction coefficient at the belt's speed, that of a motion at rest."""
     return friction.ahead.subs(SLIP, friction.still)
 
 
@@ -143,10 +148,10 @@ def slope_at_rest(friction: FrictionForce) -> Expr:
 
 
 def slope_by_sizes(friction: FrictionForce) -> tuple[tuple[Pair, ...], ...]:
-    """The slope as Σ c eᵃ, over each of its exponentials: c and a of all terms, once for each.
+    """The slope Σ c exp(a), divided by each of its exponentials: lists of (c, a).
 
-    Where exponentials are too small for floats the slope is, too, but its sign is not lost over the
-    largest of them.
+    Where the slope underflows in floats, its sign is still that of the sum over the largest
+    exponential.
     """
     terms: dict[Expr, Expr] = {}
     for term in sp.Add.make_args(expand(slope_at_rest(friction))):
@@ -163,8 +168,13 @@ def slope_by_sizes(friction: FrictionForce) -> tuple[tuple[Pair, ...], ...]:
 
 
 def friction_at_rest(friction: FrictionForce) -> Expr:
-    """Friction coefficient of the statics: the limit of the law that the page names, or the law at
-    the belt's speed.
+    """The friction coefficient that statics takes: the page's ``at_rest``, or the law at the belt's
+    speed.
+
+    Raises
+    ------
+    PageError
+        If ``at_rest`` is not the limit of the law at fast sliding.
     """
     named = friction.at_rest
     if named is None:

@@ -1,6 +1,4 @@
-"""Linearization of any model about steady sliding: M q″ + (C + G) q′ + K q = 0 for small
-deviations.
-"""
+"""Generated linearization of a model about steady sliding: M q″ + (C + G) q′ + K q = 0."""
 
 import sympy as sp
 from sympy import Matrix
@@ -11,8 +9,8 @@ from .mechanics import Mechanics, named, on
 
 
 def damping(model: Mechanics) -> Matrix:
-    """C: the dampers, and the slope of the friction law where the belt is faster than the mass,
-    which gives its sign.
+    """The damping matrix C: the dampers, and the slope of the friction law at the sliding speed of
+    the belt.
     """
     still = dict.fromkeys(model.rates, sp.S.Zero)
     C = Matrix(model.resistance).jacobian(model.rates)
@@ -25,7 +23,7 @@ def damping(model: Mechanics) -> Matrix:
 
 
 def module(model: Mechanics) -> Module:
-    """The generated module."""
+    """The generated module of the linearization."""
     places = (*model.coordinates, *model.arguments)
     state = (*model.coordinates, *model.directions, *model.arguments, *model.pushings)
     functions = [

@@ -1,10 +1,9 @@
-"""The vocabulary of a page: what a model's author writes, and nothing of what follows from it.
+"""The vocabulary of a page: the statements with which an author describes a model.
 
-A page is a Python file that makes one :class:`Page` and says, in the order of an article's second
-section: quantities, coordinates, energies, springs and dampers by their ends, applied forces, the
-contact law, the friction law. Every statement remembers its line, so that an error can name it.
-Laws and energies are made of :data:`FUNCTIONS`, roots and powers of fractions, each smooth where it
-is used.
+A page is a Python file that makes one :class:`Page`. It states quantities, coordinates, energies,
+springs and dampers by their ends, applied forces, contact laws and friction laws. Every statement
+keeps its line number for errors. Laws and energies are made of :data:`FUNCTIONS`, roots and
+fractional powers, each smooth where it is used. What follows from a page is derived elsewhere.
 """
 
 from __future__ import annotations
@@ -47,8 +46,7 @@ __all__ = [
 #: The sign function under the name that articles give it.
 sgn = sign
 
-#: The functions that laws and energies are made of, by the names that pages give them; beside them
-#: roots and other powers.
+#: The functions of which laws and energies are made, besides powers, by their names on pages.
 FUNCTIONS = {
     "Abs": Abs,
     "atan": atan,
@@ -61,20 +59,20 @@ FUNCTIONS = {
     "sinh": sinh,
     "tanh": tanh,
 }
-#: Those of which code is made: the hyperbolic sine and cosine are two exponentials.
+#: The functions in generated code; sinh and cosh are written in exponentials.
 WRITTEN = tuple(function for name, function in FUNCTIONS.items() if name not in ("cosh", "sinh"))
 
 #: A point of the plane: two lengths.
 Point = Pair
-#: A law: a force or a friction coefficient for a penetration or a sliding speed.
+#: A law: a force as a function of penetration, or a friction coefficient of sliding speed.
 Law = Callable[[Expr], Expr]
 
 
 class PageError(ArithmeticError):
-    """A page that can't be carried through: which line, what was expected, and what still works."""
+    """A page that can't be derived: its line, what was expected there, and what still works."""
 
     def __init__(self, line: int, message: str, page: str = "") -> None:
-        # Names of generated code's own become those of the page's laws.
+        # Internal symbols begin with an underscore that pages do not have.
         message = re.sub(r"(?<!['\w])_(?=[a-z])", "", message)
         where = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
         super().__init__(f"{where}: {message}" if where else message)
@@ -87,8 +85,8 @@ class PageError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Datum:
-    """A quantity of the page: a unit of measure, which becomes 1, or a parameter, which becomes a
-    number named ``becomes``.
+    """A quantity of the page: a unit of measure, which becomes 1 when the model is scaled, or a
+    parameter, which becomes a number named ``becomes``.
     """
 
     symbol: Symbol
@@ -103,14 +101,11 @@ class Datum:
 
     @property
     def cosine_and_sine(self) -> tuple[str, str]:
-        """Names that stand for an angle in code: ``cos0`` and ``sin0`` for ``theta0``, ``cos_psi``
-        and ``sin_psi`` for ``psi``.
+        """The names of an angle's cosine and sine in code: ``cos0``, ``sin0`` for ``theta0`` and
+        ``cos_psi``, ``sin_psi`` for ``psi``.
         """
-        suffix = (
-            self.becomes.removeprefix("theta")
-            if self.becomes.startswith("theta")
-            else f"_{self.becomes}"
-        )
+        is_theta = self.becomes.startswith("theta")
+        suffix = self.becomes.removeprefix("theta") if is_theta else f"_{self.becomes}"
         return f"cos{suffix}", f"sin{suffix}"
 
 
@@ -127,13 +122,13 @@ class Coordinate:
 
 
 def acceleration_of(coordinate: Symbol) -> str:
-    """Name of the acceleration of a coordinate in code: that of s would be a word of Python."""
+    """The name of an acceleration in code, ``ax`` for ``x``; ``as``, a Python word, is ``as_``."""
     return "as_" if str(coordinate) == "s" else f"a{coordinate}"
 
 
 @dataclass(frozen=True)
 class Clock:
-    """A coordinate that grows at a given rate."""
+    """A coordinate that grows at a given rate, the phase of a periodic excitation."""
 
     symbol: Symbol
     speed: Expr
@@ -142,26 +137,24 @@ class Clock:
 
 @dataclass(frozen=True)
 class Element:
-    """A straight spring or a viscous damper, or a spring that resists turning: between two points,
-    or along a coordinate.
-    """
+    """A spring, a torsion spring or a viscous damper, between two points or along a coordinate."""
 
-    what: str  #: spring, torsion spring or damper
+    what: str  #: "spring", "torsion spring" or "damper"
     strength: Expr  #: stiffness or coefficient
     ends: tuple[Point, Point] | None
-    along: Expr | None
+    along: Expr | None  #: the coordinate, if it is not between two points
     rest: Expr  #: undeformed length of a spring, inclination at rest of a torsion spring
     line: int
 
     @property
     def quality(self) -> str:
-        """Name of the strength of an element."""
+        """What the strength is called."""
         return "coefficient" if self.what == "damper" else "stiffness"
 
 
 @dataclass(frozen=True)
 class Force:
-    """A force at a point, of two components, or one along a coordinate."""
+    """An applied force: two components at a point, or one component along a coordinate."""
 
     components: Row
     place: Row
@@ -170,10 +163,10 @@ class Force:
 
 @dataclass(frozen=True)
 class Contact:
-    """A normal force: a law of the penetration −gap, or a given force where ``gap`` is None.
+    """A normal force: a law of the penetration −gap, or a given force if ``gap`` is None.
 
-    ``unilateral`` contact has no force where the gap is positive, and none of a given force ever
-    pulls; other contact never opens. Of several each has a ``name``.
+    A ``unilateral`` contact has no force at a positive gap, and never pulls; any other contact
+    never opens. On a page with several contacts each has a ``name``.
     """
 
     gap: Expr | None
@@ -185,11 +178,11 @@ class Contact:
 
 @dataclass(frozen=True)
 class Friction:
-    """μ as a law of the sliding speed ``belt − d(along)/dt``; ``at_rest`` is its limit at fast
-    sliding, where statics takes that.
+    """A friction coefficient as a law of the sliding speed ``belt − d(along)/dt``.
 
-    With ``holds`` the mass sticks to the belt, by any force up to so many times the normal force,
-    that of the contact ``on``, or of the only one.
+    ``at_rest`` is the coefficient that statics takes, if it is not the law at the belt's speed.
+    Dry friction has ``holds``, the static coefficient: the mass sticks by any force up to that
+    times the normal force. ``on`` is the contact, None for the only one.
     """
 
     along: Expr
@@ -202,8 +195,12 @@ class Friction:
 
 
 def expression_of(value: object) -> Expr:
-    """A number or an expression, as an expression; decimals in it as the fractions that are
-    written.
+    """A number or an expression as an exact SymPy expression: 0.1 becomes 1/10.
+
+    Raises
+    ------
+    PageError
+        For None, a text or a function.
     """
     if value is None or isinstance(value, str):
         said = "nothing" if value is None else f"{value!r}, a text"
@@ -232,7 +229,7 @@ def speed_of(symbol: Symbol) -> Symbol:
 
 @dataclass
 class Page:
-    """One model, statement by statement.
+    """A model, described statement by statement.
 
     Parameters
     ----------
@@ -264,7 +261,7 @@ class Page:
 
     @property
     def rates(self) -> Symbols:
-        """Symbols of their rates."""
+        """Symbols of the rates of the coordinates."""
         return tuple(entry.rate for entry in self.coordinates)
 
     @property
@@ -274,13 +271,13 @@ class Page:
 
     @property
     def normal(self) -> Contact | None:
-        """The contact of a page with at most one."""
+        """The contact of a page with at most one contact."""
         (contact,) = self.contacts or (None,)
         return contact
 
     @property
     def sliding(self) -> Friction | None:
-        """The friction of a page with at most one."""
+        """The friction of a page with at most one friction."""
         (friction,) = self.frictions or (None,)
         return friction
 
@@ -288,7 +285,7 @@ class Page:
     # quantities
 
     def unit(self, name: str, unit: str, meaning: str, latex: str = "") -> Symbol:
-        """A positive quantity that becomes 1: a unit of measure of the dimensionless model."""
+        """State a unit of measure: a positive quantity that is 1 in the dimensionless model."""
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = Symbol(name, positive=True)
         return self._entered(
@@ -306,17 +303,15 @@ class Page:
         latex: str = "",
         role: str = "",
     ) -> Symbol:
-        """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless
-        value unless changed.
+        """State a parameter, with its dimensionless name ``becomes`` and default value ``base``.
 
-        ``role`` says that it is ``"friction"``, which is the loading parameter unless told
-        otherwise, or ``"inclination"``. Without it the friction is the coefficient to which the
-        friction law is proportional, and the inclination the first angle.
+        ``role`` is ``"friction"``, the loading parameter by default, or ``"inclination"``. Without
+        these roles the friction is the coefficient to which the friction law is proportional, and
+        the inclination the first angle.
         """
         _check_texts(
             name=name, unit=unit, meaning=meaning, domain=domain, becomes=becomes, latex=latex
         )
-        # What a parameter may be to those who ask without naming one.
         roles = ("friction", "inclination")
         if role not in ("", *roles):
             raise refused(f"the role {role!r} of {name} is not one of {', '.join(roles)}")
@@ -334,11 +329,11 @@ class Page:
             )
         number, allowed = None if base is None else float(base), interval(domain)
         if number is not None and not allowed.holds(number):
-            turn = "; angles are in radians: 45 degrees are pi/4" if unit == "rad" else ""
-            raise refused(f"the base value {base} of {name} is not in its domain {domain}{turn}")
-        if (
-            unit == "rad" and 2 * math.pi * (1 + 1e-9) < allowed.high - allowed.low < math.inf
-        ):  # as one in degrees is
+            advice = "; angles are in radians: 45 degrees are pi/4" if unit == "rad" else ""
+            raise refused(f"the base value {base} of {name} is not in its domain {domain}{advice}")
+        turn = 2 * math.pi * (1 + 1e-9)
+        # A wider domain is one in degrees.
+        if unit == "rad" and turn < allowed.high - allowed.low < math.inf:
             raise refused(
                 f"the domain {domain} of the angle {name} is wider than a turn; angles are in "
                 "radians, as (0, pi), and one of several turns, as of a rope, has the unit 1"
@@ -356,21 +351,23 @@ class Page:
         )
 
     def coordinate(self, name: str, unit: str, meaning: str, latex: str = "") -> Symbol:
-        """A coordinate: a length, or another quantity that says where the model is."""
+        """State a coordinate: a length, an angle or another measure of the configuration."""
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = Symbol(name, real=True)
         letter = latex or sp.latex(symbol)
         entered = self._entered(
             self.coordinates, Coordinate(symbol, speed_of(symbol), unit, meaning, letter, _line())
         )
-        # The clock is the last, so that what is told of the first coordinate is told of the motion.
+        # The clock is the last coordinate: reports that show the first one show a motion.
         clock = self.timer and self.timer.symbol
         self.coordinates.sort(key=lambda it: it.symbol == clock)
         return entered
 
     def clock(self, speed: Expr, name: str = "phase") -> Symbol:
-        """The phase ``speed`` t of what varies in time, an angle: in forces, ends of springs, gaps,
-        normal forces and belt speeds by its cosine and sine, in whole multiples.
+        """State the phase ``speed`` t of a periodic excitation, an angle.
+
+        Cosines and sines of its whole multiples may stand in forces, ends of springs, gaps, normal
+        forces and belt speeds.
         """
         if self.timer is not None:
             raise refused(
@@ -392,15 +389,15 @@ class Page:
         return symbol
 
     def rate(self, of: Expr) -> Expr:
-        """Time derivative of a coordinate, or of an expression in coordinates."""
+        """The time derivative of a coordinate, or of an expression in coordinates."""
         return sp.Add(*(sp.diff(expression_of(of), it.symbol) * it.rate for it in self.coordinates))
 
     # ---------------------------------------------------------------------------------------------
     # energies and forces
 
     def kinetic(self, energy: Expr) -> None:
-        """Kinetic energy: terms quadratic and linear in the rates, and without them, as in a frame
-        that turns.
+        """State the kinetic energy: terms quadratic in the rates; as in a rotating frame also terms
+        linear in them, and terms without rates.
         """
         if self.inertia is not None:
             raise refused(
@@ -410,7 +407,7 @@ class Page:
         self.inertia = expression_of(energy), _line()
 
     def potential(self, energy: Expr) -> None:
-        """Potential energy, beside that of the springs."""
+        """State a potential energy besides that of the springs."""
         self.energies.append((expression_of(energy), _line()))
 
     def spring(
@@ -420,7 +417,7 @@ class Page:
         length: Expr | int = 0,
         along: Expr | None = None,
     ) -> None:
-        """A spring: straight between two ``ends``, of undeformed ``length``; or along a
+        """State a spring: straight between two ``ends``, of undeformed ``length``, or along a
         coordinate.
         """
         for what, value in (("stiffness", stiffness), ("undeformed length", length)):
@@ -432,21 +429,21 @@ class Page:
         self.springs.append(_element("spring", stiffness, ends, along, length))
 
     def torsion(self, stiffness: Expr, *ends: Point, rest: Expr) -> None:
-        """A torsion spring: it resists the turning φ of the line from the first end to the second,
-        from the inclination ``rest``.
+        """State a torsion spring, which turns the line from the first end to the second towards the
+        inclination ``rest``.
 
-        Its energy is k φ²/2, with φ in (−π, π]: the least turning. On the ray φ = ±π the torque
-        jumps from k π to −k π, away from the ray on either side; the energy is continuous there.
+        Its energy is k φ²/2 with the angle φ in (−π, π] from that inclination. At φ = ±π the torque
+        jumps from k π to −k π; the energy is continuous there.
         """
         self.torsions.append(_element("torsion spring", stiffness, ends, None, rest))
 
     def damper(self, coefficient: Expr, *ends: Point, along: Expr | None = None) -> None:
-        """A viscous damper: straight between two ``ends``, or along a coordinate."""
+        """State a viscous damper: straight between two ``ends``, or along a coordinate."""
         self._check_speeds(expression_of(coefficient), "the coefficient", Limit.NONLINEAR_DAMPER)
         self.dampers.append(_element("damper", coefficient, ends, along, 0))
 
     def force(self, *components: Expr, at: Point | None = None, along: Expr | None = None) -> None:
-        """An applied force: two components at a point, or one along a coordinate."""
+        """State an applied force: two components at a point, or one along a coordinate."""
         if (at is None) == (along is None) or len(components) != (1 if at is None else 2):
             raise refused(
                 "a force has two components at a point, force(F_x, F_y, at=(x, y)), or one "
@@ -463,12 +460,13 @@ class Page:
     # laws
 
     def contact(self, gap: Expr, law: Law, unilateral: bool = True, *, name: str = "") -> Contact:
-        """A normal force as a ``law`` of the penetration −gap; where the gap is positive there is
-        none, if ``unilateral``, and the law is ≥ 0 for all parameters of their domains. One that is
-        not never opens, as in a slot: where N is negative the mass is pressed on the opposite face,
-        and friction is that of the size of N.
+        """State a contact: its normal force N as a ``law`` of the penetration −gap.
 
-        A page with several contacts gives each a ``name``; without friction on it, one is a stop.
+        A ``unilateral`` contact has no force at a positive gap, and its law is ≥ 0 for all
+        parameters in their domains. Any other contact never opens, as in a slot: where N is
+        negative the mass is pressed on the opposite face, and friction takes |N|.
+
+        A page with several contacts gives each a ``name``. A contact without friction is a stop.
         """
         self._check_law(law, "contact", "penetration")
         distance = expression_of(gap)
@@ -476,9 +474,10 @@ class Page:
         return self._pressed(Contact(distance, law, unilateral, _line(), name))
 
     def normal_force(self, force: Expr, unilateral: bool = True, *, name: str = "") -> Contact:
-        """A given normal force, in the place of a contact law: N ≥ 0 for all parameters of their
-        domains and at all places; of any sign if not ``unilateral``, and then friction is that of
-        the size of N.
+        """State a contact with a given normal force N in place of a law.
+
+        N ≥ 0 for all parameters in their domains and all coordinates if ``unilateral``; else of any
+        sign, and friction takes |N|.
         """
         given = expression_of(force)
         self._check_speeds(given, "the normal force", Limit.NORMAL_SPEED)
@@ -500,15 +499,15 @@ class Page:
         holds: Expr | None = None,
         on: Contact | None = None,
     ) -> None:
-        """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``, 0 at
-        speed 0; or dry friction. Of several contacts it is ``on`` one.
+        """State the friction on a contact, smooth or dry; ``on`` names one of several contacts.
 
-        ``at_rest`` is what statics takes for it: the limit of the law at fast sliding. Left out,
-        statics takes the law at the belt's speed.
+        Smooth friction is a coefficient as a ``law`` of the sliding speed ``belt − rate(along)``,
+        0 at speed 0. Statics takes ``at_rest``, the limit of the law at fast sliding, or if that is
+        left out the law at the belt's speed.
 
-        Dry friction is a law ``slip``, which may jump at speed 0, and what it ``holds``: where the
-        sliding speed is 0 the mass sticks, by any force F up to holds times the normal force N, or
-        up to slip(0) times that where this is more. The rules at the limits:
+        Dry friction is a law ``slip``, which may jump at speed 0, and the static coefficient
+        ``holds``: at sliding speed 0 the mass sticks, by any force F up to holds times the normal
+        force N, or up to slip(0) N where this is more. The rules at the limits:
 
         - It sticks as soon as the sliding speed is 0 and |F| ≤ holds N with N > 0, |F| = holds N
           included; else the speed passes 0.
@@ -516,7 +515,7 @@ class Page:
           soon as the contact is lost.
         - A sliding speed that only touches 0 sticks there too, if the force is within its limit; a
           touch to within 1e-12 may be missed.
-        - Where the belt stands, V = 0, every place at which F is within the limit is one of rest.
+        - On a belt at rest, V = 0, every position at which F is within the limit is an equilibrium.
         """
         if on is not None and not any(on is contact for contact in self.contacts):
             raise refused(
@@ -543,7 +542,7 @@ class Page:
         )
 
     def _check_law(self, law: Law, kind: str, of: str) -> None:
-        """A law is one of expressions, and of its own variable alone."""
+        """Refuse a law that depends on more than its variable, or fails for an expression."""
         limit = Limit.FRICTION_STATE if kind == "friction" else Limit.CONTACT_DAMPING
         if len(needed := _needed(law, kind, of)) > 1:
             raise refused(
@@ -570,19 +569,17 @@ class Page:
     def _check_speeds(
         self, expression: Expr, what: str, limit: object = Limit.CONTACT_DAMPING
     ) -> None:
-        """The normal force follows from the place; the coefficient of a damper holds no speed
-        either.
-        """
+        """Refuse an expression that holds a rate."""
         held = [str(rate) for rate in self.rates if expression.has(rate)]
         if held:
             raise refused(f"{what} {expression} holds the speed {', '.join(held)}: {limit}")
 
     def _moving(self, expression: Expr) -> str:
-        """The coordinates and rates that an expression holds."""
+        """The coordinates and rates in an expression, as text."""
         return ", ".join(sorted(map(str, expression.free_symbols & {*self.places, *self.rates})))
 
     def _entered(self, entries: list[Any], entry: Datum | Coordinate) -> Symbol:
-        """The symbol of a quantity, which is entered once."""
+        """Enter a quantity and return its symbol; a name that stands twice is refused."""
         if str(entry.symbol) in (
             str(other.symbol) for other in (*self.units, *self.parameters, *self.coordinates)
         ):
@@ -592,10 +589,11 @@ class Page:
 
 
 def _line() -> int:
-    """The line of the page that is being read: of its innermost frame.
+    """The line of the page that is being run, for errors.
 
-    Frames of SymPy may stand between. A page is run and never imported, so that it has no
-    specification; where none is read, it is the line of the innermost frame outside these files.
+    It is the line of the innermost frame of a page; frames of SymPy may lie above it. A page is
+    run and not imported, so that its globals have no ``__spec__``. Without a page it is the line of
+    the innermost frame outside these files.
     """
     ours = (__file__, page_from.__code__.co_filename)
     found = [info.frame for info in inspect.stack(0)]
@@ -605,12 +603,12 @@ def _line() -> int:
 
 
 def refused(message: str) -> PageError:
-    """The error of the line of the page that is being read."""
+    """The error for the line of the page that is being run."""
     return PageError(_line(), message)
 
 
 def _needed(law: Law, kind: str, of: str) -> list[str]:
-    """The arguments that a law has to be given."""
+    """Names of the arguments without defaults that a law takes."""
     if not callable(law):
         raise refused(
             f"the {kind} law is {law!r}, no function; give one of the {of}, as lambda {kind[0]}: …"
@@ -627,6 +625,7 @@ def _needed(law: Law, kind: str, of: str) -> list[str]:
 
 
 def _along(along: Expr | None) -> Expr:
+    """The coordinate of an element or a force along it."""
     if not isinstance(along, Expr):
         raise refused(
             f"along = {along!r} is no coordinate; give the coordinate itself, as along=x "
@@ -642,7 +641,9 @@ def _element(
     along: Expr | None,
     rest: Expr | int,
 ) -> Element:
-    way = None if along is None else _along(along)
+    """An element from the arguments of its statement, which are checked."""
+    if along is not None:
+        along = _along(along)
     if (len(ends), along is None) not in ((2, True), (0, False)):
         raise refused(
             "a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x"
@@ -657,14 +658,14 @@ def _element(
         what,
         expression_of(strength),
         (both[0], both[1]) if both else None,
-        way,
+        along,
         expression_of(rest),
         _line(),
     )
 
 
 def _check_texts(**texts: object) -> None:
-    """What describes a quantity is text."""
+    """Refuse descriptions that are no text, or hold characters that no file may have."""
     for what, text in texts.items():
         if not isinstance(text, str):
             raise refused(
@@ -675,26 +676,21 @@ def _check_texts(**texts: object) -> None:
 
 
 def check_characters(what: str, text: str, line: int, allowed: str = "") -> None:
-    """Text that files of every language can hold: no control characters, line ends, surrogates, or
-    marks that turn the direction.
+    """Refuse characters that source files of some language can't hold: control characters, line
+    ends, surrogates and marks of the writing direction, except those that are ``allowed``.
     """
-    wrong = next(
-        (
-            one
-            for one in text
-            if unicodedata.category(one) in ("Cc", "Cf", "Cs", "Zl", "Zp") and one not in allowed
-        ),
-        None,
-    )
-    if wrong is not None:
-        raise PageError(
-            line,
-            f"{what} = {text!a} holds the character U+{ord(wrong):04X}, which is not printed; "
-            "take it out",
-        )
+    unprinted = ("Cc", "Cf", "Cs", "Zl", "Zp")
+    for character in text:
+        if unicodedata.category(character) in unprinted and character not in allowed:
+            raise PageError(
+                line,
+                f"{what} = {text!a} holds the character U+{ord(character):04X}, which is not "
+                "printed; take it out",
+            )
 
 
 def _assumptions(domain: str) -> dict[str, bool]:
+    """SymPy's assumptions about a quantity of a domain."""
     try:
         allowed = interval(domain)
     except ValueError as error:

@@ -1,5 +1,5 @@
-"""Statics of any model: the balance of forces at steady sliding or in lift-off, with first and
-second derivatives.
+"""Generated statics of a model: the balance of forces F(q) = 0 at steady sliding or in lift-off,
+with its derivatives by coordinates and parameters.
 """
 
 from functools import partial
@@ -14,7 +14,7 @@ from .mechanics import FrictionForce, Mechanics, NormalForce, named, number, on
 
 
 def parameters(model: Mechanics) -> Symbols:
-    """Parameters of the balance of forces, an angle as the angle."""
+    """The parameters in the balance of forces."""
     used = {symbol for row in model.residuals for symbol in row.free_symbols}
     parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)]
     parts += model.depths.values()
@@ -30,12 +30,12 @@ def parameters(model: Mechanics) -> Symbols:
 
 
 def arguments(model: Mechanics) -> Symbols:
-    """The same as arguments of functions, angles as pairs."""
+    """Arguments of functions for these parameters, an angle as cosine and sine."""
     return tuple(part for symbol in parameters(model) for part in model.parts(symbol))
 
 
 def jacobian(model: Mechanics) -> tuple[Row, ...]:
-    """K: derivatives of the residuals by the coordinates."""
+    """The stiffness matrix K: derivatives of the residuals by the coordinates."""
     return tuple(
         tuple(model.tidy(model.derivative(row, symbol)) for symbol in model.coordinates)
         for row in model.residuals
@@ -43,7 +43,7 @@ def jacobian(model: Mechanics) -> tuple[Row, ...]:
 
 
 def by_parameters(model: Mechanics, residuals: Row) -> tuple[Row, ...]:
-    """Derivatives of rows by the parameters, and by every μ as the last."""
+    """Derivatives of rows by the parameters, then by the friction coefficients."""
     return tuple(
         tuple(
             _shortest(model, model.tidy(model.derivative(row, symbol)))
@@ -54,8 +54,8 @@ def by_parameters(model: Mechanics, residuals: Row) -> tuple[Row, ...]:
 
 
 def _shortest(model: Mechanics, expression: sp.Expr) -> sp.Expr:
-    """With dx = c l and dy = s l of springs where that makes it shorter: what is left of a
-    tension's terms is narrower then.
+    """An expression with dx = c l and dy = s l inserted where that makes it shorter, so that its
+    intervals are narrower.
     """
     for line in model.lines:
         for part, along in ((line.dx, line.c * line.l), (line.dy, line.s * line.l)):
@@ -65,7 +65,7 @@ def _shortest(model: Mechanics, expression: sp.Expr) -> sp.Expr:
 
 
 def module(model: Mechanics) -> Module:
-    """The generated module."""
+    """The generated module of statics."""
     variables = (*model.coordinates, *arguments(model))
     state = (
         *model.coordinates,
@@ -216,7 +216,7 @@ def module(model: Mechanics) -> Module:
             ),
         ]
     if not constant:
-        # What follows states along a parameter follows these rows, in which nothing stiff cancels.
+        # Continuation in a parameter uses these rows, in which no stiff terms cancel.
         functions.append(
             function(
                 "balance_by_parameters",
@@ -227,7 +227,7 @@ def module(model: Mechanics) -> Module:
             )
         )
     if not model.gyroscopic.is_zero_matrix:
-        # With G the roots λ without damping come in pairs ± λ where K is symmetric.
+        # With gyroscopic forces, eigenvalues come in pairs ±λ if K is symmetric.
         functions.append(
             function(
                 "circulatory",
@@ -251,7 +251,7 @@ def _border(contact: NormalForce) -> str:
 
 
 def _friction(model: Mechanics, friction: FrictionForce) -> list[Function]:
-    """The friction coefficient of one contact."""
+    """The generated functions of one friction coefficient."""
     at_rest = laws.friction_at_rest(friction)
     slopes = (model.derivative(at_rest, symbol) for symbol in map(number, model.parameters))
     found = [

@@ -451,7 +451,8 @@ class BatchIntegrator:
         """Derivatives of the state among the variables of a lane, (m, m + directions)."""
         if not self.derivatives:
             return None
-        return values[self.m : -2].reshape(-1, self.m).T / DEVIATION_UNIT
+        with np.errstate(over="ignore"):  # long chaotic motions: infinite, as orbits refuse
+            return values[self.m : -2].reshape(-1, self.m).T / DEVIATION_UNIT
 
     def _directions(self, one: MotionState) -> FloatArray | None:
         if not self.derivatives:

@@ -27,7 +27,7 @@ from ..motion.simulation import state_of
 from ..numerics.interval_arrays import BoolArray, IntArray
 from ..numerics.vectors import norm
 from ..results.result import Result
-from .finding import attractor_exponents
+from .finding import attractor_exponents, repeats
 from .system import System, judged
 
 
@@ -150,7 +150,7 @@ def lyapunov(
     order = late.order
     zero = np.abs(late.exponents) <= late.options.significance * late.error
     zero[0] |= late.moves
-    why = late.undecided(t_end - late.span)
+    why = late.undecided(t_end - late.span) or repeats(system, late.end)
     kind, limit = "undecided" if why else "chaotic", np.full(system.field.deviations, np.nan)
     why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
     if verdict.decided:

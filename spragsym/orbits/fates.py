@@ -38,7 +38,7 @@ from ..motion.sweeps.workers import Computation, Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
 from ..results.result import Result
 from .exponents import rates_along
-from .finding import attractor_exponents, cycle_near, stands_still
+from .finding import attractor_exponents, cycle_near, repeats, stands_still
 from .orbit import distance
 from .system import FateVerdict, System, judged, spectrum
 
@@ -196,6 +196,7 @@ def _followed(system: System, begun: Fate, t_end: float | None) -> Fate:
     if rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any():
         rates = rates.joined(rates_along(system, rates.end, 0.8 * t_end, scales))
     why, near = rates.undecided(t_end) or _transient(system, start, t_end), ""
+    why = why or repeats(system, rates.end)
     if why:
         why, near = stands_still(system, rates.end) or why, _near(system, rates.end)
         if scale < np.inf:
@@ -247,7 +248,7 @@ def _transient(system: System, start: FloatArray, t_end: float) -> str:
     """
     for i in range(1, system.options.neighbours + 1):
         offset = i * system.options.offset
-        neighbour = judged(system, start + offset * system.scales(start).states, times=(t_end,))
+        neighbour = judged(system, system.beside(start, offset), times=(t_end,))
         if neighbour.decided:
             return (
                 f"it is a transient: a motion that begins {offset:.0e} beside it comes to "

@@ -328,6 +328,25 @@ def _from_guess(flow: Flow, guess: Iterate) -> Orbit:
     return natural(closed_orbit(orbit.flow, orbit, across(orbit), reach=reach))
 
 
+def repeats(system: System, state: FloatArray) -> str:
+    """Text that a motion which nothing attracts is on a cycle nonetheless, as that of twins that
+    start alike; empty if it does not come back to the state.
+    """
+    field = system.field
+    periods = [2 * math.pi / field.clock(system.constants)] if field.clock else []
+    with suppress(ConvergenceError):
+        periods.append(cycle_near(system, state, patient=False).period)
+    for period in periods:
+        back = system.motion(state, period).state[:, -1]
+        off = apart(back, state, field.periodic) / system.scales(state).states
+        if magnitude(off) < SAME_STATE:
+            return (
+                f"it is on a cycle of period {period:.6g} that repels, and stays there by its "
+                "start alone; begin beside it"
+            )
+    return ""
+
+
 def stands_still(system: System, state: FloatArray) -> str:
     """Text that explains why a motion from a state does not move; empty if it moves, or cannot be
     integrated.

@@ -90,6 +90,13 @@ class System:
         """Units of the motion from a state."""
         return scales_of(self.field, self.constants, state.tolist())
 
+    def beside(self, state: FloatArray, share: float) -> FloatArray:
+        """A state that deviates by a share of the units of the motion, as anything but the rate of
+        a clock may.
+        """
+        units, free = self.scales(state).states, self.field.deviations
+        return np.concatenate([(state + share * units)[:free], state[free:]])
+
     def scaled(self, scales: MotionScales) -> System:
         """The system in units of ``scales``."""
         if scales.trivial:
@@ -188,8 +195,8 @@ def verified(
     if not magnitude((one - other) / scales.states[:, None]) > options.parted:
         return verdict
     for i in range(options.neighbours + 1):
-        offset = i * options.rtol * scales.states
-        neighbour = judged(system, start + offset, rtol=rtols[0 if i else 1])
+        beside = system.beside(start, i * options.rtol)
+        neighbour = judged(system, beside, rtol=rtols[0 if i else 1])
         if not neighbour.decided:  # it may need more time
             later = judged(system, neighbour.end)
             neighbour = replace(later, t=neighbour.t + later.t)

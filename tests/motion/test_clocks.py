@@ -272,7 +272,7 @@ def test_a_forced_double_well_is_irregular_where_neighbours_part() -> None:
     text = replaced(DUFFING, ("page.spring(k, along=x)", "page.potential(-k * x**2 / 2)"))
     p = model_of(text, "double_well").Parameters(omega=1.0, c=0.15, g=0.09)
     found = ss.lyapunov(p, t_end=4000.0)
-    assert found.kind == "chaotic"
+    assert found.kind == ss.fate(p, t_end=4000.0).kind == "chaotic"
     assert found.exponents.sum() == pytest.approx(-0.15, rel=1e-9)
 
     def field(t: float, u: np.ndarray) -> list[float]:
@@ -289,6 +289,20 @@ def test_a_forced_double_well_is_irregular_where_neighbours_part() -> None:
         phase += span
         rates.append(np.log(np.abs(states[1][:, -1] - states[0][:, -1]).max() / 1e-9) / span)
     assert np.mean(rates) == pytest.approx(found.exponents[0], abs=0.05)
+
+
+def test_a_motion_on_a_repelling_cycle_of_a_clock_is_not_chaotic() -> None:
+    """A stiffness that varies, in its first tongue: what begins beside rest doubles the period."""
+    text = replaced(DUFFING, ("P * cos(phase)", "-k * x * cos(phase) / 3"))
+    p = model_of(text, "swing").Parameters(omega=2.0)
+    fate, exponents = ss.fate(p, t_end=1000.0), ss.lyapunov(p, t_end=400.0)
+    assert fate.kind == exponents.kind == "undecided"
+    assert "begins 1e-06 beside it comes to a cycle of period 6.28319" in fate.why
+    assert "it is on a cycle of period 3.14159 that repels" in exponents.why
+    monodromy = [clocks.swung(start, 2.0, 0.1, 1 / 3) for start in ((1.0, 0.0), (0.0, 1.0))]
+    expected = np.sort(np.log(np.abs(np.linalg.eigvals(monodromy))) / np.pi)  # Mathieu's equation
+    off = np.abs(fate.exponents[[2, 0]] - expected)
+    assert (off < fate.error[[2, 0]]).all()
 
 
 def test_what_is_not_answered_of_a_clock_says_so() -> None:

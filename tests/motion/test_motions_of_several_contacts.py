@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from scipy.optimize import lsq_linear
 
 import spragsym as ss
@@ -31,6 +32,29 @@ def test_identical_blocks_started_alike_move_as_one(backend: str) -> None:
         first, second = (tr.events.of("slip").on(name).t for name in ("first", "second"))
         np.testing.assert_allclose(first, second, rtol=0, atol=1e-12)
         assert np.abs(tr.x_1 - tr.x_2).max() < 1e-11
+
+
+@pytest.mark.thorough
+def test_twins_started_alike_that_would_part_are_on_a_cycle_that_repels() -> None:
+    """It is that of one block: it slides from where the belt lets go until it is as fast again."""
+
+    def as_fast(_: float, u: Any) -> float:
+        return u[1] - 0.2
+
+    as_fast.terminal, as_fast.direction = True, 1  # type: ignore[attr-defined]
+    slide = solve_ivp(
+        lambda _, u: [u[1], -u[0] + 1 / (1 + 3 * (0.2 - u[1]))],
+        (0.0, 20.0),
+        (1.0, 0.2 - 1e-12),
+        events=as_fast,
+        rtol=1e-10,
+        atol=1e-12,
+    )
+    period = slide.t[-1] + (1.0 - slide.y[0, -1]) / 0.2
+    p = ss.load("two_blocks").Parameters(kappa=1.0, sigma=0.5)
+    found = ss.lyapunov(p, t_end=400.0)
+    assert found.kind == "undecided"
+    assert f"on a cycle of period {period:.6g} that repels" in found.why
 
 
 @pytest.mark.parametrize(

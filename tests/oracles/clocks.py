@@ -174,3 +174,13 @@ def stopped(values: Mapping[str, float], x: float, v: float, begin: float, end: 
             return state(end)
         begin = brentq(lambda t: state(t)[0] - d, times[left[0] - 1], times[left[0]], xtol=1e-15)
         (x, v), touches = state(begin), not touches
+
+
+def swung(start: tuple[float, float], omega: float, c: float, a: float) -> Any:
+    """What x″ + c x′ + (1 + a cos ω t) x = 0 comes to after one turn."""
+
+    def field(t: float, u: Any) -> list[float]:
+        return [u[1], -c * u[1] - (1 + a * np.cos(omega * t)) * u[0]]
+
+    turn = 2 * np.pi / omega
+    return solve_ivp(field, (0, turn), start, "DOP853", rtol=1e-12, atol=1e-12).y[:, -1]

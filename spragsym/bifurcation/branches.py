@@ -32,7 +32,7 @@ from ..numerics.interval_arrays import (
     rounded_outward,
     scale_of,
 )
-from ..numerics.vectors import apart
+from ..numerics.vectors import state_difference
 from ..results import Equilibria, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
@@ -215,7 +215,9 @@ def _by_tubes(
         for column in np.flatnonzero(there.proved & (there.v == goal)):
             one, two, slot = begun[column]
             # An angle that goes around is listed once, within one turn.
-            away = np.abs(apart(states[two].q.T, there.z[:n, column], along.balance.periodic))
+            away = np.abs(
+                state_difference(states[two].q.T, there.z[:n, column], along.balance.periodic)
+            )
             slots = np.flatnonzero((away <= there.radius[:n, column]).all(axis=1))
             if slots.size == 1:
                 links[one, two][slot] = int(slots[0])

@@ -27,7 +27,7 @@ from ..models.forces import named
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import Intervals, ends_around, scale_of
-from ..numerics.vectors import TURN, apart
+from ..numerics.vectors import TURN, state_difference
 from ..results.points import Points, StickingStates
 from ..statics.balance import NEGLIGIBLE
 from ..statics.forces import Evaluation
@@ -167,7 +167,7 @@ def _sets(
         moved = (
             continuation.moved(node, slot, goal)
             if follow
-            else apart(q[:, other], q[:, one], balance.periodic)
+            else state_difference(q[:, other], q[:, one], balance.periodic)
         )
         off = TURN * np.round((q[:, one] + moved - q[:, other]) / TURN)
         behind = labels == labels[other]

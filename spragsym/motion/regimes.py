@@ -19,7 +19,7 @@ from ..core.errors import ConvergenceError, ModelError, ParameterError
 from ..display import Column, named_fields
 from ..models.field import SETTLED_SHARE, Field, Values
 from ..models.parameters import FloatArray, ParameterSet
-from ..numerics.vectors import WholeTurns, apart, in_one_turn, magnitude
+from ..numerics.vectors import WholeTurns, in_one_turn, magnitude, state_difference
 from ..results.result import Named
 from .holding import held_along
 from .scales import scales_of
@@ -260,14 +260,14 @@ def same_limit(
     units = scales_of(field, constants, state).states
     if one.limit == Regime.EQUILIBRIUM:
         near = SAME_STATE * (1 + magnitude(state / units))
-        if magnitude(apart(state, there, periodic) / units) < near:
+        if magnitude(state_difference(state, there, periodic) / units) < near:
             return True
         pair = np.array(one.rest), np.array(other.rest)
         return sets is not None and sets.in_one(*pair, near * units[: len(one.rest)])
     rotates = bool(np.isnan(one.cycle_mean))  # the averages of a rotating x are NaN
     if rotates != np.isnan(other.cycle_mean):
         return False
-    differences, amplitude = apart(one.cycle, other.cycle, periodic) / units, 1.0
+    differences, amplitude = state_difference(one.cycle, other.cycle, periodic) / units, 1.0
     if not rotates:
         averages = np.subtract([one.cycle_mean, one.cycle_rms], [other.cycle_mean, other.cycle_rms])
         differences = np.append(differences, averages / units[0])

@@ -24,7 +24,14 @@ from ..core.errors import ConvergenceError
 from ..models.field import FELT_EXPONENT, Field
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import ComplexArray
-from ..numerics.vectors import TURN, WholeTurns, apart, in_one_turn, magnitude, makes_turns
+from ..numerics.vectors import (
+    TURN,
+    WholeTurns,
+    in_one_turn,
+    magnitude,
+    makes_turns,
+    state_difference,
+)
 from . import integrators
 from .integrators import Flow
 from .measures import MotionStatistics
@@ -260,7 +267,7 @@ def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
 
 def _near(states: FloatArray, point: FloatArray, periodic: WholeTurns) -> FloatArray:
     """States with periodic coordinates shifted by whole turns to the nearest of ``point``."""
-    return point + apart(states, point, periodic)
+    return point + state_difference(states, point, periodic)
 
 
 def _candidates(states: FloatArray, close: float) -> Iterator[int]:

@@ -26,7 +26,7 @@ import numpy as np
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.field import Field, Mode, Values
 from ..models.parameters import FloatArray
-from ..numerics.vectors import TURN, apart, magnitude, norm
+from ..numerics.vectors import TURN, magnitude, norm, state_difference
 from .integrators import Flow
 from .lobatto import PiecewisePolynomial
 from .multipliers import Multipliers, multipliers_of
@@ -136,7 +136,7 @@ class Orbit:
         """Residual: end of each mesh interval minus the beginning of the next, shape (k, m).
         Periodic coordinates are compared modulo whole turns.
         """
-        return apart(self.ends, np.roll(self.states, -1, axis=0), self.field.periodic)
+        return state_difference(self.ends, np.roll(self.states, -1, axis=0), self.field.periodic)
 
     @property
     def largest_gap(self) -> float:
@@ -579,7 +579,9 @@ def _divided(orbit: Orbit, rounds: int) -> Orbit | None:
     same ranges of all components, too.
     """
     errors, ranges, options = orbit.errors[:-1], _ranges(orbit), orbit.options
-    gap = np.abs(apart(orbit.at(orbit.period / rounds), orbit.state, orbit.field.periodic))
+    gap = np.abs(
+        state_difference(orbit.at(orbit.period / rounds), orbit.state, orbit.field.periodic)
+    )
     if not (gap <= np.maximum(options.same_state * ranges, 10 * errors)).all():
         return None
     tolerance = options.same_range * ranges + options.moves * errors

@@ -1,5 +1,7 @@
-"""Arithmetic of any number type: operators from a sum, a product and a change of sign, complex
-numbers, small linear systems, determinants, characteristic polynomials and resultants.
+"""Algebra over any number type: operators from sum, product and negation, polynomials, complex
+numbers, determinants, resultants, Hurwitz determinants and small linear systems.
+
+An integer 0 is an entry that is 0 by structure; products with it are left out.
 """
 
 from __future__ import annotations
@@ -11,8 +13,7 @@ from typing import Any, Protocol, Self, TypeAlias
 
 class Number(Protocol):
     """A number of any type that generated algebra takes: a float, an array, a rational, an
-    interval, a ball, an affine number, or a jet of them. What an operation with another one gives
-    is up to both.
+    interval, a ball, an affine form, or a jet of these.
     """
 
     def __neg__(self) -> Any: ...
@@ -31,9 +32,7 @@ Matrix: TypeAlias = Sequence[Sequence[Any]]
 
 
 def repeated_product(self: Number, power: int) -> Number:
-    """A positive power, one product after the other: the ``__pow__`` of types for which only small
-    powers occur.
-    """
+    """A positive integer power by repeated products, for types with small powers only."""
     result = self
     for _ in range(power - 1):
         result = result * self
@@ -41,10 +40,10 @@ def repeated_product(self: Number, power: int) -> Number:
 
 
 class Arithmetic:
-    """A base of number types: operations with what stands on the left, and differences.
+    """Base of number types: differences and reflected operators, from negation, sum and product.
 
-    Each type says the first three itself. It is no abstract class: ``isinstance`` of one takes
-    three times as long, and stands in every operation.
+    It is no abstract base class because ``isinstance`` of one takes three times as long, and every
+    operation calls it.
     """
 
     __slots__ = ()
@@ -75,7 +74,7 @@ class Arithmetic:
 
 
 def determinant(rows: Matrix) -> Any:
-    """By the first row; entries of any number type, integers 0 among them."""
+    """Determinant by expansion along the first row."""
     if not rows:
         return 1
     total = 0
@@ -94,21 +93,21 @@ def cofactor(rows: Matrix, i: int, j: int) -> Any:
 
 
 class Polynomial(Arithmetic):
-    """A polynomial in λ or κ with coefficients of any number type, the lowest first."""
+    """A polynomial with coefficients of any number type, the lowest first."""
 
     def __init__(self, coefficients: Sequence[Any]) -> None:
         self.coefficients = list(coefficients)
 
     def padded(self, size: int) -> list[Any]:
-        """The coefficients, with zeros up to that number."""
+        """The coefficients, followed by zeros up to the given number."""
         return self.coefficients + [0] * (size - len(self.coefficients))
 
     def __add__(self, other: Number | Polynomial) -> Polynomial:
-        two = other.coefficients if isinstance(other, Polynomial) else [other]
-        size = max(len(self.coefficients), len(two))
-        return Polynomial(
-            [a + b for a, b in zip(self.padded(size), Polynomial(two).padded(size), strict=True)]
-        )
+        if not isinstance(other, Polynomial):
+            other = Polynomial([other])
+        size = max(len(self.coefficients), len(other.coefficients))
+        pairs = zip(self.padded(size), other.padded(size), strict=True)
+        return Polynomial([a + b for a, b in pairs])
 
     def __neg__(self) -> Polynomial:
         return Polynomial([-value for value in self.coefficients])
@@ -124,7 +123,7 @@ class Polynomial(Arithmetic):
 
 
 def pencil(*matrices: Matrix) -> list[list[Polynomial]]:
-    """A + λ B + λ² C + …."""
+    """Matrix of polynomials A + λ B + λ² C + …."""
     return [
         [Polynomial(entries) for entries in zip(*rows, strict=True)]
         for rows in zip(*matrices, strict=True)
@@ -133,23 +132,24 @@ def pencil(*matrices: Matrix) -> list[list[Polynomial]]:
 
 def characteristic(*matrices: Matrix) -> list[Any]:
     """Coefficients of det(A + λ B + λ² C + …), the lowest first."""
-    return determinant(pencil(*matrices)).padded((len(matrices) - 1) * len(matrices[0]) + 1)
+    degree = (len(matrices) - 1) * len(matrices[0])
+    return determinant(pencil(*matrices)).padded(degree + 1)
 
 
 def hurwitz(coefficients: Sequence[Any], size: int | None = None) -> Number:
-    """Hurwitz's determinant of that size of a polynomial, the lowest coefficient first.
+    """Hurwitz determinant of a polynomial, the lowest coefficient first.
 
-    Without a size the last but one: 0 if two roots have the sum 0.
+    The default size is the degree − 1: that determinant is 0 if two roots have the sum 0.
     """
     a = coefficients[::-1]
     size = len(a) - 2 if size is None else size
-    # Row i, column j: a of index 2 (j + 1) − (i + 1), where there is one.
-    places = [[2 * (j + 1) - (i + 1) for j in range(size)] for i in range(size)]
-    return determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in places])
+    # The entry in row i and column j, counted from 1, is a_(2j − i).
+    indices = [[2 * (j + 1) - (i + 1) for j in range(size)] for i in range(size)]
+    return determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in indices])
 
 
 def trimmed(polynomial: Polynomial) -> list[Any]:
-    """Coefficients without the highest ones that are 0 by structure."""
+    """The coefficients without the highest ones, if these are 0 by structure."""
     coefficients = polynomial.coefficients
     while len(coefficients) > 1 and is_zero(coefficients[-1]):
         coefficients = coefficients[:-1]
@@ -157,48 +157,52 @@ def trimmed(polynomial: Polynomial) -> list[Any]:
 
 
 def resultant(one: Sequence[Any], two: Sequence[Any]) -> Number:
-    """Sylvester's determinant of two polynomials."""
+    """Resultant of two polynomials: the determinant of their Sylvester matrix."""
     m, n = len(one) - 1, len(two) - 1
-    times = (one, n), (two, m)
-    return determinant(
-        [
-            [0] * k + [*given[::-1]] + [0] * (count - 1 - k)
-            for given, count in times
-            for k in range(count)
-        ]
-    )
+    rows = []
+    for coefficients, count in ((one, n), (two, m)):
+        for k in range(count):
+            rows.append([0] * k + [*coefficients[::-1]] + [0] * (count - 1 - k))
+    return determinant(rows)
 
 
-#: What is done to the rows before column k is eliminated, as a choice of its pivot.
+#: Called with the rows before column k is eliminated; may exchange rows to choose the pivot.
 Choice = Callable[[list[list[Any]], int], None]
 
 
 def is_zero(value: Number) -> bool:
-    """0 by structure."""
+    """Whether a number is 0 by structure."""
     return isinstance(value, int) and value == 0
 
 
 def coupled(*matrices: Matrix) -> list[tuple[int, ...]]:
-    """Blocks of places each of which acts on all others of its block, directly or through others,
-    by entries that are not 0 by structure: a determinant is the product of those of its blocks.
+    """Diagonal blocks (strongly connected components) of matrices of one size, as index tuples.
+
+    Two indices are in one block if each depends on the other, directly or through others, by
+    entries that are not 0 by structure. The determinant of a linear combination of the matrices is
+    the product of the determinants of its blocks.
     """
-    places = range(len(matrices[0]))
-    acting = [{i} | {j for A in matrices for j in places if not is_zero(A[i][j])} for i in places]
-    for k in places:
-        for each in acting:
-            each |= acting[k] if k in each else set()
-    return sorted({tuple(j for j in sorted(acting[i]) if i in acting[j]) for i in places})
+    indices = range(len(matrices[0]))
+    reached = []
+    for i in indices:
+        nonzero = {j for A in matrices for j in indices if not is_zero(A[i][j])}
+        reached.append({i} | nonzero)
+    for k in indices:  # transitive closure
+        for each in reached:
+            if k in each:
+                each |= reached[k]
+    return sorted({tuple(j for j in sorted(reached[i]) if i in reached[j]) for i in indices})
 
 
-def part_of(A: Matrix, places: Sequence[int]) -> list[list[Any]]:
-    """The rows and columns of a matrix that belong to these places."""
-    return [[A[i][j] for j in places] for i in places]
+def part_of(A: Matrix, indices: Sequence[int]) -> list[list[Any]]:
+    """The submatrix of the given rows and columns."""
+    return [[A[i][j] for j in indices] for i in indices]
 
 
 def linear_solution(
     matrix: Matrix, values: Sequence[Any], choose: Choice | None = None
 ) -> list[Any]:
-    """Solution by elimination, pivots in the order of the rows unless ``choose`` exchanges them."""
+    """Solution by Gaussian elimination, without pivoting unless ``choose`` exchanges rows."""
     rows = [[*row, value] for row, value in zip(matrix, values, strict=True)]
     n = len(rows)
     for k in range(n):
@@ -220,7 +224,7 @@ def linear_solution(
 
 @dataclass(frozen=True)
 class Complex(Arithmetic):
-    """re + i im."""
+    """Complex number re + i im."""
 
     re: Any
     im: Any
@@ -258,5 +262,5 @@ class Complex(Arithmetic):
 
 
 def as_complex(value: Number | Complex) -> Complex:
-    """A real number with the imaginary part 0, and a complex one itself."""
+    """A complex number as it is; a real number with the imaginary part 0."""
     return value if isinstance(value, Complex) else Complex(value, 0)

@@ -1,4 +1,4 @@
-"""Curves from points that are linked to their neighbours."""
+"""Chains of points in a graph of neighbours: curves from points in any order."""
 
 from collections.abc import Iterable
 
@@ -8,17 +8,20 @@ from .interval_arrays import IntArray
 
 
 def link(links: list[set[int]], pairs: Iterable[tuple[int, int]]) -> None:
-    """Make neighbours of pairs of points."""
+    """Add edges between pairs of points to ``links``, the neighbours of each point."""
     for one, other in pairs:
         links[one].add(other)
         links[other].add(one)
 
 
 def walked(links: list[set[int]]) -> list[IntArray]:
-    """Chains of a graph, open ones from an end, closed ones from anywhere and back to there."""
+    """Chains of points: open ones from one end to the other, closed ones with the first point
+    repeated at the end.
+    """
     seen: set[int] = set()
     chains = []
-    for start in sorted(range(len(links)), key=[*map(len, links)].__getitem__):
+    # Ends of open chains, which have the fewest neighbours, come first.
+    for start in sorted(range(len(links)), key=lambda point: len(links[point])):
         if start in seen:
             continue
         chain = [start]

@@ -1,4 +1,4 @@
-"""Arrays whose columns belong together, as those of boxes: some of them, and more of them."""
+"""Selection, replacement and concatenation of columns that belong together, as those of boxes."""
 
 from __future__ import annotations
 
@@ -9,37 +9,38 @@ from typing import Any, Self, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-#: Some of many boxes, or of rows of them.
+#: Index of boxes along the last axis, or of rows.
 Selection: TypeAlias = slice | tuple[Any, ...] | NDArray[np.integer] | NDArray[np.bool_]
 
 
 def selected_rows(columns: Mapping[str, Any], rows: Selection | int) -> dict[str, Any]:
-    """Some rows of each of several columns by name."""
+    """Selected rows of each column, by name."""
     return {name: column[rows] for name, column in columns.items()}
 
 
 def reuse_memory() -> None:
-    """Let freed arrays of up to 16 MB be used again.
+    """Let the allocator reuse freed arrays of up to 16 MB.
 
-    glibc returns freed memory to the system, which must then map it again, beyond twice the largest
-    piece freed before: that has to be more than all arrays in between take.
+    glibc returns free memory to the system beyond a limit, twice the largest block freed so far.
+    Freeing one block of 16 MB raises this limit above what the arrays need.
     """
     np.empty(1 << 21)
 
 
 @dataclass(frozen=True)
 class ByColumn:
-    """Arrays of which each column, along the last axis, is of one box; what is no array is of
-    all.
+    """Base of dataclasses of arrays with one box in each column, along the last axis.
+
+    Fields that are no arrays hold for all boxes.
     """
 
     def __getitem__(self, rows: Selection) -> Self:
         if isinstance(rows, np.ndarray) and rows.ndim == 1:
-            # NumPy takes by numbers in a third of the time.
-            number = np.flatnonzero(rows) if rows.dtype == np.bool_ else rows
+            # ``take`` needs a third of the time of an index.
+            indices = np.flatnonzero(rows) if rows.dtype == np.bool_ else rows
             return self._made(
                 lambda part: (
-                    part[number] if isinstance(part, ByColumn) else part.take(number, axis=-1)
+                    part[indices] if isinstance(part, ByColumn) else part.take(indices, axis=-1)
                 )
             )
         return self._made(
@@ -47,12 +48,12 @@ class ByColumn:
         )
 
     def scatter(self, rows: Selection, other: Self) -> None:
-        """Overwrite some columns by those of another."""
+        """Overwrite the selected columns, in place, by those of another."""
         for field in fields(self):
             getattr(self, field.name)[..., rows] = getattr(other, field.name)
 
     def concatenated(self, *others: Self) -> Self:
-        """These, and others."""
+        """These columns, followed by those of others."""
 
         def joined(one: object, *more: Any) -> object:
             if isinstance(one, ByColumn):
@@ -61,9 +62,10 @@ class ByColumn:
 
         return self._made(joined, *others)
 
-    def _made(self, of: Callable[..., Any], *others: Self) -> Self:
+    def _made(self, function: Callable[..., Any], *others: Self) -> Self:
+        """The result of a function of each array, and of the same array of others."""
         parts = {
-            name: of(part, *(getattr(each, name) for each in others))
+            name: function(part, *(getattr(each, name) for each in others))
             for name, part in vars(self).items()
             if isinstance(part, (np.ndarray, ByColumn))
         }

@@ -1,6 +1,4 @@
-"""Numbers in decimal digits with bounds that hold for the digits: a rounding to decimals is part of
-the bound beside it.
-"""
+"""Decimal texts of numbers with error bounds, which cover the rounding to decimals."""
 
 from __future__ import annotations
 
@@ -14,9 +12,7 @@ BOUND_DIGITS = 2
 
 
 class Decimal(NamedTuple):
-    """A number in decimal digits, and a bound on how far the number that is meant is from it: both
-    as text.
-    """
+    """A number in decimal digits, and a bound of its error, both as text."""
 
     text: str
     error: str
@@ -26,10 +22,10 @@ class Decimal(NamedTuple):
 
 
 def exactly(value: float | str | Fraction) -> Fraction:
-    """The rational number that an int, a float, a Fraction, an mpf or a decimal text is."""
+    """The exact value of an int, a float, a Fraction, an mpf or a decimal text."""
     if not hasattr(value, "_mpf_"):
         return Fraction(value)
-    from mpmath import libmp  # heavy, and only who has loaded it has such numbers
+    from mpmath import libmp  # slow to import, but already imported where there is an mpf
 
     return Fraction(*map(int, libmp.to_rational(value._mpf_)))
 
@@ -37,9 +33,10 @@ def exactly(value: float | str | Fraction) -> Fraction:
 def rounded_decimal(
     value: Fraction | float, error: Fraction | float, digits: int | None = None
 ) -> Decimal:
-    """A number that is known to ``error``, in decimals, with a bound that covers the rounding too.
+    """A number with the given error in decimals; the bound covers the error and the rounding.
 
-    ``digits`` are significant ones; by default as many as the error leaves: one beyond its first.
+    ``digits`` is the number of significant digits. By default the last one is that of the second
+    significant digit of the error.
 
     Examples
     --------
@@ -55,15 +52,14 @@ def rounded_decimal(
     elif half:
         places = BOUND_DIGITS - _power(half)
     else:
-        # Significant digits of a number that is known exactly, where fewer than all are
-        # written.
-        places = 20 - 1 - _power(middle)
+        significant = 20  # an exact number may have very many digits
+        places = significant - 1 - _power(middle)
     text = _rounded(middle, places)
     return Decimal(text, upward(abs(Fraction(text) - middle) + half))
 
 
 def upward(bound: Fraction | float) -> str:
-    """A bound ≥ 0 in few decimals, as ``f"{bound:.1e}"`` writes it, but never less than it is.
+    """A bound ≥ 0 rounded up to two significant digits, in the format ``f"{bound:.1e}"``.
 
     >>> upward(1.6449e-14), upward(0.0), upward(float("inf")), upward(9.99)
     ('1.7e-14', '0.0e+00', 'inf', '1.0e+01')
@@ -75,22 +71,23 @@ def upward(bound: Fraction | float) -> str:
 
 
 def float_above(bound: Fraction) -> float:
-    """A float that is not below."""
+    """The float next to a bound that is not below it."""
     found = float(bound)
     return found if Fraction(found) >= bound else math.nextafter(found, math.inf)
 
 
 def _cut(value: Fraction, rounding: str) -> decimal.Decimal:
-    """A number to :data:`BOUND_DIGITS` significant digits."""
+    """A number rounded to :data:`BOUND_DIGITS` significant digits."""
     context = decimal.Context(BOUND_DIGITS, rounding, decimal.MIN_EMIN, decimal.MAX_EMAX)
     return context.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
 
 
 def _power(value: Fraction) -> int:
-    """n with 10ⁿ ≤ |value| < 10ⁿ⁺¹; 0 of 0."""
+    """Exponent n with 10ⁿ ≤ |value| < 10ⁿ⁺¹; 0 for the value 0."""
     return _cut(value, decimal.ROUND_DOWN).adjusted()
 
 
 def _rounded(value: Fraction, places: int) -> str:
-    """A number to so many decimal places; negative places leave zeros in front of the point."""
-    return f"{decimal.Decimal(f'{round(value * Fraction(10) ** places)}e{-places}'):f}"
+    """Text of a number rounded to decimal places; negative places round digits before the point."""
+    scaled = round(value * Fraction(10) ** places)
+    return f"{decimal.Decimal(f'{scaled}e{-places}'):f}"

@@ -1,16 +1,15 @@
-"""Double-double numbers as NumPy sees them: generated algebra runs on arrays of them as on arrays
-of floats.
+"""Arrays of double-double numbers, on which generated algebra runs as on arrays of floats.
 
-The arithmetic itself is generated. What meets an ordinary array gives a double-double, and the
-array is taken as exact; what is no arithmetic, comparison or choice is refused, so that no digit is
-lost unseen.
+The arithmetic is that of :mod:`spragsym.generated.double_double`; this module gives it NumPy's
+operators. In operations with arrays of floats, these are exact. NumPy functions that would lose
+digits silently are refused with a TypeError.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
@@ -21,13 +20,14 @@ from .arithmetic import Number
 from .interval_arrays import FloatArray, Shape
 
 Array = NDArray[Any]
-#: Its functions take whatever has a high and a low part.
+#: Untyped, as its functions take any object with a high and a low part.
 dd: Any = double_double
 
 
 class DoubleDouble(NDArrayOperatorsMixin):
-    """Arrays of numbers of 106 bits, each the exact sum of two doubles, ``high`` nearest to the
-    sum.
+    """Array of numbers of 106 bits, each the exact sum of two doubles.
+
+    ``high`` is the sum rounded to a double, ``low`` the rest.
 
     Examples
     --------
@@ -54,7 +54,7 @@ class DoubleDouble(NDArrayOperatorsMixin):
         return len(self.shape)
 
     def each(self, change: Callable[[Array], Array]) -> DoubleDouble:
-        """A change of place or shape, of both parts."""
+        """The result of an index, or of a change of shape, applied to both parts."""
         return DoubleDouble(change(self.high), change(np.broadcast_to(self.low, self.shape)))
 
     def __getitem__(self, key: Any) -> DoubleDouble:
@@ -74,15 +74,19 @@ class DoubleDouble(NDArrayOperatorsMixin):
         return _of(dd.dd_where(flag, _wide(one), _wide(other)))
 
 
+#: What an operation takes.
+Operand: TypeAlias = DoubleDouble | FloatArray | float
+
+
 def _of(pair: double_double.Wide) -> DoubleDouble:
-    """Result of an operation, as it is: its parts are floats already."""
+    """Result of an operation, without the checks of the constructor, which take time."""
     out = object.__new__(DoubleDouble)
     out.high, out.low = pair
     return out
 
 
 def _wide(value: Any) -> DoubleDouble:
-    """A double-double as it is, anything else as an exact number."""
+    """A double-double as it is; a float, or an array of floats, as an exact double-double."""
     return value if isinstance(value, DoubleDouble) else DoubleDouble(value)
 
 
@@ -91,28 +95,24 @@ def _is_power_of_two(value: Number) -> bool:
 
 
 def _sum(one: Number, other: Number) -> DoubleDouble:
-    one, other = (one, other) if isinstance(one, DoubleDouble) else (other, one)
-    return _of(
-        dd.dd_add(one, other) if isinstance(other, DoubleDouble) else dd.dd_add_double(one, other)
-    )
+    if not isinstance(one, DoubleDouble):
+        one, other = other, one
+    if isinstance(other, DoubleDouble):
+        return _of(dd.dd_add(one, other))
+    return _of(dd.dd_add_double(one, other))
 
 
-def _product(
-    one: DoubleDouble | FloatArray | float, other: DoubleDouble | FloatArray | float
-) -> DoubleDouble:
-    one, other = (one, other) if isinstance(one, DoubleDouble) else (other, one)
+def _product(one: Operand, other: Operand) -> DoubleDouble:
+    if not isinstance(one, DoubleDouble):
+        one, other = other, one
     if isinstance(other, DoubleDouble):
         return _of(dd.dd_multiply(one, other))
-    return _of(
-        dd.dd_scaled(one, float(other))
-        if _is_power_of_two(other)
-        else dd.dd_multiply_double(one, other)
-    )
+    if _is_power_of_two(other):
+        return _of(dd.dd_scaled(one, float(other)))
+    return _of(dd.dd_multiply_double(one, other))
 
 
-def _quotient(
-    one: DoubleDouble | FloatArray | float, other: DoubleDouble | FloatArray | float
-) -> DoubleDouble:
+def _quotient(one: Operand, other: Operand) -> DoubleDouble:
     if _is_power_of_two(other):
         return _product(one, 1.0 / other)
     return _of(dd.dd_divide(_wide(one), _wide(other)))
@@ -143,8 +143,7 @@ _UFUNCS: dict[Any, Callable[..., Any]] = {
 
 
 def cosine_and_sine(angle: Array) -> tuple[DoubleDouble, DoubleDouble]:
-    """cos and sin of doubles 0 < θ < π, exact to the last two bits or so."""
+    """Cosine and sine of doubles 0 < θ < π, to within about two bits of 106."""
     both = dd.dd_cosine_and_sine(angle)
-    return DoubleDouble(both.cosine_high, both.cosine_low), DoubleDouble(
-        both.sine_high, both.sine_low
-    )
+    cosine = DoubleDouble(both.cosine_high, both.cosine_low)
+    return cosine, DoubleDouble(both.sine_high, both.sine_low)

@@ -1,4 +1,4 @@
-"""Sizes and differences of vectors, some of whose numbers may be angles that come around."""
+"""Norms of vectors, and differences of states with periodic angles."""
 
 from __future__ import annotations
 
@@ -10,51 +10,53 @@ from numpy.typing import ArrayLike
 
 from .interval_arrays import FloatArray
 
-#: Turns after which all is as before: by the place of an angle that makes one, the turns of each
-#: angle that moves with it, its own among them.
+#: Rotations that leave a model unchanged. For the index of a periodic angle, the number of turns
+#: that each angle makes with it, itself included.
 WholeTurns: TypeAlias = Mapping[int, Mapping[int, int]]
-#: A turn of a coordinate that comes around.
+#: Period of an angle.
 TURN = 2 * np.pi
-#: Where it begins: no angle that models have, so that rounding decides no state's turn.
+#: Lower end of the turn to which angles are reduced. States are not near it by symmetry, so that
+#: rounding does not decide to which turn they belong.
 TURN_BEGIN = -np.pi + 0.012345
 
 
 def magnitude(numbers: ArrayLike) -> float:
-    """The largest of some numbers, in size."""
+    """Largest absolute value (maximum norm)."""
     return float(np.abs(numbers).max())
 
 
 def norm(numbers: ArrayLike) -> float:
-    """The Euclidean norm of some numbers."""
+    """Euclidean norm."""
     return float(np.linalg.norm(numbers))
 
 
-def apart(one: ArrayLike, other: ArrayLike, periodic: WholeTurns) -> FloatArray:
-    """One state less another, numbers along the last axis, less whole turns: each angle that comes
-    around the shorter way.
+def state_difference(one: ArrayLike, other: ArrayLike, periodic: WholeTurns) -> FloatArray:
+    """``one`` − ``other``, states along the last axis, modulo turns: periodic angles differ by at
+    most half a turn.
     """
-    off: FloatArray = np.subtract(one, other, dtype=float)
-    for index, moved in periodic.items():
-        _turned_back(off, np.round(off[..., index] / TURN), moved)
-    return off
+    found: FloatArray = np.subtract(one, other, dtype=float)
+    for index, turns_with in periodic.items():
+        _rotate_back(found, np.round(found[..., index] / TURN), turns_with)
+    return found
 
 
 def in_one_turn(
     state: ArrayLike, periodic: WholeTurns, begin: ArrayLike = TURN_BEGIN
 ) -> FloatArray:
-    """The state less whole turns, each angle that comes around in the one from ``begin`` on."""
+    """The state modulo turns, each periodic angle in the turn that begins at ``begin``."""
     found = np.array(state, dtype=float)
     begins = np.broadcast_to(begin, found.shape)
-    for index, moved in periodic.items():
-        _turned_back(found, np.floor((found[..., index] - begins[..., index]) / TURN), moved)
+    for index, turns_with in periodic.items():
+        turns = np.floor((found[..., index] - begins[..., index]) / TURN)
+        _rotate_back(found, turns, turns_with)
     return found
 
 
 def makes_turns(index: int, periodic: WholeTurns) -> bool:
-    """Whether an angle moves in a turn after which all is as before."""
-    return any(index in moved for moved in periodic.values())
+    """Whether an angle moves in a rotation that leaves the model unchanged."""
+    return any(index in turns_with for turns_with in periodic.values())
 
 
-def _turned_back(state: FloatArray, turns: FloatArray, moved: Mapping[int, int]) -> None:
-    for index, count in moved.items():
+def _rotate_back(state: FloatArray, turns: FloatArray, turns_with: Mapping[int, int]) -> None:
+    for index, count in turns_with.items():
         state[..., index] -= TURN * (count * turns)

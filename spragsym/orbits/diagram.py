@@ -31,7 +31,7 @@ from ..models.parameters import FloatArray, ParameterSet, Ranges, Span, as_count
 from ..motion.scales import MotionScales
 from ..motion.shooting import natural
 from ..numerics.interval_arrays import BoolArray
-from ..numerics.vectors import apart, magnitude
+from ..numerics.vectors import magnitude, state_difference
 from ..results import Equilibria
 from ..results.result import Result
 from ..statics.equilibria import equilibria
@@ -357,17 +357,20 @@ def _passes(line: Sequence[BranchPoint], point: BranchPoint) -> bool:
     state, periodic = point.orbit.state, point.orbit.field.periodic
     for end in (line[0], line[-1]):  # a branch may end just before a border, and the point be on it
         in_parameter = abs(end.value - point.value) / point.setting.spans[0]
-        in_state = magnitude(apart(state, end.orbit.state, periodic))
+        in_state = magnitude(state_difference(state, end.orbit.state, periodic))
         if max(in_parameter, in_state) <= 2 * OF_EQUILIBRIA.shortest_step:
             return True
     for one, other in pairwise(line):
-        near = magnitude(apart(state, one.orbit.state, periodic)) < 2 * OF_EQUILIBRIA.longest_step
+        near = (
+            magnitude(state_difference(state, one.orbit.state, periodic))
+            < 2 * OF_EQUILIBRIA.longest_step
+        )
         contains = (one.value - point.value) * (other.value - point.value) <= 0
         if near and contains and one.value != other.value:
             with suppress(ConvergenceError):
                 chord = other.coordinates - one.coordinates
                 on_branch = placed(one, point.value, chord).orbit.state
-                if magnitude(apart(state, on_branch, periodic)) < 1e-7:
+                if magnitude(state_difference(state, on_branch, periodic)) < 1e-7:
                     return True
     return False
 

@@ -32,7 +32,7 @@ from ..motion.options import MotionOptions
 from ..motion.regimes import Outcome
 from ..motion.scales import MotionScales
 from ..motion.simulation import state_of
-from ..numerics.vectors import apart, magnitude
+from ..numerics.vectors import magnitude, state_difference
 from ..results.result import Result
 from .branch import cycle_branch
 from .events import MERGES
@@ -300,7 +300,7 @@ class _FateSamples:
         def difference(fate: _Fate) -> tuple[float, float]:
             """Difference of the logarithms of the periods, 0 without; difference of the states."""
             one, other = fate.verdict.outcome, verdict.outcome
-            between = apart(
+            between = state_difference(
                 one.rest or one.cycle, other.rest or other.cycle, self.system.field.periodic
             )
             states = self.scales(value).states[: len(between)]
@@ -616,7 +616,7 @@ def _saddle(bracket: _Bracket) -> tuple[str, FloatArray, float, float]:
     for state in states:
         with suppress(ConvergenceError):
             saddle = saddle_near(system, scales.states * state)
-            away = magnitude(apart(state, saddle.state / scales.states, periodic))
+            away = magnitude(state_difference(state, saddle.state / scales.states, periodic))
             if saddle.attracts and away < options.hovers:
                 saddles[away] = saddle
     if saddles:

@@ -44,7 +44,7 @@ from ..motion.shooting import (
 )
 from ..motion.solution import Extremum
 from ..numerics.balls import UndecidedSign
-from ..numerics.vectors import WholeTurns, apart, in_one_turn, magnitude, norm
+from ..numerics.vectors import WholeTurns, in_one_turn, magnitude, norm, state_difference
 from .arclength import Setting, along, differences, started
 from .orbit import Cycle, cycle_of, same_cycle
 from .system import FateVerdict, FixedPoints, System, judged, rounding_of
@@ -313,7 +313,9 @@ def returns(
     scale = np.ptp([extremum.state for extremum in extrema] or np.zeros((1, 1)), axis=0)
     scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
     for rounds in range(1, min(len(maxima), 60)):
-        distances = np.abs(apart(states[rounds:], states[:-rounds], periodic) / scale).max(axis=1)
+        distances = np.abs(
+            state_difference(states[rounds:], states[:-rounds], periodic) / scale
+        ).max(axis=1)
         i = int(distances.argmin()) if row is None else row % len(distances)
         if distances[i] < best / 2:
             best = float(distances[i])
@@ -658,7 +660,7 @@ def same(one: Attractor, other: Attractor) -> bool:
         return one.kind == other.kind
     if one.orbit is None or other.orbit is None:
         states = one.system.scales(one.state).states
-        off = apart(one.state, other.state, one.system.field.periodic) / states
+        off = state_difference(one.state, other.state, one.system.field.periodic) / states
         return magnitude(off) < SAME_STATE * (1 + magnitude(one.state / states))
     return same_cycle(one.orbit, other.orbit)
 

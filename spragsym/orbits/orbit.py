@@ -45,7 +45,7 @@ from ..motion.shooting import (
 from ..motion.simulation import Trajectory, motion_of
 from ..motion.solution import Events, events_of
 from ..numerics.interval_arrays import ComplexArray, Int8Array
-from ..numerics.vectors import apart, magnitude
+from ..numerics.vectors import magnitude, state_difference
 from ..results.result import Result
 
 if TYPE_CHECKING:
@@ -337,7 +337,7 @@ def distance(cycle: Cycle, state: FloatArray) -> float:
     """Distance of a state from the nearest sample of a cycle, modulo whole turns, in units of the
     motion.
     """
-    off = apart(cycle.samples.states.T, state, cycle.field.periodic) / units_of(cycle)
+    off = state_difference(cycle.samples.states.T, state, cycle.field.periodic) / units_of(cycle)
     return float(np.abs(off).max(axis=1).min())
 
 

@@ -34,7 +34,7 @@ from ..numerics.interval_arrays import (
     spans_of,
     width_of,
 )
-from ..numerics.vectors import apart
+from ..numerics.vectors import state_difference
 from ..results import Equilibria, Undecided
 from . import stability
 from .balance import NEGLIGIBLE, Balance
@@ -162,7 +162,7 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     order, slot = _in_slots(found)
     found = found.select(order)
     point = found.point
-    off = apart(found.middle.T, states[:, point].T, balance.periodic)
+    off = state_difference(found.middle.T, states[:, point].T, balance.periodic)
     distance = np.linalg.norm(off, axis=1) / (1 + np.linalg.norm(states[:, point], axis=0))
     index = np.full(states.shape[1], -1)
     # Of several roots near a motion, the nearest is written last and remains.

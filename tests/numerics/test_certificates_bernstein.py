@@ -110,7 +110,7 @@ def test_what_is_not_finite_is_undecided() -> None:
 def test_rows_are_scaled_each_for_itself() -> None:
     scales = 2.0 ** np.array([-900, -300, 0, 300, 900])
     given = [Rounded(value * scales, 0.0) for value in (6.0, -5.0, 1.0)]
-    largest = np.abs(bernstein._beginning(given, 5).value).max(axis=0)
+    largest = np.abs(bernstein._bernstein_form(given, 5).value).max(axis=0)
     assert ((largest >= 0.5) & (largest < 1)).all()
     found = bernstein.positive_roots(given, 5)
     assert not found.undecided.any()
@@ -169,11 +169,11 @@ def test_halves_hold_the_halves_of_every_polynomial() -> None:
     value = rng.uniform(-1, 1, (60, 7))
     error = np.abs(value) * rng.choice([0.0, 1e-17, 1e-9, 0.5], (60, 7))
     given = parts(value, error)
-    halves = bernstein._halved(given)
+    halves = bernstein._bisected(given)
     assert halves.row.tolist() == [*range(60), *range(60)]
     assert halves.low.tolist() == [0.0] * 60 + [0.5] * 60
     assert halves.width.tolist() == [0.5] * 120
-    again = bernstein._halved(halves)
+    again = bernstein._bisected(halves)
     assert again.low.tolist() == [0.0] * 60 + [0.5] * 60 + [0.25] * 60 + [0.75] * 60
     for i in range(60):
         for side in rng.choice([-1, 0, 1], (3, 7)):

@@ -340,7 +340,7 @@ def repeats(system: System, state: FloatArray) -> str:
         periods.append(cycle_near(system, state, patient=False).period)
     for period in periods:
         back = system.motion(state, period).state[:, -1]
-        off = apart(back, state, field.periodic) / system.scales(state).states
+        off = state_difference(back, state, field.periodic) / system.scales(state).states
         if magnitude(off) < SAME_STATE:
             return (
                 f"it is on a cycle of period {period:.6g} that repels, and stays there by its "

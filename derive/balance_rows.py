@@ -1,5 +1,6 @@
-"""What the rows of the balance and of the stiffness have in common: forces that act between two
-coordinates, and symmetry.
+"""Row operations on the balance of forces F = 0 and the stiffness matrix K, and symmetry of K.
+
+Sums of rows in which stiff forces cancel give narrower intervals than the rows themselves.
 """
 
 import itertools
@@ -13,30 +14,32 @@ from .mechanics import Mechanics, NormalForce
 
 
 def sums(model: Mechanics) -> Matrix:
-    """T, of det T = 1: in the rows of T F springs between two coordinates and normal forces whose
-    direction turns act in as few as may be.
+    """A matrix T with det T = 1, such that as few rows of T F as possible hold the forces of
+    springs between two coordinates, and normal forces of varying direction.
 
-    The force of a spring stands with both signs in two rows of F, and their sum is without it. A
-    normal force stands in each row with the slope of its gap and of what its friction opposes;
-    where one of these is a number, its row tells the force, and others are without it. T F and F
-    vanish together, and where they do, the determinant of their derivatives is det K. A row of
-    coordinates that the mirror turns is added to another such row only.
+    The force of such a spring is in two rows of F with opposite signs, and cancels in their sum. A
+    normal force is in each row with a factor from the slopes of its gap and of the displacement
+    that its friction opposes; a row with a constant factor eliminates it from the others. T F and F
+    have the same zeros, and there the same determinant of the derivatives, det K. Rows that the
+    mirror reflects and rows that it does not are not added to each other.
     """
     n = len(model.coordinates)
-    T, rows, turned = sp.eye(n), list(model.residuals), symmetry.mirror(model).centres
+    T, rows, reflected = sp.eye(n), list(model.residuals), symmetry.mirror(model).centres
     for contact in model.contacts:
         along = _along_force(model, contact)
         pivot = next((i for i, part in enumerate(along) if part.is_Number and part != 0), None)
         if pivot is None or not any(part.has(*model.coordinates) for part in along):
             continue
         for i in range(n):
-            alike = (model.coordinates[i] in turned) == (model.coordinates[pivot] in turned)
-            if i != pivot and along[i] != 0 and alike:
+            same_parity = (model.coordinates[i] in reflected) == (
+                model.coordinates[pivot] in reflected
+            )
+            if i != pivot and along[i] != 0 and same_parity:
                 factor = along[i] / along[pivot]
                 rows[i] = expanded(rows[i] - factor * rows[pivot])
                 T[i, :] -= factor * T[pivot, :]
     for i, j in itertools.combinations(range(n), 2):
-        if (model.coordinates[i] in turned) != (model.coordinates[j] in turned):
+        if (model.coordinates[i] in reflected) != (model.coordinates[j] in reflected):
             continue
         for sign in (1, -1):
             total = expanded(rows[j] + sign * rows[i])
@@ -49,39 +52,51 @@ def sums(model: Mechanics) -> Matrix:
 def without_coordinates(
     model: Mechanics, rows: Row, stiffness: Matrix
 ) -> dict[int, list[tuple[Expr, Expr]]]:
-    """Sums of rows in which no coordinate stands: where such a sum is not 0 nothing balances it,
-    and these contacts touch in no state.
+    """Sums of rows that depend on no coordinate, for combinations of touching contacts.
 
-    ``stiffness`` has the derivatives of the rows. Each sum stands under the number of one of its
-    rows, behind a factor that is 1 for its combination of contacts that touch and 0 for others. K
-    is singular there whatever the coordinates, and the sum is F times a vector that Kᵀ turns to 0.
+    If such a sum is not 0, there is no equilibrium with that combination. It is wᵀ F for a vector w
+    with Kᵀ w = 0, of a K that is singular at all coordinates.
+
+    Parameters
+    ----------
+    model : Mechanics
+    rows : tuple
+        The rows F.
+    stiffness : Matrix
+        Their derivatives K by the coordinates.
+
+    Returns
+    -------
+    dict
+        By the index of one row of a sum: a factor that is 1 for the combination of contacts and 0
+        for others, and the sum scaled to that row.
     """
     found: dict[int, list[tuple[Expr, Expr]]] = {}
     F = Matrix(rows)
     moving = {*model.coordinates, *model.directions, *model.turned}
     opening = [one for one in model.pushings if F.has(one)]
     for touching in itertools.product((1, 0), repeat=len(opening)):
-        there = dict(zip(opening, touching, strict=True))
-        K = stiffness.subs(there).applyfunc(sp.expand)
+        combination = dict(zip(opening, touching, strict=True))
+        K = stiffness.subs(combination).applyfunc(sp.expand)
         if not all(entry.is_polynomial(*moving) for entry in K) or sp.expand(K.det()) != 0:
             continue
-        factor = sp.prod(one if closed else 1 - one for one, closed in there.items())
+        factor = sp.prod(one if closed else 1 - one for one, closed in combination.items())
         for vector in K.T.nullspace():
             weights = (vector * sp.lcm_list([sp.denom(sp.cancel(it)) for it in vector])).applyfunc(
                 sp.cancel
             )
-            total = expanded((weights.T * F.subs(there))[0])
-            some = [i for i, weight in enumerate(weights) if weight != 0]
-            row = next((i for i in reversed(some) if weights[i].is_nonzero), None)
-            alone = total != 0 and not total.free_symbols & moving
-            if alone and len(some) > 1 and row is not None:
+            total = expanded((weights.T * F.subs(combination))[0])
+            nonzero = [i for i, weight in enumerate(weights) if weight != 0]
+            row = next((i for i in reversed(nonzero) if weights[i].is_nonzero), None)
+            is_constant = total != 0 and not total.free_symbols & moving
+            if is_constant and len(nonzero) > 1 and row is not None:
                 found.setdefault(row, []).append((factor, total / weights[row]))
     return found
 
 
 def _along_force(model: Mechanics, contact: NormalForce) -> list[Expr]:
-    """What of a contact's force stands in each row, but for the sign; nothing of a given one, and
-    of one that rubs on either of two faces.
+    """The factors of a contact's normal force in the rows, up to the sign; none of a given force,
+    or of a contact with two faces.
     """
     if contact.gap is None or contact.either_face:
         return []
@@ -101,15 +116,14 @@ def _directions(model: Mechanics, row: Expr) -> set[sp.Symbol]:
 
 
 def symmetric(model: Mechanics, stiffness: Matrix) -> bool:
-    """Whether K is symmetric where the friction coefficient is 0: not with a force that follows a
-    coordinate, for one.
-    """
+    """Whether K is symmetric without friction; a follower force, for example, is not."""
     return _symmetric(model, stiffness.subs(dict.fromkeys(model.coefficients, 0)))
 
 
 def circulatory(model: Mechanics, stiffness: Matrix) -> list[bool]:
-    """Whether each friction makes K asymmetric: not one that opposes a coordinate with a normal
-    force of that coordinate alone. K is linear in the coefficients.
+    """For each friction, whether it makes K asymmetric.
+
+    K is linear in the coefficients, so that each is judged by its own term.
     """
     return [not _symmetric(model, stiffness.diff(mu)) for mu in model.coefficients]
 

@@ -1,5 +1,5 @@
-"""A page from SymPy's mechanics: what a method of Lagrange or Kane holds, in a page's own
-statements.
+"""A page from SymPy's mechanics: the energies and loads of a LagrangesMethod, KanesMethod or System
+as statements of a page.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from .model import Page
 
-#: What holds the mechanics of a system.
+#: SymPy's classes for the mechanics of a system.
 Method: TypeAlias = "LagrangesMethod | KanesMethod | System"
 
 
@@ -32,9 +32,9 @@ def page_from(
     contact: tuple[Any, ...] | Mapping[str, Any] | None = None,
     friction: tuple[Any, ...] | Mapping[str, Any] | None = None,
 ) -> Page:
-    """Say on a page what a method of SymPy's mechanics holds, made of the page's quantities.
+    """Add to a page the statements for a system of SymPy's mechanics.
 
-    A symbol with the name of a quantity of the page is that quantity, whoever made it.
+    A symbol of the system with the name of a quantity of the page is that quantity.
 
     Parameters
     ----------
@@ -68,28 +68,28 @@ def page_from(
     Raises
     ------
     PageError
-        Where the method holds what no page can say, which is named: a constraint, a gyroscopic
-        force, a force that varies in time, or one that is no spring, damper, contact or friction.
+        If the system has something that a page can't state, which the text names: a constraint, a
+        gyroscopic force, a force that varies in time, or one that is no spring, damper, contact or
+        friction.
     """
-    it = _MethodReader(_formed(method), page, coordinates)
-    page.kinetic(it.kinetic)
-    # What is said of contact and friction, by place or by name.
-    said = (
-        it.named("contact", contact, ("normal", "gap", "law", "unilateral", "force")),
-        it.named(
-            "friction",
-            friction,
-            ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds"),
-        ),
+    reader = _MethodReader(_formed(method), page, coordinates)
+    page.kinetic(reader.kinetic)
+    of_contact = ("normal", "gap", "law", "unilateral", "force")
+    of_friction = ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds")
+    forces = reader.split(
+        reader.named("contact", contact, of_contact),
+        reader.named("friction", friction, of_friction),
     )
-    forces, still = it.split(*said), dict.fromkeys(it.rates, 0)
-    it.dampers((forces - forces.subs(still)).applyfunc(it.expanded))
-    it.springs((forces.subs(still) - it.gradient(it.stored)).applyfunc(it.expanded))
+    at_rest = dict.fromkeys(reader.rates, 0)
+    reader.dampers((forces - forces.subs(at_rest)).applyfunc(reader.expanded))
+    reader.springs(
+        (forces.subs(at_rest) - reader.gradient(reader.stored)).applyfunc(reader.expanded)
+    )
     return page
 
 
 def _formed(method: Method) -> Method:
-    """The method of a System."""
+    """The method whose equations a System has formed; any other method itself."""
     from .model import refused
 
     if not hasattr(method, "eom_method"):
@@ -100,7 +100,7 @@ def _formed(method: Method) -> Method:
 
 
 class _MethodReader:
-    """Reader of a method of mechanics, in a page's symbols."""
+    """Energies and loads of a method, written in a page's symbols."""
 
     def __init__(
         self, method: Method, page: Page, coordinates: Mapping[Expr, tuple[str, str]]
@@ -158,15 +158,22 @@ class _MethodReader:
         return value
 
     def gradient(self, expression: Expr) -> Matrix:
+        """Derivatives by the coordinates, as a column."""
         return Matrix([expression]).jacobian(self.places).T
 
     def named(
         self, what: str, given: tuple[Any, ...] | Mapping[str, Any] | None, names: tuple[str, ...]
     ) -> dict[str, Any]:
-        """Statement of contact or friction by its names, in the page's symbols."""
+        """The arguments of a contact or friction by name, in the page's symbols.
+
+        Raises
+        ------
+        PageError
+            If one is unknown or missing.
+        """
         said = dict(given if isinstance(given, Mapping) else zip(names, given or (), strict=False))
         needed = {"contact": ("normal",), "friction": ("coefficient", "along", "belt")}[what]
-        # What is left to say of friction whose loads have the law, as CoulombKineticFriction's.
+        # The law itself may be in the loads, as of CoulombKineticFriction.
         if what == "friction" and said.keys() <= {"belt", "holds"}:
             needed = ()
         if said and (wrong := [*(said.keys() - {*names}), *({*needed} - said.keys())]):
@@ -178,7 +185,7 @@ class _MethodReader:
         return {name: self.of_page(value) for name, value in said.items()}
 
     def of_page(self, value: object) -> Any:
-        """An expression, or a law, in the page's symbols."""
+        """An expression, or the values of a law, in the page's symbols; anything else as it is."""
         if isinstance(value, sp.Basic):
             return self.plain(value)
         if not callable(value):
@@ -191,9 +198,7 @@ class _MethodReader:
         return law
 
     def split(self, contact: dict[str, Any], friction: dict[str, Any]) -> Matrix:
-        """Generalized forces of the loads without those of contact and friction, which become
-        statements.
-        """
+        """State contact and friction, and return the generalized forces of all other loads."""
         if friction and not contact:
             raise self.refused(
                 "there is friction and no normal force; give contact=(N, gap, law), or a given "
@@ -204,10 +209,10 @@ class _MethodReader:
             velocity = (
                 point.vel(self.frame) if hasattr(point, "vel") else point.ang_vel_in(self.frame)
             )
-            moves, pulls = (
+            velocities, components = (
                 part.to_matrix(self.frame).applyfunc(self.plain) for part in (velocity, vector)
             )
-            forces += moves.jacobian(self.rates).T * pulls
+            forces += velocities.jacobian(self.rates).T * components
         normal = contact.pop("normal", None)
         forces = forces.applyfunc(self.on_both_sides)
         if any(one.has(*self.rates) for one in forces.atoms(sp.sign)):
@@ -238,8 +243,8 @@ class _MethodReader:
         return forces
 
     def on_both_sides(self, force: Expr) -> Expr:
-        """A force that is the same on both sides of a place, as along a pathway of length |x|,
-        without their signs.
+        """A force without signs and absolute values of coordinates, if its expressions for either
+        sign agree, as along a pathway of length |x|.
         """
         for coordinate in self.places:
             if any(one.has(coordinate) for one in force.atoms(sp.sign, sp.Abs)):
@@ -254,8 +259,10 @@ class _MethodReader:
     def dry(
         self, forces: Matrix, normal: Expr, friction: dict[str, Any]
     ) -> tuple[Matrix, dict[str, Any]]:
-        """Loads without those of friction, μ N against the sign of a speed r, a sum of rates less
-        the belt's speed; and the statement of it.
+        """Split the loads into those without friction, and the arguments of its statement.
+
+        Friction in loads is a law of a speed r times N times sign(r), along r, which is a sum of
+        rates minus the speed of the belt.
         """
         from .model import sgn
 
@@ -266,30 +273,32 @@ class _MethodReader:
             r, belt = -r, -belt
         slopes = Matrix([r]).jacobian(self.rates).T
         row = next(row for row, slope in enumerate(slopes) if slope != 0)
-        turned = {one: side * sp.cancel(one.args[0] / r) for one in jumps}
-        by_side = forces.xreplace(turned).applyfunc(expand)
-        pushed = by_side.applyfunc(lambda force: force.coeff(side))
+        signs = {one: side * sp.cancel(one.args[0] / r) for one in jumps}
+        by_side = forces.xreplace(signs).applyfunc(expand)
+        friction_force = by_side.applyfunc(lambda force: force.coeff(side))
         rate = self.rates[row] + (speed - r) / slopes[row]
-        whole = expand(-pushed[row].subs(self.rates[row], rate) / slopes[row])
-        law = S.Zero if normal is None else whole.coeff(normal)
+        law_times_normal = expand(-friction_force[row].subs(self.rates[row], rate) / slopes[row])
+        law = S.Zero if normal is None else law_times_normal.coeff(normal)
         law = sp.collect(law, sorted(law.atoms(sp.exp), key=sp.default_sort_key))
-        nothing = [law - law.subs(speed, -speed), *(pushed * slopes[row] - slopes * pushed[row])]
-        read = (
+        zeros = [
+            law - law.subs(speed, -speed),
+            *(friction_force * slopes[row] - slopes * friction_force[row]),
+        ]
+        is_read = (
             law != 0
-            and whole == expand(law * normal)
-            and {*turned.values()} <= {side, -side}
+            and law_times_normal == expand(law * normal)
+            and {*signs.values()} <= {side, -side}
             and not sp.Tuple(law, *slopes).has(*self.rates, *self.places)
-            and all(self.expanded(one) == 0 for one in nothing)
+            and all(self.expanded(one) == 0 for one in zeros)
         )
-        if not read or not friction.keys() <= {"belt", "holds"}:
-            # How that is read, in errors.
-            words = (
+        if not is_read or not friction.keys() <= {"belt", "holds"}:
+            advice = (
                 "of loads with a sign, as those of CoulombKineticFriction, all friction is read; "
                 "let their "
                 'normal force be a symbol N, and give contact={"normal": N, "force": W} and '
                 'friction={"belt": V}'
             )
-            raise self.refused(f"the loads hold {jumps[0]}: {words}")
+            raise self.refused(f"the loads hold {jumps[0]}: {advice}")
         return by_side.subs(side, 0), {
             "along": sum(
                 slope * coordinate for slope, coordinate in zip(slopes, self.places, strict=True)
@@ -301,21 +310,23 @@ class _MethodReader:
         }
 
     def bases(self, expression: Expr) -> set[Expr]:
-        """Expressions under roots and in denominators, where they move."""
+        """Bases of roots and denominators that depend on coordinates."""
         return {node.base for node in quotients(expression) if node.base.has(*self.places)}
 
     def expanded(self, expression: Expr) -> Expr:
-        """An expression multiplied out, with its roots and quotients of coordinates kept."""
-        kept = {base: Dummy(positive=True) for base in self.bases(expression)}
-        held = expression.replace(
-            lambda it: isinstance(it, sp.Pow) and it.base in kept,
-            lambda it: kept[it.base] ** it.exp,
+        """An expression multiplied out, except for roots and denominators of coordinates."""
+        placeholders = {base: Dummy(positive=True) for base in self.bases(expression)}
+        with_placeholders = expression.replace(
+            lambda it: isinstance(it, sp.Pow) and it.base in placeholders,
+            lambda it: placeholders[it.base] ** it.exp,
         )
-        return expand(held).xreplace({dummy: base for base, dummy in kept.items()})
+        return expand(with_placeholders).xreplace(
+            {dummy: base for base, dummy in placeholders.items()}
+        )
 
     def lines(self, forces: Matrix) -> Iterator[tuple[Expr, Matrix, int, tuple[Any, Any]]]:
-        """Squared lengths that forces hold, half the slopes of each, a coordinate that changes it,
-        and the ends of the line.
+        """The lines whose lengths are in the forces: l², half its gradient, the index of a
+        coordinate that changes it, and the ends.
         """
         for base in sorted(
             {base for force in forces for base in self.bases(force)}, key=sp.default_sort_key
@@ -326,8 +337,8 @@ class _MethodReader:
                     f"the root of {base} is no length between two points; write it as "
                     "sqrt(dx**2 + dy**2)"
                 )
-            # Along x comes first, and from the mass to the anchor both parts fall as the mass
-            # moves.
+            # The part along the first coordinate comes first; both parts point from the mass to the
+            # anchor, so that they decrease with the coordinates.
             parts.sort(
                 key=lambda part: next(
                     (row for row, coordinate in enumerate(self.places) if part.has(coordinate)),
@@ -347,7 +358,7 @@ class _MethodReader:
             yield base, half, row, tuple(zip(*ends, strict=True))
 
     def dampers(self, forces: Matrix) -> None:
-        """State the dampers that the velocity-dependent forces are made of."""
+        """State dampers for forces linear in the rates, given as a column."""
         C = -forces.jacobian(self.rates).applyfunc(self.expanded)
         if C.has(*self.rates):
             raise self.refused(
@@ -373,29 +384,34 @@ class _MethodReader:
                 self.page.damper(coefficient, along=index)
 
     def springs(self, forces: Matrix) -> None:
-        """Straight springs, those along coordinates, other potentials, and applied forces."""
+        """State springs, potentials and applied forces for the forces at rest, given as a
+        column.
+        """
         for base, half, row, ends in self.lines(forces):
             product = sp.simplify(
                 forces[row].subs(1 / sp.sqrt(base), length := Dummy()).coeff(length) / half[row]
             )
-            left = {
+            remainders = {
                 stiffness: (forces + (stiffness - product / sp.sqrt(base)) * half).applyfunc(
                     self.expanded
                 )
                 for stiffness in self.stiffnesses(product)
             }
-            if not left or any(base in self.bases(force) for force in next(iter(left.values()))):
+            if not remainders or any(
+                base in self.bases(force) for force in next(iter(remainders.values()))
+            ):
                 raise self.refused(
                     f"the force {forces[row]} depends on {sp.sqrt(base)}, and is no k (l - "
                     "r): it is no spring of a page"
                 )
-            # Of k_2 λ_2 L_0, say, k_2 is the stiffness if it takes away what stands without the
-            # root.
+            # Of the factors of k r, as k_2 λ_2 L_0, the stiffness is the one that leaves the fewest
+            # terms.
             stiffness = min(
-                left, key=lambda one: sum(len(Add.make_args(force)) for force in left[one])
+                remainders,
+                key=lambda one: sum(len(Add.make_args(force)) for force in remainders[one]),
             )
             self.page.spring(stiffness, *ends, length=product / stiffness)
-            forces = left[stiffness]
+            forces = remainders[stiffness]
         potential = S.Zero
         for coordinate, force in zip(self.places, forces, strict=True):
             potential -= expand(
@@ -415,7 +431,9 @@ class _MethodReader:
             self.page.potential(potential)
 
     def stiffnesses(self, product: Expr) -> Iterator[Expr]:
-        """Parts of k r, a stiffness times a length, that may be the stiffness."""
+        """Products of factors of k r, stiffness times undeformed length, with the unit of a
+        stiffness.
+        """
         dimensions = {
             it.symbol: units.read(it.unit) for it in (*self.page.units, *self.page.parameters)
         }

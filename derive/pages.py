@@ -1,4 +1,4 @@
-"""Pages: where the shipped ones stand, and how one is read."""
+"""Reading of pages: a page is run, checked and derived."""
 
 import ast
 import hashlib
@@ -21,7 +21,7 @@ SHIPPED = Path(__file__).parent / "models"
 
 @dataclass(frozen=True)
 class PageModel:
-    """A page and what follows from it."""
+    """A page with its mechanics."""
 
     name: str
     text: str
@@ -36,28 +36,28 @@ class PageModel:
 
 
 def shipped() -> tuple[Path, ...]:
-    """The pages that come with the package, the article's first."""
+    """Paths of the pages that come with the package, the article's first."""
     pages = sorted(path for path in SHIPPED.glob("*.py") if not path.stem.startswith("_"))
     return tuple(sorted(pages, key=lambda path: path.stem != "kang_nam"))
 
 
 def read(path: Path, name: str = "") -> PageModel:
-    """Read a page, once as it stands: it is run as a module of this package, wherever it is. The
-    model has its name, or another.
+    """Read a page; the model is named after its file, or ``name``.
+
+    The page is run as a module of this package. The result is cached by the page's text.
 
     Raises
     ------
     PageError
-        Where it can't be carried through, with the page's name and the line.
+        If it can't be read or derived, with the page's name and the line.
     """
     try:
-        # Bytes; no page is larger.
-        largest = 1 << 20
+        largest = 1 << 20  # bytes
         if not path.is_file() or path.stat().st_size > largest:
             raise PageError(
                 0, f"the page is no file, or has more than {largest} bytes; give a file of Python"
             )
-        # What a page may be called: what is derived from it is loaded by no other name.
+        # The folder of a model is loaded by such names only.
         a_name = re.compile(r"\w[\w .-]*")
         if not a_name.fullmatch(name or path.stem):
             raise PageError(
@@ -89,7 +89,7 @@ def _model(path: Path, text: str, name: str) -> PageModel:
 
 
 def _run(path: Path, text: str) -> tuple[Page, str]:
-    """The page that a file makes, and its docstring."""
+    """Run a page: the Page that it makes, and its docstring."""
     try:
         tree = _Imports().visit(ast.parse(text, str(path)))
     except SyntaxError as error:
@@ -126,7 +126,7 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
 
 
 def _said(error: BaseException) -> str:
-    """Text of an error, and the remedy for a name that is not there."""
+    """The text of an error in a page, with the remedy for a missing name."""
     said = f"{type(error).__name__}: {error}"
     names = f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}"
     if isinstance(error, ImportError):
@@ -145,8 +145,8 @@ def _said(error: BaseException) -> str:
 
 
 class _Imports(ast.NodeTransformer):
-    """Lets a page name the vocabulary as ``spragsym.derive.model``, ``derive.model`` or
-    ``..model``: one module in any case.
+    """Rewrites imports from ``spragsym.derive.model`` and ``derive.model`` to ``..model``, so that
+    all pages use one module.
     """
 
     def visit_ImportFrom(self, node: ast.ImportFrom) -> ast.ImportFrom:

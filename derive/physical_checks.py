@@ -1,5 +1,5 @@
-"""Whether a page makes sense: its units add up, its contact pushes, its friction opposes, a force
-acts on every coordinate.
+"""Checks of a page's physics: units, contacts that push, friction that opposes sliding, inertia and
+a force for every coordinate.
 
 Each error names the line of the page, what was expected there, and what still works without it.
 """
@@ -16,8 +16,8 @@ from .units import Dimension, UnitsError, spelled
 
 
 def check_units(page: Page) -> None:
-    """Every sum of the page adds like to like, and every statement is what it says: an energy, a
-    force, a length, a number.
+    """Raise a PageError for a sum of different dimensions, or a statement of the wrong
+    dimension.
     """
     dimensions = _dimensions(page) | {DEPTH: units.LENGTH, SLIP: units.SPEED}
     for it in statements(page):
@@ -42,7 +42,7 @@ def _check_dimension(it: PageExpression, dimensions: dict[Symbol, Dimension]) ->
             f"above{time}",
         )
     power = max((abs(part.exp) for part in it.value.atoms(sp.Pow) if part.exp.is_number), default=0)
-    # The largest power: beyond it, derivatives and products of them take for ever.
+    # Derivatives of larger powers, and their products, take very long.
     most_power = 20
     if power > most_power:
         raise PageError(
@@ -77,8 +77,13 @@ def _dimensions(page: Page) -> dict[Symbol, Dimension]:
 
 
 def groups(page: Page) -> dict[str, Expr]:
-    """Every dimensionless parameter as its quantity over the product of units of measure that has
-    its dimension.
+    """Every dimensionless parameter: its quantity over the product of units of measure that has the
+    same dimension.
+
+    Raises
+    ------
+    PageError
+        If the units of measure are dependent, or do not give every dimension.
     """
     dimensions = _dimensions(page)
     measures = tuple(dimensions[unit.symbol] for unit in page.units)
@@ -113,7 +118,7 @@ def groups(page: Page) -> dict[str, Expr]:
 
 
 def scale(page: Page, dimension: Dimension) -> Expr | None:
-    """The product of units of measure that has a dimension."""
+    """The product of powers of units of measure that has a dimension; None if there is none."""
     dimensions = _dimensions(page)
     powers = units.powers(dimension, tuple(dimensions[unit.symbol] for unit in page.units))
     if powers is None:
@@ -128,8 +133,8 @@ def scale(page: Page, dimension: Dimension) -> Expr | None:
 
 
 def check_forces(model: Mechanics) -> None:
-    """A contact that pushes, a friction that opposes, a force and an inertia for every
-    coordinate.
+    """Raise a PageError for a contact that pulls, friction that drives, or a coordinate without
+    inertia or force.
     """
     for contact in model.contacts:
         _check_contact(model, contact)
@@ -178,8 +183,9 @@ def check_forces(model: Mechanics) -> None:
 
 
 def _check_inertia(model: Mechanics) -> None:
-    """Masses that are positive, at the base values and where all coordinates are 0, or if there is
-    none in some direction, nearby.
+    """The mass matrix is positive definite at the base values, by its leading minors.
+
+    They are computed at coordinates 0, where one may be singular, and at a second place.
     """
     if model.page.inertia is None:
         return
@@ -226,7 +232,9 @@ def _check_contact(model: Mechanics, contact: NormalForce) -> None:
 
 
 def _check_pushes(model: Mechanics, contact: NormalForce, what: str, limit: Limit) -> None:
-    """Refuse a force that is not proved to push, with the place where it pulls if one is found."""
+    """Refuse a force that is not proved to be ≥ 0; the error says where it pulls, if that is
+    found.
+    """
     if not signs.is_nonnegative(model, contact.law):
         where = signs.witness(model, contact.law)
         pulls = f" pulls: {where}; " if where else ": "
@@ -274,8 +282,8 @@ def _check_friction(model: Mechanics, sliding: FrictionForce) -> None:
 
 
 def _check_independent(model: Mechanics) -> None:
-    """Frictions that can hold at once, along displacements of which none follows from others: else
-    what each of them holds is not told.
+    """Dry frictions oppose independent displacements: else their forces are not determined while
+    all stick.
     """
     holding: list[FrictionForce] = []
     for friction in model.frictions:
@@ -295,15 +303,14 @@ def _check_independent(model: Mechanics) -> None:
 
 
 def _negative(model: Mechanics, law: Expr, variable: Symbol) -> str:
-    """Place where a law is negative at the base values, or 1 where there is none, in words; empty
-    if no place that was tried shows it.
+    """Where a law is negative at the base values, as text; empty if no value of its variable that
+    is tried shows it.
     """
     if law.is_nonnegative or sp.factor_terms(sp.expand(law)).is_nonnegative:
         return ""
     values = _bases(model)
-    # Penetrations and speeds at which a law that can't be decided by its form is looked at.
-    places = tuple(Rational(10) ** power for power in range(-6, 3))
-    for at in places:
+    for power in range(-6, 3):
+        at = Rational(10) ** power
         value = law.subs(values).subs(variable, at)
         if value.is_number and value.is_negative:
             return (
@@ -314,6 +321,6 @@ def _negative(model: Mechanics, law: Expr, variable: Symbol) -> str:
 
 
 def _bases(model: Mechanics) -> dict[Symbol, Expr]:
-    """Base values of all parameters, 1 of those without one."""
+    """Base values of all parameters; 1 for those without one."""
     bases = {number(it): 1.0 if it.base is None else it.base for it in model.parameters}
     return signs.placed(model, {symbol: Rational(str(one)) for symbol, one in bases.items()})

@@ -1,5 +1,5 @@
-"""The sign of an expression over all parameters of their domains, all places and all penetrations:
-a proof that it is not negative, or a witness that it is.
+"""The sign of an expression over all parameters in their domains, all coordinates and penetrations:
+a proof that it is nonnegative, or a witness that it is negative.
 """
 
 import itertools
@@ -20,8 +20,8 @@ _Ends = tuple[Expr, Expr]
 def is_nonnegative(model: Mechanics, expression: Expr) -> bool:
     """Whether an expression is proved to be ≥ 0.
 
-    In what it is affine it is least at an end of the range, so that the ends of all these together
-    decide; each of them by the signs of what is left.
+    In quantities in which it is affine, an expression has its minimum at an end of their ranges: it
+    is judged at all corners, by SymPy's assumptions or as a polynomial of one quantity.
     """
     if _is_nonnegative(expression):
         return True
@@ -31,8 +31,8 @@ def is_nonnegative(model: Mechanics, expression: Expr) -> bool:
         for atom, ends in _bounded(model, expression).items()
         if sp.expand(sp.diff(expression.xreplace({atom: free}), free, 2)) == 0
     }
-    # More bounded quantities than these are not taken at all their ends.
-    if not bounded or len(bounded) > 10:
+    most_corners = 2**10
+    if not bounded or 2 ** len(bounded) > most_corners:
         return False
     return all(
         _is_nonnegative(expression.xreplace(dict(zip(bounded, corner, strict=True))))
@@ -48,8 +48,11 @@ def _is_nonnegative(expression: Expr) -> bool:
 
 
 def _is_nonnegative_polynomial(expression: Expr) -> bool:
-    """Whether an expression is a polynomial of one quantity, with numbers as coefficients, that is
-    nowhere negative: it changes its sign at roots of odd multiplicity only.
+    """Whether an expression is a polynomial of one quantity with rational coefficients that is
+    nowhere negative.
+
+    It has no real root of odd multiplicity, by Sturm's theorem, and its leading coefficient is
+    positive.
     """
     unknown = expression.free_symbols
     if len(unknown) != 1 or not expression.is_polynomial(*unknown):
@@ -68,8 +71,8 @@ def _is_nonnegative_polynomial(expression: Expr) -> bool:
 
 
 def _bounded(model: Mechanics, expression: Expr) -> dict[Expr, _Ends]:
-    """Bounds of sines and cosines, of hyperbolic tangents and of parameters whose domain has two
-    ends.
+    """Ranges of the sines, cosines and hyperbolic tangents in an expression, and of its parameters
+    with bounded domains.
     """
     waves = sorted(expression.atoms(sp.sin, sp.cos, sp.tanh), key=sp.default_sort_key)
     found: dict[Expr, _Ends] = dict.fromkeys(waves, (S.NegativeOne, S.One))
@@ -78,7 +81,7 @@ def _bounded(model: Mechanics, expression: Expr) -> dict[Expr, _Ends]:
         symbol, allowed = number(datum), interval(datum.domain)
         ends = (
             Rational(allowed.low) if math.isfinite(allowed.low) else -sp.oo,
-            (Rational(allowed.high) if math.isfinite(allowed.high) else sp.oo),
+            Rational(allowed.high) if math.isfinite(allowed.high) else sp.oo,
         )
         angle = angles.get(symbol)
         if angle:
@@ -89,7 +92,7 @@ def _bounded(model: Mechanics, expression: Expr) -> dict[Expr, _Ends]:
 
 
 def _cosine(low: Expr, high: Expr) -> _Ends:
-    """Least and largest cosine over a range."""
+    """The range of the cosine over an interval."""
     if sp.oo in (high, -low):
         return S.NegativeOne, S.One
     inside = range(int(sp.ceiling(low / sp.pi)), int(sp.floor(high / sp.pi)) + 1)
@@ -98,9 +101,9 @@ def _cosine(low: Expr, high: Expr) -> _Ends:
 
 
 def witness(model: Mechanics, expression: Expr) -> str:
-    """Place where an expression is negative, in words; empty if no place that was tried shows it.
+    """Where an expression is negative, as text; empty if no such place is found.
 
-    Floats propose a place, exact numbers confirm it.
+    Random floats propose a place, exact numbers confirm it.
     """
     domains = {number(datum): interval(datum.domain) for datum in model.parameters}
     angled = expression.subs(placed(model, {one: one for one in domains}), simultaneous=True)
@@ -115,7 +118,7 @@ def witness(model: Mechanics, expression: Expr) -> str:
 
 
 def placed(model: Mechanics, values: Mapping[Symbol, Expr]) -> dict[Symbol, Expr]:
-    """Values of symbols, and of angles among these their cosines and sines."""
+    """Values of symbols, with those of the cosines and sines of angles added."""
     found = dict(values)
     for angle in model.angles:
         if angle.symbol in values:
@@ -127,13 +130,12 @@ def placed(model: Mechanics, values: Mapping[Symbol, Expr]) -> dict[Symbol, Expr
 def negative_place(
     expression: Expr, domains: Mapping[Symbol, Interval]
 ) -> dict[Symbol, Rational] | None:
-    """A place of the domains where an expression is negative; None if no place that was tried shows
-    it.
+    """Values in the domains at which an expression is negative; None if random search finds
+    none.
     """
     rng = random.Random(0)
     needed = [symbol for symbol in domains if symbol in expression.free_symbols]
     by_floats = sp.lambdify([needed], expression, "math")
-    # Floats look for a witness among numbers of common size, then of any.
     for common in [True] * 1000 + [False] * 1000:
         point = [_drawn(rng, domains[symbol], common) for symbol in needed]
         try:
@@ -154,18 +156,20 @@ def _shown(symbol: Symbol) -> str:
 
 
 def _drawn(rng: random.Random, allowed: Interval, common: bool) -> float:
-    """A number of a domain, with few digits, of common size or of any."""
+    """A random number of a domain with 3 digits; of order 1 if ``common``, else of any size."""
     low, high = allowed.low, allowed.high
-    # Sizes of what has no bounds.
     sizes = tuple(10.0**power for power in range(-6, 4))
     while True:
         if math.isfinite(low) and math.isfinite(high):
             value = low + (high - low) * rng.random()
         else:
             size = rng.uniform(0.1, 3.0) * (1.0 if common else rng.choice(sizes))
-            away = low if math.isfinite(low) else high if math.isfinite(high) else 0.0
-            sign = 1 if math.isfinite(low) else -1 if math.isfinite(high) else rng.choice((-1, 1))
-            value = away + sign * size
+            if math.isfinite(low):
+                value = low + size
+            elif math.isfinite(high):
+                value = high - size
+            else:
+                value = rng.choice((-1, 1)) * size
         value = float(f"{value:.3g}")
         if allowed.holds(value):
             return value

@@ -1,8 +1,8 @@
-"""Whether generated code can say what a page says: smooth, of functions that every number type has.
+"""Checks that generated code can hold a page's expressions: smooth, and of known functions.
 
-Kinks are where a mass touches the belt and where friction turns, and nowhere else: equilibria are
-sought by derivatives, and a motion is integrated from one kink to the next. Each error names the
-line, what stands there, and the remedy.
+The equations may have kinks only at the touch of a contact and at sliding speed 0: equilibria are
+sought with derivatives, and motions are integrated from one kink to the next. Each error names the
+line, the expression and the remedy.
 """
 
 import itertools
@@ -18,7 +18,7 @@ from .statement_checks import statements
 
 
 def check(model: Mechanics) -> None:
-    """A :class:`~derive.model.PageError` for the first statement that generated code can't say."""
+    """Raise a :class:`~derive.model.PageError` for the first statement that code can't hold."""
     moving = {*model.coordinates, *model.rates, DEPTH, SLIP}
     turning = moving | {angle.symbol for angle in model.angles}
     for it in statements(model.page):
@@ -32,6 +32,7 @@ def check(model: Mechanics) -> None:
 
 
 def _angles(value: Expr, turning: set[Symbol]) -> Iterator[str]:
+    """Cosines and sines of what is no angle."""
     for node in sorted(value.atoms(sp.cos, sp.sin), key=sp.default_sort_key):
         if not node.args[0].free_symbols & turning:
             yield (
@@ -41,7 +42,7 @@ def _angles(value: Expr, turning: set[Symbol]) -> Iterator[str]:
 
 
 def _kinks(value: Expr, moving: set[Symbol]) -> Iterator[str]:
-    # Functions with a kink or a step, of which a sum of smooth forces has none.
+    """Functions with a kink or a step in the state."""
     kinked = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor, sp.ceiling)
     for node in sorted(value.atoms(*kinked), key=sp.default_sort_key):
         if node.free_symbols & moving:
@@ -53,13 +54,13 @@ def _kinks(value: Expr, moving: set[Symbol]) -> Iterator[str]:
 
 
 def _unknown(value: Expr) -> Iterator[str]:
-    """Parts that are neither algebra nor a function that every number type has."""
+    """Functions, exponents and numbers that generated code can't hold."""
     if value.has(sp.I, sp.oo, sp.nan, sp.zoo):
         yield f"is {value}, which is no real number; write one that is"
     for node in sp.preorder_traversal(value):
-        # Largest denominator of an exponent.
+        most_denominator = 1000
         if isinstance(node, sp.Pow) and not (
-            isinstance(node.exp, sp.Rational) and node.exp.q <= 1000
+            isinstance(node.exp, sp.Rational) and node.exp.q <= most_denominator
         ):
             yield (
                 f"holds {node}: an exponent is a fraction of two integers, as in "
@@ -75,8 +76,10 @@ def _unknown(value: Expr) -> Iterator[str]:
 
 
 def _domains(value: Expr, moving: set[Symbol]) -> Iterator[str]:
-    """Roots of what is not negative, and in friction of what is positive, for a step may end behind
-    its border; logarithms of that.
+    """Roots and logarithms whose arguments are not seen to be in their domains.
+
+    A friction law needs positive arguments of roots too: an integration step may end beyond speed
+    0.
     """
     border = {symbol: Symbol(symbol.name, nonnegative=True) for symbol in (DEPTH, SLIP)}
     closed = value.xreplace(border)
@@ -99,8 +102,7 @@ def _domains(value: Expr, moving: set[Symbol]) -> Iterator[str]:
 def _check_contact(model: Mechanics, said: Contact, contact: NormalForce) -> None:
     energy = contact.energy
     if contact.gap is not None and not contact.unilateral:
-        # The penetration is of either sign: what is smooth where it is positive may not be so
-        # beyond.
+        # Here the penetration may be negative, and the law has to be smooth there as well.
         depth = sp.Dummy(real=True)
         law = model.scaled(expression_of(said.law(depth)))
         for fault in itertools.chain(_kinks(law, {depth}), _domains(law, {depth})):

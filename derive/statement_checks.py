@@ -1,8 +1,7 @@
-"""Whether the statements of a page say something: names that code can bear, springs that hold,
-quantities that are used.
+"""Checks of a page's statements one by one: names, contacts, springs, laws, use of quantities.
 
-What is asked of forces and units is in :mod:`derive.physical_checks`. Each error names the line,
-what was expected, and the remedy.
+:mod:`derive.physical_checks` checks units and forces. Each error names the line, what was expected,
+and the remedy.
 """
 
 import keyword
@@ -19,13 +18,12 @@ from .mechanics import DEPTH, SLIP
 from .model import Page, PageError, acceleration_of, expression_of, speed_of
 from .units import Dimension
 
-#: So many letters has a name: MATLAB tells names apart by their first 63, of which generated code
-#: needs some.
+#: Largest length of a name: MATLAB distinguishes 63 letters, of which generated code needs some.
 LONGEST = 40
 
 
 def check(page: Page, docstring: str) -> None:
-    """All of it; a :class:`~derive.model.PageError` names the first line that makes no sense."""
+    """Raise a :class:`~derive.model.PageError` for the first wrong statement of a page."""
     if not docstring.strip():
         raise PageError(
             1,
@@ -101,7 +99,9 @@ def _check_names(page: Page) -> None:
 
 
 def _names(page: Page) -> Iterator[tuple[str, str, int]]:
-    """Every name that code will bear, what it is, and its line."""
+    """Every name in generated code and results: the name, its meaning, the line of its
+    statement.
+    """
     lines = {str(element.ends) for element in page.elements if element.ends is not None}
     for count in range(1, len(lines) + 1):
         for part in "csl":
@@ -109,8 +109,7 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     several = len(page.contacts) > 1
     for contact in page.contacts if several else [None]:
         end, line = ("", 0) if contact is None else (f"_on_{contact.name}", contact.line)
-        # So many exponentials of the sliding speed can a friction law have.
-        for count in range(1, 10):
+        for count in range(1, 10):  # more exponentials of the sliding speed are in no law
             yield f"near{count}{end}", "a switch of the friction law", line
     for contact in page.contacts if several else ():
         for part in ("pushing_", "mu_on_", "side_on_"):
@@ -142,8 +141,11 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
 
 
 def _instead(name: str) -> str:
+    """A similar name that is allowed."""
     tidy = "".join(letter if letter.isalnum() else "_" for letter in name).strip("_")
-    return f"{tidy}_" if keyword.iskeyword(tidy) else tidy if tidy.isidentifier() else f"p_{tidy}"
+    if keyword.iskeyword(tidy):
+        return f"{tidy}_"
+    return tidy if tidy.isidentifier() else f"p_{tidy}"
 
 
 # ------------------------------------------------------------------------------------------------
@@ -151,7 +153,7 @@ def _instead(name: str) -> str:
 
 
 def _check_contacts(page: Page) -> None:
-    """Names that tell several contacts from each other, and one friction at most on each."""
+    """Several contacts have different names, and each has at most one friction."""
     several = len(page.contacts) > 1
     named: dict[str, int] = {}
     for contact in page.contacts if several else ():
@@ -259,7 +261,9 @@ def _check_along(
 
 
 def _is_negative(page: Page, value: Expr) -> bool:
-    """By its form, or at the base values, with 1 for what has none."""
+    """Whether an expression is negative by its form or at the base values, with 1 for quantities
+    that have none.
+    """
     if value.is_nonnegative:
         return False
     bases = {entry.symbol: S.One for entry in page.units}
@@ -274,7 +278,9 @@ def _is_negative(page: Page, value: Expr) -> bool:
 
 
 def _negative_place(page: Page, value: Expr) -> str:
-    """A place of all domains where an expression of parameters is negative, in words."""
+    """Parameters in their domains at which an expression is negative, as text; empty if none are
+    found.
+    """
     measures = {entry.symbol: S.One for entry in page.units}
     domains = {entry.symbol: interval(entry.domain) for entry in page.parameters}
     scaled = value.subs(measures)
@@ -290,7 +296,7 @@ def _negative_place(page: Page, value: Expr) -> str:
 
 
 def _check_clock(page: Page) -> None:
-    """Check of the statements in which the clock may stand."""
+    """The clock occurs only in statements that may hold it."""
     if page.timer is None:
         return
     own = {page.timer.symbol, speed_of(page.timer.symbol)}
@@ -357,7 +363,7 @@ def _check_places(page: Page) -> None:
 
 
 def check_used(page: Page) -> None:
-    """Every parameter stands in a statement."""
+    """Raise a PageError for a parameter that no statement uses."""
     used = {symbol for it in statements(page) for symbol in it.value.free_symbols}
     for datum in (it for it in page.parameters if it.symbol not in used):
         raise PageError(
@@ -368,8 +374,9 @@ def check_used(page: Page) -> None:
 
 @dataclass(frozen=True)
 class PageExpression:
-    """An expression of the page and what it is; times ``per`` it has the ``dimension``, which is
-    any where that is None.
+    """An expression of a page, and what it is called in errors.
+
+    Times ``per`` it has to have the ``dimension``; None allows any.
     """
 
     value: Expr

@@ -1,11 +1,9 @@
-"""Symmetries of a model: its mirror, and turns of angles after which everything is as before.
+"""Symmetries of a model: full turns of angles, reflections, and exchanges of coordinates.
 
-The mirror of a model: coordinates whose reflection in a centre reflects all forces too, where
-certain parameters are 0.
-
-The article's model without friction and without a spring along the belt is one: with x′ = 2 cos θ₀
-− x every spring is mirrored. There equilibria do not meet at folds but at pitchforks, which no
-perturbation of one parameter shows.
+A reflection of some coordinates about a centre may reflect all forces if certain parameters are 0.
+The article's model without friction and without a spring along the belt has one, x → 2 cos θ₀ − x:
+there equilibria meet at pitchforks instead of folds. An exchange maps coordinates or contacts to
+each other, if certain parameters are equal.
 """
 
 import itertools
@@ -20,12 +18,11 @@ from .mechanics import Line, Mechanics, NormalForce, number
 
 
 def whole_turns(model: Mechanics) -> dict[int, dict[int, int]]:
-    """Turns after which all forces, lines and gaps are as before: by the place of an angle that
-    makes one, the turns of each angle that moves, its own among them.
+    """The symmetries by full turns: for the index of an angle, the numbers of turns of all angles
+    that turn with it, itself once.
 
-    Most angles turn alone. Links that are tied to each other turn together: where a spring holds
-    the angle between two of them, both have to. No turn moves the angle of another one, and none
-    moves an angle more than twice.
+    Most angles turn alone. Angles of links that a spring ties together turn together. Up to two
+    turns of other angles are tried, and of those only that have no turn of their own.
     """
     angles = [k for k, entry in enumerate(model.page.coordinates) if entry.unit == "rad"]
     found: dict[int, dict[int, int]] = {k: {k: 1} for k in angles if is_as_before(model, {k: 1})}
@@ -41,8 +38,8 @@ def whole_turns(model: Mechanics) -> dict[int, dict[int, int]]:
 
 
 def is_as_before(model: Mechanics, turns: Mapping[int, int]) -> bool:
-    """Whether all forces, lines and gaps are as before after so many turns of some coordinates, by
-    their places.
+    """Whether forces, lines, inertia and laws are invariant under full turns of coordinates;
+    ``turns`` has their numbers by the index of the coordinate.
     """
     moved = {model.coordinates[k]: model.coordinates[k] + 2 * sp.pi * n for k, n in turns.items()}
     parts = [
@@ -60,36 +57,34 @@ def is_as_before(model: Mechanics, turns: Mapping[int, int]) -> bool:
 
 @dataclass(frozen=True)
 class Reflection:
-    """Turned coordinates with the doubled centre of each, and the sets of parameters of which one
-    has to be 0.
-    """
+    """A reflection q → 2c − q of some coordinates."""
 
-    centres: Mapping[Symbol, Expr]
-    zero: tuple[tuple[str, ...], ...]
+    centres: Mapping[Symbol, Expr]  #: 2c by the reflected coordinate
+    zero: tuple[tuple[str, ...], ...]  #: it is a symmetry if all parameters of one of these are 0
 
     def takes(self, line: Line, other: Line) -> bool:
-        """Whether a line lies after the mirror where the mirrored image of another one does; its
-        own is upright on the mirror.
-        """
+        """Whether the image of a line is the mirror image (−dx, dy) of another one's vector."""
         images = {symbol: self.image(symbol) for symbol in self.centres}
         return bool(self.centres) and _lies(line, images, other, (-1, 1))
 
     def image(self, symbol: Symbol) -> Expr:
-        """Place where a mirror takes a coordinate."""
+        """The image of a coordinate."""
         return self.centres[symbol] - symbol if symbol in self.centres else symbol
 
 
-def _lies(line: Line, images: Mapping[Symbol, Expr], other: Line, ways: Sequence[int]) -> bool:
-    """Whether the image of a line lies where another one does, along the belt and across it in
-    these ways.
-    """
+def _lies(
+    line: Line, images: Mapping[Symbol, Expr], other: Line, line_signs: Sequence[int]
+) -> bool:
+    """Whether the vector of a line's image is that of another one with these signs of dx and dy."""
     dx, dy = (part.subs(images, simultaneous=True) for part in (line.dx, line.dy))
-    return bool(expanded(dx - ways[0] * other.dx) == 0 == expanded(dy - ways[1] * other.dy))
+    return bool(
+        expanded(dx - line_signs[0] * other.dx) == 0 == expanded(dy - line_signs[1] * other.dy)
+    )
 
 
 def mirror(model: Mechanics) -> Reflection:
-    """The mirror that asks for the fewest parameters to be 0; one that turns nothing if there is
-    none.
+    """The reflection that needs the fewest parameters to be 0; one of no coordinates if there is no
+    reflection.
     """
     sizes = range(1, len(model.coordinates) + 1)
     subsets = itertools.chain.from_iterable(
@@ -102,9 +97,7 @@ def mirror(model: Mechanics) -> Reflection:
 
 
 def _about(model: Mechanics, turned: Symbols) -> Iterator[Reflection]:
-    """The mirrors of these coordinates: the first line that they move is upright at the centre, or
-    another one's image there.
-    """
+    """The reflections of given coordinates."""
     for centre in _centres(model, turned):
         centres = {**dict.fromkeys(turned, S.Zero), turned[0]: centre}
         sets = _zero(model, _remainders(model, Reflection(centres, ())))
@@ -113,8 +106,8 @@ def _about(model: Mechanics, turned: Symbols) -> Iterator[Reflection]:
 
 
 def _centres(model: Mechanics, turned: Symbols) -> list[Expr]:
-    """Doubled centres of the first coordinate that put the first line that it moves in the mirrored
-    place of itself or another.
+    """Candidates for twice the centre of the first coordinate: those that map the first line it
+    moves to the mirror image of itself or of another line.
     """
     others = [symbol for symbol in model.coordinates if symbol not in turned]
     moved = []
@@ -131,7 +124,7 @@ def _centres(model: Mechanics, turned: Symbols) -> list[Expr]:
 
 
 def _remainders(model: Mechanics, one: Reflection) -> list[Expr]:
-    """Expressions in parameters that vanish where the forces follow."""
+    """Expressions in parameters that all vanish if the reflection is a symmetry of the forces."""
     images = {symbol: one.image(symbol) for symbol in model.coordinates}
     changes: dict[Expr, Expr] = dict(images)
     for line in model.lines:
@@ -139,12 +132,12 @@ def _remainders(model: Mechanics, one: Reflection) -> list[Expr]:
         if image_of is not None:
             changes |= {line.c: -image_of.c, line.s: image_of.s, line.l: image_of.l}
         else:
-            # A line that is not mirrored has another direction and length.
+            # Nothing is known of the direction and length of this line's image.
             others = sp.symbols(f"{line.c}_image {line.s}_image {line.l}_image", real=True)
             changes |= dict(zip((line.c, line.s, line.l), others, strict=True))
     for torsion in model.torsions:
-        # A mirrored line that is at rest upright is turned the other way; of another nothing is
-        # known.
+        # φ is odd for a line that is mapped to itself and upright at rest; else its image is
+        # unknown.
         odd = one.takes(torsion.line, torsion.line) and torsion.cosine_of_rest == 0
         image = Symbol(f"{torsion.phi}_image", real=True)
         changes[torsion.phi] = -torsion.phi if odd else image
@@ -159,8 +152,8 @@ def _remainders(model: Mechanics, one: Reflection) -> list[Expr]:
 
 
 def _coefficients(model: Mechanics, terms: list[Expr]) -> list[Expr]:
-    """Expressions in parameters and friction coefficients that stand before what moves: all of them
-    vanish where the terms do.
+    """The coefficients of terms, as expressions in parameters: all vanish if the terms vanish for
+    every state.
     """
     moving = {part for term in terms for part in term.free_symbols}
     moving -= {*model.arguments, *model.coefficients}
@@ -173,14 +166,16 @@ def _coefficients(model: Mechanics, terms: list[Expr]) -> list[Expr]:
 
 
 def _zero(model: Mechanics, remainders: list[Expr]) -> tuple[tuple[str, ...], ...]:
-    """The smallest sets of parameters that may be 0 and make all of them vanish."""
+    """The smallest sets of parameters with which all remainders vanish if the parameters are 0.
+
+    Sets of up to four parameters are tried; only parameters whose domain includes 0.
+    """
     used = {part for term in remainders for part in term.free_symbols}
     allowed = [
         symbol
         for symbol in (*map(number, model.parameters), *model.coefficients)
         if not symbol.is_positive and used & set(model.parts(symbol))
     ]
-    # Most parameters that have to be 0.
     for size in range(min(4, len(allowed)) + 1):
         found = [
             tuple(map(str, chosen))
@@ -192,9 +187,10 @@ def _zero(model: Mechanics, remainders: list[Expr]) -> tuple[tuple[str, ...], ..
     return ()
 
 
-def _at_zero(model: Mechanics, chosen: Symbols) -> dict[Symbol, int]:
+def _at_zero(model: Mechanics, zeros: Symbols) -> dict[Symbol, int]:
+    """The values of arguments if parameters are 0: an angle has the cosine 1."""
     values: dict[Symbol, int] = {}
-    for symbol in chosen:
+    for symbol in zeros:
         parts = model.parts(symbol)
         values |= dict.fromkeys(parts, 0) | ({parts[-2]: 1} if len(parts) > 1 else {})
     return values
@@ -206,11 +202,11 @@ def _at_zero(model: Mechanics, chosen: Symbols) -> dict[Symbol, int]:
 
 @dataclass(frozen=True)
 class Exchange:
-    """A mirror that exchanges coordinates with each other, or contacts: coordinate i goes to
-    ``signs[i]`` times that of number ``places[i]``, contact k to that of number ``contacts[k]``.
+    """A symmetry that exchanges coordinates or contacts.
 
-    ``where`` are sets of equations of parameters, each a parameter and a number or another one, of
-    which one set has to hold.
+    Coordinate i is mapped to ``signs[i]`` times coordinate ``places[i]``, contact k to contact
+    ``contacts[k]``. It is a symmetry if the equations of one set in ``where`` hold, each between a
+    parameter and a number or another parameter.
     """
 
     places: tuple[int, ...]
@@ -220,8 +216,8 @@ class Exchange:
 
 
 def exchanges(model: Mechanics) -> tuple[Exchange, ...]:
-    """All of them, by the fewest equations that they ask for; but those that are mirrors of signs
-    alone.
+    """All exchanges, those with the fewest equations first, without reflections of the coordinates
+    to themselves.
     """
     found = [
         Exchange(places, signs, contacts, where)
@@ -231,7 +227,7 @@ def exchanges(model: Mechanics) -> tuple[Exchange, ...]:
         if (places, contacts) != (tuple(range(len(places))), tuple(range(len(contacts))))
         if (where := _equations(model, _exchanged(model, places, signs, contacts)))
     ]
-    # One of each image of the coordinates: that which asks for the fewest equations.
+    # For each map of the coordinates the exchange with the fewest equations.
     least = dict[tuple[tuple[int, ...], tuple[int, ...]], Exchange]()
     for one in sorted(found, key=lambda one: len(one.where[0])):
         least.setdefault((one.places, one.signs), one)
@@ -239,8 +235,9 @@ def exchanges(model: Mechanics) -> tuple[Exchange, ...]:
 
 
 def _involutions(model: Mechanics) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
-    """Places and signs of coordinates that their images' images have again: pairs of one unit, and
-    others alone; a clock stays.
+    """Signed permutations of the coordinates that are their own inverse.
+
+    They exchange coordinates of the same unit, and map a clock to itself.
     """
     units, n = [it.unit for it in model.page.coordinates], len(model.coordinates)
     for places in itertools.permutations(range(n)):
@@ -255,6 +252,7 @@ def _involutions(model: Mechanics) -> Iterator[tuple[tuple[int, ...], tuple[int,
 
 
 def _images(model: Mechanics, places: Sequence[int], signs: Sequence[int]) -> dict[Expr, Expr]:
+    """The images of the coordinates under a signed permutation."""
     moved = model.coordinates
     return {moved[k]: signs[k] * moved[place] for k, place in enumerate(places)}
 
@@ -262,15 +260,15 @@ def _images(model: Mechanics, places: Sequence[int], signs: Sequence[int]) -> di
 def _contact_images(
     model: Mechanics, places: Sequence[int], signs: Sequence[int]
 ) -> Iterator[tuple[int, ...]]:
-    """Numbers of contacts that have the gap of another one's image, and its regimes."""
+    """Permutations of the contacts, their own inverse, that agree with the coordinates' images."""
     images, contacts = _images(model, places, signs), model.contacts
-    along = {it.name: it.along for it in model.frictions if it.along is not None}
+    displacement_of = {it.name: it.along for it in model.frictions if it.along is not None}
 
     def fits(one: NormalForce, other: NormalForce) -> bool:
-        # What friction opposes at a contact goes to that at its image, or to its negative.
-        rubs, there = (sp.sympify(along.get(it.name, 0)) for it in (one, other))
-        there_from = rubs.subs(images, simultaneous=True)
-        if all(expanded(there_from - way * there) != 0 for way in (1, -1)):
+        # The displacement at a contact is mapped to that at its image, or to its negative.
+        along, along_image = (sp.sympify(displacement_of.get(it.name, 0)) for it in (one, other))
+        mapped = along.subs(images, simultaneous=True)
+        if all(expanded(mapped - sign * along_image) != 0 for sign in (1, -1)):
             return False
         if (one.gap is None) != (other.gap is None) or one.unilateral != other.unilateral:
             return False
@@ -287,7 +285,7 @@ def _contact_images(
 def _exchanged(
     model: Mechanics, places: Sequence[int], signs: Sequence[int], contacts: Sequence[int]
 ) -> list[Expr]:
-    """Expressions that vanish where all forces follow; 1 where something is known not to."""
+    """Expressions that all vanish if the exchange is a symmetry of the forces; 1 if it is none."""
     images = _images(model, places, signs)
     changes = dict(images)
     for line in model.lines:
@@ -302,8 +300,12 @@ def _exchanged(
         )
         if same is None:
             return [S.One]
-        there, across, up = same
-        changes |= {line.c: across * there.c, line.s: up * there.s, line.l: there.l}
+        line_image, sign_x, sign_y = same
+        changes |= {
+            line.c: sign_x * line_image.c,
+            line.s: sign_y * line_image.s,
+            line.l: line_image.l,
+        }
     if model.torsions:
         return [S.One]
     terms = list[Expr]()
@@ -314,11 +316,11 @@ def _exchanged(
         if (k in by_contact) != (other in by_contact):
             return [S.One]
         if k in by_contact:
-            rubs, rubbed = by_contact[k], by_contact[other]
-            changes[rubs.mu] = rubbed.mu
+            friction, friction_image = by_contact[k], by_contact[other]
+            changes[friction.mu] = friction_image.mu
             for name in ("ahead", "behind", "belt", "at_rest", "holds"):
-                pair = [getattr(friction, name) for friction in (rubs, rubbed)]
-                terms.append(sp.sympify(pair[0] or 0) - sp.sympify(pair[1] or 0))
+                value, image_value = getattr(friction, name), getattr(friction_image, name)
+                terms.append(sp.sympify(value or 0) - sp.sympify(image_value or 0))
     for k, row in enumerate(model.residuals):
         moved_row = row.subs(changes, simultaneous=True)
         terms.append(moved_row - signs[k] * model.residuals[places[k]])
@@ -328,11 +330,10 @@ def _exchanged(
 def _equations(
     model: Mechanics, terms: list[Expr]
 ) -> tuple[tuple[tuple[str, str | float], ...], ...]:
-    """The smallest sets of equations of parameters that make all of them vanish."""
-    # Most equations that have to hold.
-    most = 4
+    """The smallest sets of equations between parameters with which all terms vanish."""
+    most_equations = 4
     open_: list[tuple[tuple[tuple[Symbol, Expr], ...], list[Expr]]] = [((), terms)]
-    for _ in range(most + 1):
+    for _ in range(most_equations + 1):
         done = {frozenset(said) for said, left in open_ if not left}
         if done:
             sets = sorted((sorted(map(_plain, said), key=str) for said in done), key=str)
@@ -346,16 +347,19 @@ def _equations(
 
 
 def _plain(equation: tuple[Symbol, Expr]) -> tuple[str, str | float]:
+    """An equation as data."""
     symbol, value = equation
     return str(symbol), float(value) if value.is_number else str(value)
 
 
 def _solutions(model: Mechanics, term: Expr) -> Iterator[tuple[Symbol, Expr]]:
-    """Parameters that are 0, a number or another one where a factor of the term vanishes."""
+    """Equations with which a factor of a term vanishes: a parameter and its value, which is 0, a
+    positive number or another parameter.
+    """
     numbers = {number(datum) for datum in model.parameters}
     factors = sp.factor_list(term)[1] if term.is_polynomial(*term.free_symbols) else ()
     for factor, _ in factors:
-        # A friction coefficient is 0 or not: it follows from parameters.
+        # A friction coefficient follows from parameters, so that it can be equal to numbers only.
         for symbol in sorted(factor.free_symbols & {*numbers, *model.coefficients}, key=str):
             value = expanded(symbol - factor / factor.diff(symbol))
             if (value in numbers and symbol in numbers) or (

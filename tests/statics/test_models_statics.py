@@ -13,6 +13,7 @@ from spragsym.bifurcation.defining_systems import Family, cusp
 from spragsym.statics.balance import Balance
 from tests.oracles import by_hand, families
 from tests.oracles.forces_by_hand import DRAWN
+from tests.oracles.user_pages import model_of, shipped_page
 from tests.support import few
 
 STATES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
@@ -355,3 +356,14 @@ def test_a_value_on_a_fold_is_the_fold_not_passed_yet(mu0, start, beside):
     fold = ss.folds(ss.Parameters.article(theta0=1.0, **changes), vary="theta0").theta0[0]
     jumps = same_path("theta0", [fold + off for off in beside], start, **changes).jumps
     assert mu0 or not jumps
+
+
+def test_masses_that_parameters_make_negative_are_refused():
+    """Of (2 − mu_s) x'²/2: a mass of 0 at mu_s = 2."""
+    pytest.importorskip("sympy")
+    energy = ("m * page.rate(x) ** 2 / 2", "m * (2 - mu_s) * page.rate(x) ** 2 / 2")
+    p = model_of(shipped_page("stick_slip", energy), "light").Parameters(mu_s=1.9)
+    assert ss.equilibria(p).count == 1
+    for friction in (2.0, 3.0, [0.1, 3.0]):
+        with pytest.raises(ss.errors.ParameterError, match=r"kinetic energy .* at mu_s = [23],"):
+            ss.equilibria(p.replace(mu_s=friction))

@@ -14,8 +14,9 @@ the third power of that distance on one curve, and grows otherwise.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -58,6 +59,9 @@ from .defining_systems import (
 from .folds import cusps, folds
 from .options import ContinuationOptions
 from .points import Found, isolated, listed, search, which
+
+#: Mask of pairs of states, (n + 2, N) each, that may be neighbours on a curve.
+Alike: TypeAlias = Callable[[FloatArray, FloatArray], BoolArray]
 
 #: A point is on a line if it is nearer than this, over the range of the parameter.
 ON_LINE = 1e-9
@@ -296,11 +300,12 @@ def on_lines(
     more: FloatArray,
     apart: Iterable[float] = (),
     options: ContinuationOptions | None = None,
+    alike: Alike | None = None,
 ) -> OnLines:
     """All points of a condition on ``n`` lines of either parameter, joined to curves.
 
     ``more`` are further points of the curves. There will be a line of the first parameter between
-    any two values of the second in ``apart``.
+    any two values of the second in ``apart``. Only neighbours that are ``alike`` are joined.
     """
     rows, left, lines, decided, whole, error = [], [], {}, {}, True, 0.0
     balance, vary, spans = family.balance, family.vary, family.spans
@@ -334,10 +339,12 @@ def on_lines(
         Augmented(family, condition),
         _scales(states, spans, error),
         options or ContinuationOptions(),
+        alike,
     )
     over_lines = [lines[name] for name in vary], [decided[k] for k in (0, 1)]
     with doing("curves through {} points", states.shape[1]):
         pairs = _pairs(states[balance.n :], *over_lines, spans)
+        pairs = pairs[:, curves.are_alike(*(states[:, ends] for ends in pairs))]
         # From line to line distances in the parameters count most: coordinates get one scale, that
         # of the largest change.
         largest = np.append(np.full(balance.n, curves.scale[: balance.n].max()), curves.scale[-2:])
@@ -501,6 +508,12 @@ class FoldCurves:
     system: Augmented
     scale: FloatArray
     options: ContinuationOptions
+    #: Whether pairs of points may be neighbours: where curves cross, more tells them apart.
+    alike: Alike | None = None
+
+    def are_alike(self, one: FloatArray, two: FloatArray) -> BoolArray:
+        """Mask of pairs of points that may be neighbours."""
+        return self.alike(one, two) if self.alike else np.ones(one.shape[1], dtype=bool)
 
     @property
     def spans(self) -> FloatArray:
@@ -541,6 +554,9 @@ class FoldCurves:
             found = self._projected(middle * self.scale[:, None], chord / length)
             off = np.linalg.norm(found / self.scale[:, None] - middle, axis=0) / length
         off = np.where(length > 0, np.nan_to_num(off, nan=np.inf), 0.0)
+        strays = ~(self.are_alike(one, found) & self.are_alike(found, two))  # onto another curve
+        found, off = np.where(strays, np.nan, found), np.where(strays, 0.0, off)
+        off = np.where(self.are_alike(one, two), off, np.inf)
         centre = 0.5 * (one + two) / self.scale[:, None]
         bent = np.linalg.norm((middle - centre)[-2:], axis=0) > self.options.smoothness
         return found, off, bent & (length > 0)
@@ -651,6 +667,7 @@ class FoldCurves:
         length = norm(chord[:, 0])
         share = (away * chord).sum(axis=0) / length**2
         lie = (1e-9 < share) & (share <= 1 + 1e-6)
+        lie[lie] = self.are_alike(np.repeat(one, lie.sum(), axis=1), points[:, lie])
         lie[lie] = np.linalg.norm(away[:, lie] - share[lie] * chord, axis=0) <= 0.5 * length
         if lie.any():
             off = self._cubic(one, two, share[lie])[0] - points[:, lie] / self.scale[:, None]

@@ -218,8 +218,9 @@ class _Plane(Family):
             if sought.condition is NO_SLOPE:
                 said, whole = (*said, *self.of_slope()), False
                 continue
-            found = on_lines(self, sought.condition, n, own_ends, options=options)
             generic = sought.kind != "flutter" and sought.frequencies is not every
+            alike = self.alike if generic else None
+            found = on_lines(self, sought.condition, n, own_ends, options=options, alike=alike)
             for chain in found.chains:
                 at_end = _at_ends(found.curves, chain, own_ends).tolist()
                 linearizations = matrices(self, chain, damping=sought.kind == "hopf")
@@ -303,6 +304,13 @@ class _Plane(Family):
         """All λ, shape (N, 2 n)."""
         return stability.roots(*matrices(self, states))
 
+    def alike(self, one: FloatArray, two: FloatArray) -> BoolArray:
+        """Mask of pairs of Hopf points whose imaginary λ are the nearest to each other of all. Near
+        double Hopf points two curves are close together, but in their frequencies.
+        """
+        first, second = self.roots(one), self.roots(two)
+        return _nearest_is_imaginary(first, second) & _nearest_is_imaginary(second, first)
+
     def hardly_damped(self, states: FloatArray, share: float) -> BoolArray:
         """Mask of points where C is at most this share of K."""
         (_, C, K), (_, G, _) = (matrices(self, states, damping) for damping in (True, False))
@@ -383,6 +391,20 @@ class _Plane(Family):
                 break
             same = between == kinds[rows]
             one[:, rows[same]], two[:, rows[~same]] = found[:, same], found[:, ~same]
+
+
+def _nearest_is_imaginary(roots: ComplexArray, others: ComplexArray) -> BoolArray:
+    """For each row whether the nearest of ``others`` to the imaginary one of the roots is
+    imaginary.
+    """
+    ours, theirs = (
+        each[
+            np.arange(len(each)), np.where(each.imag < 0, np.inf, np.abs(each.real)).argmin(axis=1)
+        ]
+        for each in (roots, others)
+    )
+    nearest: FloatArray = np.abs(others - ours[:, None]).min(axis=1)
+    return nearest == np.abs(theirs - ours)
 
 
 def _of_points(systems: OnsetSystems) -> Iterator[tuple[str, Condition, int]]:

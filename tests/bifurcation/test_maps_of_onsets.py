@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import spragsym as ss
 from tests.bifurcation.test_tails_of_laws import CHANGES
@@ -78,3 +79,75 @@ def test_the_peak_at_equal_damping_is_there(n: int) -> None:
     undamped = 0.25 + (1.55 - 1.25) ** 2 / (4 * 0.25)
     assert curve.mu0.max() == pytest.approx(undamped, abs=1e-4)
     assert curve.c_y[curve.mu0.argmax()] == pytest.approx(0.002, rel=0.05)
+
+
+#: Two modes of a string, of which friction that falls drives each alone or both.
+BOW = '''"""A string of two modes under a bow."""
+from spragsym.derive.model import Page
+
+page = Page("A string of two modes under a bow.")
+m = page.unit("m", "kg", "modal mass")
+k = page.unit("k", "N/m", "stiffness of the first mode")
+N = page.unit("N", "N", "force of the bow")
+s = page.parameter("s", "1", "the first mode at the bow", ">= 0", 0.6)
+V = page.parameter("V", "m/s", "speed of the bow", ">= 0", 0.3)
+a = page.coordinate("a", "m", "first mode")
+b = page.coordinate("b", "m", "second mode")
+page.kinetic(m * (page.rate(a) ** 2 + page.rate(b) ** 2) / 2)
+page.spring(k, along=a)
+page.spring(4.3 * k, along=b)
+page.damper(0.1 * (k * m) ** 0.5, along=a)
+page.damper(0.2 * (k * m) ** 0.5, along=b)
+page.normal_force(N)
+w = N / (k * m) ** 0.5 / 10
+page.friction(s * a + 0.9 * b, V, lambda v: v * w / (w**2 + v**2))
+'''
+
+
+def _first_mode(s: float) -> tuple[float, float, float]:
+    """The speed of the first mode's lower onset, its ω and l₁, by SciPy and Kuznetsov's formula."""
+    shape, damping = np.array([s, 0.9]), np.diag([0.1, 0.2])
+
+    def matrix(V: float) -> Any:
+        slope = 0.1 * (0.01 - V**2) / (0.01 + V**2) ** 2
+        rows = [-np.diag([1.0, 4.3]), -damping - slope * np.outer(shape, shape)]
+        return np.block([[np.zeros((2, 2)), np.eye(2)], rows])
+
+    def pair(A: Any) -> int:
+        values = np.linalg.eigvals(A)
+        return int(np.argmin(np.abs(values - 1j)))
+
+    V = brentq(lambda V: np.linalg.eigvals(A := matrix(V))[pair(A)].real, 0.1, 0.12, xtol=1e-15)
+    A, z = matrix(V), 10 * V  # the law is z/(1 + z²)
+    second = 100 * 2 * z * (z**2 - 3) / (1 + z**2) ** 3
+    third = -1000 * 6 * (z**4 - 6 * z**2 + 1) / (1 + z**2) ** 4
+    values, vectors = np.linalg.eig(A)
+    q = vectors[:, pair(A)]
+    values_left, left = np.linalg.eig(A.T)
+    p = left[:, np.argmin(np.abs(values_left + 1j))]
+    p, omega = p / np.conj(p.conj() @ q), values[pair(A)].imag
+    push, bar = np.array([0.0, 0.0, *shape]), q.conj()
+
+    def B(u: Any, v: Any) -> Any:
+        return push * second * (shape @ u[2:]) * (shape @ v[2:])
+
+    slow, fast = np.linalg.solve(A, B(q, bar)), 2j * omega * np.eye(4) - A
+    cubic = -push * third * (shape @ q[2:]) ** 2 * (shape @ bar[2:])
+    l1 = p.conj() @ (cubic - 2 * B(q, slow) + B(bar, np.linalg.solve(fast, B(q, q))))
+    return V, omega, l1.real / (2 * omega)
+
+
+@pytest.mark.thorough
+def test_curves_that_cross_at_a_double_hopf_point_keep_their_frequencies() -> None:
+    """Both lie within a thousandth of the speed there; l₁ changes its sign along the first alone."""
+    p = model_of(BOW, "bow").Parameters()
+    found = ss.onset_curves(p, ("s", "V"), 6, between={"s": (0.5, 0.75), "V": (0.05, 0.4)})
+    assert found.complete
+    assert found.points.kind.tolist() == ["HH"]
+    first, second = sorted(found.curves, key=lambda curve: curve.omega.max())
+    assert first.omega.max() < 1.1 < 2.0 < second.omega.min()
+    for s, V, omega, l1 in zip(first.s, first.V, first.omega, first.lyapunov, strict=True):
+        assert (V, omega, l1) == pytest.approx(_first_mode(s), rel=1e-7)
+    assert found.changes["s"] == pytest.approx(
+        [brentq(lambda s: _first_mode(s)[2], 0.6, 0.7)], abs=1e-8
+    )

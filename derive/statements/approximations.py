@@ -12,6 +12,7 @@ from sympy import Dummy, Expr, S, Symbol
 from .comparison import Comparison, Component
 from .reading import Item
 from .samples import numeric
+from .tree import Unread
 
 
 @dataclass(frozen=True)
@@ -52,21 +53,29 @@ class LimitCase:
         return [_finite(sp.Add(*terms))]
 
 
-def limit_of(item: Item) -> LimitCase | None:
-    """The limit that a statement names, as ``d*V -> oo`` (a product: each factor alone),
-    ``c_x, c_y -> 0``, ``linear in x, y`` or ``cubic in x``; None if it can't be read.
+def limit_of(item: Item) -> LimitCase:
+    """The limit of a statement, as ``d*V -> oo``, ``c_x, c_y -> 0``, ``linear in x, y`` or
+    ``cubic in x``.
+
+    Raises
+    ------
+    Unread
+        Where what stands there is none, or is of a name that the page has not.
     """
-    word, to_order, small = item.statement.limit.partition(" in ")
+    text, names = item.statement.limit, item.derivation.names
+    word, to_order, small = text.partition(" in ")
     order = {"linear": 1, "quadratic": 2, "cubic": 3}.get(word, 0) if to_order else 0
-    what, arrow, end = (small if order else item.statement.limit).partition("->")
+    what, arrow, end = (small if order else text).partition("->")
     end, together = end.strip() or "0", "*" not in what
-    names = item.derivation.names
-    symbols = [names.get(it.strip(), sp.nan) for it in what.split("," if together else "*")]
-    if not all(it.is_Symbol for it in symbols) or bool(order) is bool(arrow):
-        return None
-    if end not in ("oo", "0") or (together and end == "oo" and len(symbols) > 1):
-        return None
-    return LimitCase(tuple(symbols), sp.sympify(end), together, order)
+    listed = [it.strip() for it in what.split("," if together else "*")]
+    is_known = end in ("oo", "0") and not (together and end == "oo" and len(listed) > 1)
+    if not is_known or bool(order) is bool(arrow):
+        said = "'d*V -> oo', 'c_x, c_y -> 0', 'linear in x, y', 'quadratic in x' or 'cubic in x'"
+        raise Unread(f"limit = {text!r} is none; write as {said}, of names of the page")
+    if unknown := [it for it in listed if not getattr(names.get(it), "is_Symbol", False)]:
+        said = f"{', '.join(unknown)} is no name of the page; known are {', '.join(sorted(names))}"
+        raise Unread(f"limit = {text!r}: {said}")
+    return LimitCase(tuple(names[it] for it in listed), sp.sympify(end), together, order)
 
 
 def is_approximation(comparison: Comparison, part: Component, limit: LimitCase) -> bool:

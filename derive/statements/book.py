@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, S
 
 from ..pages import PageModel
 from .derivatives import Slope, expressions, of_value
@@ -25,7 +25,7 @@ from .papers import Paper, Statement
 from .repair import Values, evaluated, stem
 from .samples import numeric
 from .tree import Argument, Equation, Node, Unread, Vocabulary
-from .tree import minus, printed, read_sympy, symbols, to_sympy
+from .tree import printed, read_sympy, symbols, to_sympy, undone
 
 
 @dataclass(frozen=True)
@@ -115,6 +115,12 @@ def bind(statement: Statement, book: Book) -> None:
     if not equal or statement.word in ("definition", "scale", "other", "notation"):
         return
     derivation = book.forms[statement.form or "units"]
+    if statement.word == "friction" and statement.is_latex:
+        with suppress(Unread, NoObject):
+            head = re.split(r"\\left\(|\(", left)[0]
+            (name,) = derived(derivation, statement.about).names
+            if equations_of(f"{head} = 0", statement, derivation, book)[0].left.value == name:
+                print_name(name, left, statement, derivation, book)
     known = derivation.names.keys() | book.renamed.keys()
     if left.strip() in book.renamed:
         return
@@ -123,7 +129,7 @@ def bind(statement: Statement, book: Book) -> None:
         subject = derived(derivation, statement.about)
     except (Unread, NoObject, ArithmeticError, ValueError):
         return
-    named = by_name(equation).left
+    named = by_name(equation, known - subject.names).left
     name = named.value
     if named.kind == "symbol" and subject.is_value and name not in known:
         book.bound[name] = statement
@@ -138,15 +144,15 @@ def bind(statement: Statement, book: Book) -> None:
             book.letters[entry] = f"{whole}_{{{entry.rpartition('_')[2]}}}"
 
 
-def by_name(equation: Equation) -> Equation:
-    """An equation for a multiple of a name, as 2 T = m v², solved for the name."""
+def by_name(equation: Equation, known: Container[str]) -> Equation:
+    """An equation solved for the one new name on its left, as 2 T = m v² and ω² = k/m."""
     left, right = equation.left, equation.right
-    if left.kind == "neg" and left.args[0].kind == "symbol":
-        return replace(equation, left=left.args[0], right=minus(right))
-    if left.kind == "mul" and [it.kind for it in left.args] == ["number", "symbol"]:
-        value = Node("div", (right, left.args[0]), at=right.at)
-        return replace(equation, left=left.args[1], right=value)
-    return equation
+    while left.kind != "symbol":
+        sides = undone(left, right, lambda it: any(name not in known for name in symbols(it)))
+        if sides is None:
+            return equation
+        left, right = sides
+    return replace(equation, left=left, right=right)
 
 
 def print_name(
@@ -196,17 +202,31 @@ def _vocabulary(
     shapes = {name: held.shape for name, held in objects if held.shape is not None}
     values = _expressions(derivation, book)
     given = book.defined.keys() | book.shapes.keys() | book.bound.keys() | values.keys()
-    has_roots = statement.word == "characteristic"
+    has_roots, gives_names = statement.word == "characteristic", statement.word == "definition"
+    is_steady = False
+    with suppress(NoObject, ArithmeticError):
+        subject = derived(derivation, statement.about)
+        gives_names, is_steady = gives_names or subject.is_value, subject.steady
     names = {*derivation.names, *given, *(["frequency"] if has_roots else [])}
     names -= {str(TIME)} if statement.word != "scale" else set()
+    renamed = dict(book.renamed)
+    if is_steady:  # nothing moves, and a speed is that of the belt
+        at_rest = ((text, re.sub(r"\w+'+", "0", page)) for text, page in renamed.items())
+        renamed |= {text: page for text, page in at_rest if page != "0"}
+    if (
+        derivation.model.clock is not None and statement.word != "scale"
+    ):  # the time, as in the phase ω t
+        phase = f"{derivation.model.clock}/({derivation.spelled(derivation.model.speed)})"
+        renamed = dict.fromkeys(("t", "tau")[: 1 + derivation.scaled], phase) | renamed
     return Vocabulary(
         frozenset(names),
         tuple(map(str, derivation.model.coordinates)),
-        book.renamed,
+        renamed,
         shapes | book.shapes,
         frozenset(map(str, (*derivation.normals, *derivation.coefficients))),
         frozenset(name for name, value in values.items() if _is_fixed(value, derivation)),
         has_roots,
+        gives_names,
         _arguments(statement, derivation, book, values),
         partial(_slope, derivation, book),
     )
@@ -227,8 +247,11 @@ def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
     Unread
         If there is no such derivative, or it has several readings.
     """
-    slope = Slope(of, by)
-    if not by and slope.law({*map(str, derivation.coefficients)}) is None:
+    slope, units = Slope(of, by), book.forms["units"]
+    speeds = dict(zip(map(str, derivation.coefficients), units.speeds, strict=False))
+    if (law := slope.law(speeds)) is not None:
+        slope = replace(slope, scale=_scale(law, speeds[law], units, book))
+    elif not by:
         argument = book.arguments.get(function_behind(of, book.arguments) or "")
         if argument is None or argument.kind != "symbol":
             raise Unread(f"the derivative of {of}, which is printed as no function; say by what")
@@ -241,7 +264,7 @@ def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
     rows = [[*map(str, row)] for row in (derivation.model.coordinates, derivation.model.rates)]
     added, letters = dict[str, Slope](), derivation.letters
     for other in next((row for row in rows if slope.by in row), [slope.by]):
-        other_slope = Slope(of, other)
+        other_slope = replace(slope, by=other)
         added[other_slope.name] = other_slope
         letter, by_letter = (
             book.letters.get(name, letters.get(name, name)) for name in (of, other)
@@ -271,6 +294,18 @@ def in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tupl
         yield from ((name, pending.pop(name)) for name in ready)
 
 
+def _scale(symbol: str, speed: Expr, derivation: Derivation, book: Book) -> Expr:
+    """The sliding speed over the argument with which a friction law is printed, as R of μ(φ′); 1
+    where that is no length.
+    """
+    argument = book.arguments.get(symbol)
+    if argument is None or not symbols(argument) <= derivation.names.keys():
+        return S.One
+    ratio = sp.cancel(speed / to_sympy(argument, derivation.names))
+    is_length = _is_fixed(ratio, derivation) and ratio.is_nonnegative
+    return ratio if is_length else S.One
+
+
 def _arguments(
     statement: Statement, derivation: Derivation, book: Book, names: Mapping[str, Expr]
 ) -> dict[str, Callable[[Node], Argument | None]]:
@@ -294,13 +329,16 @@ def _arguments(
                     return Argument(sign, at_rest and is_moving)
         return None
 
-    found: dict[str, Callable[[Node], Argument | None]] = {}
+    found: dict[str, Callable[[Node], Argument | None]] = {
+        name: partial(as_printed, one) for name, one in book.arguments.items()
+    }
     for symbol, speed, friction in zip(
         derivation.coefficients, derivation.speeds, derivation.model.frictions, strict=False
     ):
         is_odd = sp.expand(friction.ahead + friction.behind) == 0
-        found[str(symbol)] = partial(as_speed, speed, is_odd)
-    return found | {name: partial(as_printed, one) for name, one in book.arguments.items()}
+        scale = _scale(str(symbol), speed, derivation, book)
+        found[str(symbol)] = partial(as_speed, speed / scale, is_odd)
+    return found
 
 
 def _expressions(
@@ -335,7 +373,7 @@ def _meant(name: str, subject: Object, derivation: Derivation, book: Book) -> Ex
         if subject.readings and statement.text:
             with suppress(Unread, NoObject, KeyError):
                 *_, equation = equations_of(statement.judged, statement, derivation, book)
-                equation = by_name(equation)
+                equation = by_name(equation, derivation.names.keys() - subject.names)
                 # Only symbols are compared: the print's coordinates may have other signs.
                 own = to_sympy(equation.right, _expressions(derivation, book)).free_symbols
                 book.meant[key] = min(
@@ -369,6 +407,11 @@ def named(
     The values of the former at the samples are added to ``values``.
     """
     objects = book.values(derivation)
+    if subject.steady and subject.law == "covector":  # a state that has a name is looked for
+        states = (
+            (name, one.index) for name, one in book.objects(derivation) if one.law == "vector"
+        )
+        objects |= {name: derivation.model.coordinates[index[0]] for name, index in states}
     whole = expressions(
         {**derivation.names, **objects},
         book.defined,

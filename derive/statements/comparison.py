@@ -156,6 +156,11 @@ class Comparison:
             meanings, sampled = {entry: "", -entry: ""}, {entry: target, -entry: -target}
             print_values = evaluated(tree, self.values)
             is_entry = any(same(print_values, it) for it in sampled.values())
+            symbol = item.derivation.names.get(equation.left.value, S.Zero)
+            if factors and not is_entry and subject.factor == "monomial" and symbol.is_Symbol:
+                slope = sp.expand(sp.diff(entry, symbol))
+                if slope != 0 and not slope.has(symbol):  # solved for it
+                    meanings[entry / slope] = ""
             if factors and not is_entry and subject.factor in ("parameters", "monomial"):
                 meanings |= dict.fromkeys(self._multiples(tree, entry), "")
                 for divisor, rest in self._quotients(entry):

@@ -66,9 +66,12 @@ def _vanishes(expression: Expr) -> bool:
 def _by_signs(expression: Expr) -> Iterator[Expr]:
     """An expression in each combination of signs of its absolute values, signs and conditions.
 
-    Hyperbolic functions are written in exponentials, and these in exponentials of single terms.
+    Hyperbolic functions are written in exponentials, and these in exponentials of single terms;
+    logarithms are of single factors.
     """
-    plain = expression.rewrite((sp.sinh, sp.cosh, sp.tanh), sp.exp)
+    still = {it: Dummy(positive=True) for it in expression.free_symbols if it.is_nonnegative}
+    plain = expression.xreplace(still).rewrite((sp.sinh, sp.cosh, sp.tanh), sp.exp)
+    plain = plain.replace(sp.log, lambda power: sp.expand_log(sp.log(sp.factor(power))))
     plain = plain.replace(sp.Abs, lambda size: size * _sign(size)).replace(sp.sign, _sign)
     conditions = (it for it in plain.atoms(Relational) if not it.has(sp.sign))
     plain = plain.xreplace({it: it.func(_sign(it.lhs - it.rhs), 0) for it in conditions})

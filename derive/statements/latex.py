@@ -20,7 +20,7 @@ from .lexer import Cursor, Token, Tokens, nested, split, texts
 from .matrices import Matrix, Value, determinant, each, identity, inverse, named, negative, node_of
 from .matrices import of_blocks, paired, product, quotient, shape_of, total
 from .names import Name, Names, moved
-from .roots import without_signs
+from .roots import IMAGINARY, without_signs
 from .tree import ONE, ZERO, Argument, Equation, Node, Unread, Vocabulary, leaf, printed
 from .tree import read_sympy, renamed, symbols
 
@@ -162,6 +162,7 @@ class _LatexReader:
         self.names = Names(vocabulary)
         self.matrices, self.arguments = vocabulary.matrices, vocabulary.arguments
         self.size, self.has_roots = len(vocabulary.coordinates), vocabulary.has_roots
+        self.gives_names = vocabulary.gives_names
         for text, page in vocabulary.renamed.items():
             name, power = self.name(here := Cursor(nested(text)))
             if name is None or here.item is not None or (power and name.sup):
@@ -203,7 +204,10 @@ class _LatexReader:
             if it.text in _RELATIONS and it.text not in _EQUAL:
                 raise Unread(f"{it.text} makes this no equation", it.at[0])
         sides = split(items, *_EQUAL)
-        values = [self.side(side, items[0].at[0], len(sides) > 1) for side in sides]
+        values: list[Value] = []
+        for side in sides:
+            self.names.is_open = self.gives_names and len(sides) > 1 and not values
+            values.append(self.side(side, items[0].at[0], len(sides) > 1))
         if len(values) == 1:
             values.append(ZERO)
         found: list[Equation] = []
@@ -219,12 +223,6 @@ class _LatexReader:
         """
         if not items:
             raise Unread("a side of the equation is empty", place)
-        multiple = self.only_name(items[1:]) if named and items[0].text.isdigit() else None
-        if multiple is not None:
-            at = _span(items[1:])
-            node = self.names.known(multiple, at) or leaf(multiple.spelled, at)
-            factor = Node("number", value=items[0].text, at=items[0].at)
-            return _over(product([factor, node]), items)
         here = Cursor(items)
         name, power = self.name(here)
         if name not in (None, Name("diag"), Name(r"\mathbf 0")) and named and power is None:
@@ -397,6 +395,8 @@ class _LatexReader:
             return Factor(replace(ZERO, at=at))
         if name == Name(r"\mathbf I") and known is None and power is None:
             return Factor(identity(self.size))
+        if known is None and self.has_roots and name.spelled in ("i", "j", "imath", "jmath"):
+            return Factor(leaf(IMAGINARY, at))
         node = self.names.of(name, at)
         if not isinstance(matrix := self.matrix(node), Node):
             return Factor(self.matrix_power(matrix, power or (), at[0]))
@@ -686,6 +686,8 @@ class _LatexReader:
         if argument.kind == "pow" and not is_group:
             readings = (f"{name}({printed(argument)})", f"{name}({printed(argument.args[0])})**…")
             raise Unread(f"the exponent is of {name} or of its argument", start, readings)
+        if self.is_times(texts(here.items[here.place :][:1])):  # the phase, as in cos Ω t
+            return node_of(product([argument, self.factor(here).value])), "argument"
         if not _numeric(argument):
             return argument, "argument"
         if here.item is None:
@@ -696,7 +698,10 @@ class _LatexReader:
         more = node_of(self.factor(here).value)
         if more.kind == "pow":
             raise Unread(f"the exponent is of {name} or of its argument", start)
-        return node_of(product([argument, more])), "argument"
+        factors: list[Value] = [argument, more]
+        if self.is_times(texts(here.items[here.place :][:1])):
+            factors.append(self.factor(here).value)
+        return node_of(product(factors)), "argument"
 
     def derivative(self, here: Cursor) -> Factor | None:
         """A derivative printed with differentials, dx/dt, d/dt x or ∂V/∂x; else None, and nothing
@@ -820,7 +825,7 @@ class _LatexReader:
             r"\\(?:var)?(?:alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi"
             r"|pi|rho|sigma|tau|upsilon|phi|chi|psi|omega"
             r"|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega)"
-            r"|\\ell|[A-Za-z]"
+            r"|\\ell|\\[ij]math|[A-Za-z]"
         )
         if it.items is not None:
             name = self.only_name(it.items) if it.text == "{" else None

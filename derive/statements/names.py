@@ -62,7 +62,9 @@ class Names:
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.symbols, self.laws = vocabulary.symbols, vocabulary.laws
         self.fixed, self.derivative = vocabulary.fixed, vocabulary.derivative
-        self.functions_of_one = vocabulary.arguments.keys()
+        self.functions_of_one, self.has_roots = vocabulary.arguments.keys(), vocabulary.has_roots
+        #: whether a name that is not known is a new one, to which a value is given
+        self.is_open = False
         self.next: dict[str, str] = {}
         for coordinate in vocabulary.coordinates:
             self.next[coordinate] = f"v{coordinate}"
@@ -97,6 +99,8 @@ class Names:
             If the page has no such name, or two.
         """
         found = self.known(name, at)
+        if found is None and self.is_open:
+            return leaf(name.spelled, at)
         if found is None:
             remedy = f"say what it is under [symbols]{name.remedy}"
             raise Unread(f"{name} is no name of the page; {remedy}", at[0])
@@ -116,6 +120,9 @@ class Names:
             is_sub = name.sub == "o"
             zero = replace(name, sub="0") if is_sub else replace(name, sup="0")
             found = [it for it in _spellings(zero) if it in self.symbols]
+        if not found and self.has_roots and re.fullmatch(r"\d([,/]\d)+", name.sub):
+            root = self.known(replace(name, sub=""), at)  # as λ_{1,2}
+            return root if root is not None and root.value in ("lam", "frequency") else None
         if len(found) > 1:
             raise Unread(f"{name.spelled} is two names of the page", at[0], (found[0], found[1]))
         if found:

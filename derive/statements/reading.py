@@ -18,7 +18,7 @@ from .objects import Derivation, NoObject, Object, derived
 from .papers import Paper, Statement
 from .repair import Values, evaluated, same
 from .samples import numeric
-from .tree import Equation, Node, Unread, leaf, printed, symbols, to_sympy
+from .tree import Equation, Node, Unread, printed, symbols, to_sympy
 
 
 @dataclass(frozen=True)
@@ -103,45 +103,50 @@ def read_statement(statement: Statement, book: Book) -> Item | Verdict:
 
 def _new_names(
     equations: list[Equation], derivation: Derivation, book: Book
-) -> tuple[dict[str, Node], list[Equation]]:
-    """The trees that new names on the left stand for, and the remaining equations.
+) -> tuple[dict[str, Equation], list[Equation]]:
+    """The equations that give new names their values, by these, and the remaining equations.
 
     In a = b = c + d, both a and b stand for c + d.
     """
-    values: dict[str, Node] = {}
-    equal_names: list[tuple[str, str]] = []
+    values: dict[str, Equation] = {}
+    equal_names: list[Equation] = []
     known: list[Equation] = []
 
     def is_new(node: Node) -> bool:
         return node.kind == "symbol" and node.value not in derivation.names | book.bound
 
-    for equation in equations:
+    for printed_one in equations:
+        equation = by_name(printed_one, derivation.names | book.bound | book.defined | values)
         left, right = equation.left, equation.right
         if not is_new(left) or left.value in symbols(right):
             known.append(equation)
         elif is_new(right) and right.value not in book.defined:
-            equal_names.append((right.value, left.value))
+            equal_names.append(equation)
         else:
-            values[left.value] = right
-    for other, name in equal_names:
+            values[left.value] = equation
+    for one in equal_names:
+        name, other = one.left.value, one.right.value
         if name in values:
             values[other] = values[name]
         else:
-            values[name] = leaf(other)
+            values[name] = one
     return values, known
 
 
 def _defined(
-    statement: Statement, new: Mapping[str, Node], derivation: Derivation, book: Book
+    statement: Statement, new: Mapping[str, Equation], derivation: Derivation, book: Book
 ) -> Verdict:
     """Keep the names of a definition in the book, and give its verdict."""
-    book.defined.update(new)
-    first = next(iter(new))
+    book.defined.update({name: one.right for name, one in new.items()})
+    first, one = next(iter(new.items()))
     if (matrix := matrix_of([*new])) is not None:
         book.shapes[matrix[0]] = matrix[1]
     elif statement.is_latex:
-        print_name(first, statement.text.partition("=")[0].strip(), statement, derivation, book)
-    read = "; ".join(f"{name} = {printed(value)}" for name, value in new.items())
+        left = statement.text[slice(*one.left.at)]
+        if statement.transcribed:
+            left = statement.text.partition("=")[0]
+        print_name(first, left, statement, derivation, book)
+    read = "; ".join(f"{name} = {printed(one.right)}" for name, one in new.items())
     return Verdict(statement, "definition", read=read)
 
 
@@ -229,7 +234,8 @@ def _item(
         reason = f"{statement.about} has {count} entries, and the print {len(equations)}"
         return Verdict(statement, "unread", f"{reason}; name one of them in about")
     if subject.is_value:
-        equations = [*map(by_name, equations)]
+        known_names = derivation.names.keys() - subject.names
+        equations = [by_name(one, known_names) for one in equations]
     values = samples.drawn(derivation, subject)
     bound, defined = named(equations, subject, values, derivation, book)
     known = with_defined(values, defined)

@@ -10,6 +10,7 @@ least squares of logarithms. Values only propose edits; :mod:`.verdicts` proves 
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 import operator
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -195,6 +196,12 @@ def _choices(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
     def edit(kind: str, new: Node, further: float = 0.0) -> None:
         found.append(Edit(kind, part.at, part, new, COST[kind] + further))
 
+    swaps = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}
+    swaps |= {"Lt": "Gt", "Gt": "Lt", "Le": "Ge", "Ge": "Le"}
+    if part.kind == "call" and part.value in swaps:
+        edit("function", replace(part, value=swaps[part.value]))
+    if part.operation in ("Tuple", "And", *RELATIONS):  # conditions are no numbers
+        return found
     outer = "" if above is None else above.kind
     if outer in ("", "add", "call") or part.kind == "add":
         edit("sign", part.args[0] if part.kind == "neg" else minus(part))
@@ -202,14 +209,11 @@ def _choices(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
         for name in pool.values:
             if name != part.value:
                 edit(pool.renaming(part.value, name), leaf(name, part.at))
-    if part.kind == "number" and part.value != "pi" and above is not None:
-        for value in ("1", "2", "3", "4"):
+    if part.kind == "number" and part.value != "pi":
+        for value in ("0", "1", "2", "3", "4"):
             if value != part.value:
                 edit(_number_kind(part, above), Node("number", value=value, at=part.at))
-    swaps = {"sin": ("cos",), "cos": ("sin",), "sinh": ("cosh",), "cosh": ("sinh",)}
-    for name in swaps.get(part.value, ()) if part.kind == "call" else ():
-        edit("function", Node("call", part.args, name, part.at))
-    if part.kind in ("symbol", "call", "add"):
+    if part.kind in ("symbol", "call", "add", "div"):
         for power in (Fraction(2), Fraction(3), Fraction(-1), Fraction(1, 2)):
             edit("exponent", Node("pow", (part, _number(power)), at=part.at))
     if part.kind == "pow":
@@ -261,7 +265,8 @@ class _Alternatives:
         if key not in self.kept:
             edits = _choices(part, above, self.pool)
             values = [self.numbers.of(it.new) for it in edits]
-            whole = np.stack(values, axis=-2) if edits else self.numbers.of(part)[..., None, :][:0]
+            none = self.numbers.of(part)[..., None, :][..., :0, :]
+            whole = np.stack(values, axis=-2) if edits else none
             self.kept[key] = part, edits, whole
         return self.kept[key][1:]
 
@@ -275,10 +280,11 @@ class _Alternatives:
             rows = [np.empty((0, self.numbers.size))] if not parts else []
             for index, part in enumerate(tree.args):
                 below = np.concatenate([self.own(part, tree)[1], self.inside(part)], axis=-2)
-                if tree.kind == "add":
-                    rows.append(below + (self.numbers.of(tree) - parts[index]))
+                before, after = parts[:index], parts[index + 1 :]
+                if tree.kind == "add":  # of rows once, also where this part has no value
+                    rows.append(below + _applied(tree, before + after))
                 else:
-                    rows.append(_applied(tree, [*parts[:index], below, *parts[index + 1 :]]))
+                    rows.append(_applied(tree, [*before, below, *after]))
             self.lifted[id(tree)] = tree, np.concatenate(rows, axis=-2)
         return self.lifted[id(tree)][1]
 
@@ -583,26 +589,37 @@ class Search:
                 yield repair, index
 
     def _everywhere(self, targets: Values) -> Iterator[tuple[Repair, int]]:
-        """Repairs by renaming a symbol at all its places."""
-        printed: dict[str, list[Node]] = {}
-        for part in nodes(self.tree):
+        """One name in the place of another wherever it stands, and one edit of what is printed
+        once and stands several times, as an entry in a determinant.
+        """
+        groups: dict[object, list[tuple[Path, Node, Node | None]]] = {}
+        for place in _parts(self.tree):
+            part = place[1]
             if part.kind == "symbol":
-                printed.setdefault(part.value, []).append(part)
-        for old, (first, *others) in printed.items():
-            for new in self.pool.values if others else ():
-                if new == old or self.pool.renaming(old, new) == "symbol":
-                    continue
-                swapped = {name: it[SCREEN] for name, it in self.pool.values.items()}
-                swapped[old] = swapped[new]
-                screened = evaluated(self.tree, swapped)
-                symbol = leaf(new)
-                also = tuple(part.at for part in others)
-                edit = Edit("renaming", first.at, first, symbol, COST["renaming"], also)
-                for index, target in enumerate(targets):
-                    if same(screened, target[SCREEN]):
-                        tree = renamed(self.tree, {old: symbol})
-                        if same(self.numbers.of(tree), target):
-                            yield Repair(tree, (edit,)), index
+                groups.setdefault(part.value, []).append(place)
+            if part.at != (0, 0):
+                groups.setdefault((part.at, _bare(part)), []).append(place)
+        few = self.alternatives.numbers
+        for key, ((_, part, above), *others) in groups.items():
+            edits = _choices(part, above, self.pool) if others else []
+            if isinstance(key, str):
+                also, names = tuple(it[1].at for it in others), ("index", "renaming")
+                edits = [replace(it, also=also) for it in edits if it.kind in names]
+                edits = [replace(it, kind=names[1], cost=COST[names[1]]) for it in edits]
+            if not edits:
+                continue
+            unknown, tree = leaf("?"), self.tree
+            for path, *_ in groups[key]:
+                tree = with_part(tree, path, unknown)
+            values = np.stack([few.of(it.new) for it in edits], axis=-2)
+            rows = evaluated(tree, {**few.known, unknown.value: values})
+            for (row, edit), (index, target) in itertools.product(
+                zip(rows, edits, strict=True), enumerate(targets)
+            ):
+                if same(row, target[SCREEN]):
+                    repaired = renamed(tree, {unknown.value: edit.new})
+                    if same(self.numbers.of(repaired), target):
+                        yield Repair(repaired, (edit,)), index
 
 
 def _repair(tree: Node, path: Path, edit: Edit) -> Repair:

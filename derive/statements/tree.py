@@ -78,6 +78,8 @@ class Vocabulary:
     fixed: frozenset[str] | None = None
     #: whether an equation is about all roots of a polynomial, so that ± stands for two of them
     has_roots: bool = False
+    #: whether a new name may stand in a product on the left, to which a value is given
+    gives_names: bool = False
     #: for each name that is printed as a function: its argument, if the expression in brackets is
     #: that argument, else None
     arguments: Mapping[str, Callable[[Node], Argument | None]] = field(default_factory=dict)
@@ -139,7 +141,7 @@ FUNCTIONS: dict[str, Callable[..., Expr]] = {
 OF_SEVERAL = ("max", "min")
 #: Relations in the conditions of a choice.
 RELATIONS = {name: getattr(sp, name) for name in ("Lt", "Le", "Gt", "Ge", "Ne", "Eq")}
-ZERO, ONE = Node("number", value="0"), Node("number", value="1")
+ZERO, ONE, TWO = (Node("number", value=digit) for digit in "012")
 
 
 def leaf(name: str, at: tuple[int, int] = (0, 0)) -> Node:
@@ -155,6 +157,28 @@ def minus(tree: Node) -> Node:
 def joined(kind: str, parts: Sequence[Node], at: tuple[int, int] = (0, 0)) -> Node:
     """A sum or a product of the parts; the part itself if there is only one."""
     return Node(kind, tuple(parts), at=at) if len(parts) > 1 else parts[0]
+
+
+def undone(tree: Node, other: Node, has: Callable[[Node], bool]) -> tuple[Node, Node] | None:
+    """Both sides of tree = other with the outermost operation of the tree on the other side; None
+    where more than one of its parts has what is to stand alone, or it can't be undone.
+    """
+    inside = [it for it in tree.args if has(it)]
+    others = [it for it in tree.args if not has(it)]
+    if len(inside) != 1:
+        return None
+    match tree.kind:
+        case "add":
+            return inside[0], Node("add", (other, *map(minus, others)), at=tree.at)
+        case "neg":
+            return inside[0], minus(other)
+        case "mul":
+            return inside[0], Node("div", (other, joined("mul", others, tree.at)), at=other.at)
+        case "div" if inside == [tree.args[0]]:
+            return inside[0], Node("mul", (other, *others), at=other.at)
+        case "pow" if inside == [tree.args[0]] and others[0] == replace(TWO, at=others[0].at):
+            return inside[0], Node("call", (other,), "sqrt", other.at)
+    return None
 
 
 def number_of(tree: Node) -> float:

@@ -18,8 +18,8 @@ from sympy import Expr, Symbol
 from .. import units
 from ..pages import PageModel
 from . import samples
-from .approximations import LimitCase, in_limit, is_approximation, limit_of
-from .book import equations_of
+from .approximations import in_limit, is_approximation, limit_of
+from .book import by_name, equations_of
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side
 from .conventions import conventions_of
 from .identities import normal_form
@@ -176,9 +176,14 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
         derived_latex=_joined(map(item.latex, entries)),
         derived_by=item.subject.by,
     )
-    limit = limit_of(item) if item.statement.limit else None
-    if problem := _reading_problem(item, parts, limit):
-        return replace(row, status="unread", evidence=problem)
+    try:
+        limit = limit_of(item) if item.statement.limit else None
+    except Unread as error:
+        return replace(row, status="unread", evidence=error.reason)
+    if len(parts) < len(item.equations):
+        names = ", ".join(sorted(item.subject.names))
+        said = f"left of = no name of this object stands alone: {names}"
+        return replace(row, status="unread", evidence=said)
     units_problem = "" if item.derivation.scaled else _units_problem(item, parts)
     in_limits: list[Comparison] = []
     repairs: list[ProvedRepair] = []
@@ -205,8 +210,9 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
                     _with_difference(row, item, gap), evidence=item.statement.limit + said
                 )
                 continue
-        candidates = (_repaired(*one) for one in versions) if repair else ()
-        best = next((one for one in candidates if one is not None), None)
+        candidates = [_repaired(*one) for one in versions] if repair else []
+        proved = (one for one in candidates if one is not None)
+        best = min(proved, key=lambda one: one.repair.cost, default=None)
         if best is None:
             said = "no edit, and no two, give what is derived" if repair else ""
             row = _with_difference(row, item, gap)
@@ -223,19 +229,6 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
     return replace(
         row, status=status, evidence=f"{row.derived_by}, equal by exact algebra{counted}"
     )
-
-
-def _reading_problem(item: Item, parts: Sequence[Component], limit: LimitCase | None) -> str:
-    """Why a statement can't be judged as it is written; empty if it can."""
-    if len(parts) < len(item.equations):
-        names = ", ".join(sorted(item.subject.names))
-        return f"left of = no name of this object stands alone: {names}"
-    if item.statement.limit and limit is None:
-        return (
-            f"limit = {item.statement.limit!r} is none; write as 'd*V -> oo', 'c_x, c_y -> 0', "
-            "'linear in x, y', 'quadratic in x' or 'cubic in x', of names of the page"
-        )
-    return ""
 
 
 def _nearest_target(comparison: Comparison, part: Component) -> Expr:
@@ -318,6 +311,7 @@ def _repaired_latex(comparison: Comparison, found: ProvedRepair) -> str:
     right = evaluated(tree, comparison.values)
     with suppress(Unread, ValueError):
         for equation in equations_of(text, item.statement, item.derivation, item.book):
+            equation = by_name(equation, item.derivation.names.keys() - item.subject.names)
             side, _ = judged_side(item, equation) or (equation.left, "")
             if symbols(side) <= comparison.values.keys() and same(
                 evaluated(side, comparison.values), right

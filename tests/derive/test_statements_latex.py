@@ -189,6 +189,8 @@ def test_what_is_no_argument_is_told_so() -> None:
         (r"x = a \pm 2", "a + 2, a - 2"),
         (r"x = a \mp 2", "a + 2, a - 2"),
         (r"x = \mp a \pm 2", "2 - a, a - 2"),
+        (r"x = -a \pm i\sqrt{2}", "-a + I*sqrt(2), -a - I*sqrt(2)"),
+        (r"x = \frac{-a \pm \mathrm{j}\,a\sqrt{3}}{2}", "-a/2 + I*a*sqrt(3)/2"),
         (
             r"x = -\frac{a \pm \sqrt{a^2 - 1}}{2}",
             "-(a + I*sqrt(1 - a**2))/2, -(a - I*sqrt(1 - a**2))/2",
@@ -215,11 +217,13 @@ def test_two_signs_are_both_roots(text: str, roots: str) -> None:
     assert abs(sp.N(other)) > 0.01
 
 
-@pytest.mark.parametrize("text", [r"x = \pm a \pm 2", r"\pm x = a", r"x = \exp(\pm a)"])
+@pytest.mark.parametrize(
+    "text", [r"x = \pm a \pm 2", r"\pm x = a", r"x = \exp(\pm a)", r"x = i a", r"x = i \pm a"]
+)
 def test_signs_that_are_no_two_roots_are_refused(text: str) -> None:
     """Two signs that may belong together or not, one on the left, one within a function."""
     words = Vocabulary(frozenset({"a", "x"}), (), {}, has_roots=True)
-    with pytest.raises(Unread, match="sign"):
+    with pytest.raises(Unread, match=r"sign|i stands elsewhere"):
         read_latex(text, words)
 
 

@@ -1,0 +1,26 @@
+"""A mass on a belt between two inclined springs and a contact spring: mode coupling."""
+
+from spragsym.derive.model import Page, cos, sgn, sin
+
+page = Page("A mass on a belt with two inclined linear springs and a contact spring.")
+m = page.unit("m", "kg", "mass")
+k_3 = page.unit("k_3", "N/m", "contact stiffness")
+F = page.unit("F", "N", "preload")
+mu_c = page.parameter("mu_c", "1", "friction", ">= 0", 0.3)
+k_1 = page.parameter("k_1", "N/m", "first spring", ">= 0", 0.6, becomes="kappa_1")
+k_2 = page.parameter("k_2", "N/m", "second spring", ">= 0", 0.8, becomes="kappa_2")
+alpha_1 = page.parameter("alpha_1", "rad", "inclination of the first", "(0, pi)", 2.6)
+alpha_2 = page.parameter("alpha_2", "rad", "inclination of the second", "(0, pi)", 0.5)
+c_x = page.parameter("c_x", "N s/m", "damper along", ">= 0", 0.01, becomes="gamma_x")
+c_y = page.parameter("c_y", "N s/m", "damper across", ">= 0", 0.01, becomes="gamma_y")
+V = page.parameter("V", "m/s", "belt speed", "> 0", 0.5)
+x = page.coordinate("x", "m", "along")
+y = page.coordinate("y", "m", "across, positive into the belt")
+page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
+page.potential(k_1 * (x * cos(alpha_1) + y * sin(alpha_1)) ** 2 / 2)
+page.potential(k_2 * (x * cos(alpha_2) + y * sin(alpha_2)) ** 2 / 2)
+page.damper(c_x, along=x)
+page.damper(c_y, along=y)
+page.force(0, F, at=(x, y))
+page.contact(-y, lambda depth: k_3 * depth, unilateral=False)
+page.friction(x, V, slip=lambda v: mu_c * sgn(v), holds=mu_c)

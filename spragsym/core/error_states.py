@@ -1,5 +1,5 @@
-"""What each public function is called under: NumPy's handling of overflow, underflow and invalid
-operations, of which a caller's own changes no answer, and arguments that it takes.
+"""Decorator of public functions: NumPy's default error state, and checks of the arguments' names
+and classes.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from .type_variables import P, R
 
 
 def in_usual_state(function: Callable[P, R]) -> Callable[P, R]:
-    """The function under NumPy's default error state, whatever that of its caller is.
+    """Run a function in NumPy's default error state, whatever the caller's is.
 
-    Algorithms rely on underflow to 0, and ask for more where they rely on it. Arguments that the
-    function does not take are refused with those that it does.
+    Algorithms rely on underflow to 0; they set other states themselves. A TypeError for wrong
+    arguments becomes a ParameterTypeError that names the right ones.
     """
 
     @functools.wraps(function)
@@ -39,26 +39,28 @@ def in_usual_state(function: Callable[P, R]) -> Callable[P, R]:
 
 
 def _require_arguments(
-    function: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any], trouble: str
+    function: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any], message: str
 ) -> None:
-    """Refuse arguments that a function does not take, and the lack of one that it needs; a name
-    that was taken for that of a parameter, if it is like one of an argument.
+    """Raise a ParameterTypeError if the arguments do not fit the signature.
+
+    ``message`` is that of the original error. A misspelt argument that was taken for the name of a
+    parameter is refused with the name it resembles.
     """
     signature = inspect.signature(function)
     for name in options:
         meant = hint(name, signature.parameters)
-        if trouble.startswith(f"{name} is ") and name not in signature.parameters and meant:
-            raise ParameterTypeError(f"{function.__name__}: {trouble.partition(';')[0]}{meant}")
+        if message.startswith(f"{name} is ") and name not in signature.parameters and meant:
+            raise ParameterTypeError(f"{function.__name__}: {message.partition(';')[0]}{meant}")
     try:
         signature.bind(*args, **options)
     except TypeError as error:
-        taken, names = list[str](), [*signature.parameters]
+        signature_parts, names = list[str](), [*signature.parameters]
         for name, one in signature.parameters.items():
-            if one.kind is one.KEYWORD_ONLY and "*" not in taken:
-                taken.append("*")
-            taken.append(f"**{name}" if one.kind is one.VAR_KEYWORD else name)
+            if one.kind is one.KEYWORD_ONLY and "*" not in signature_parts:
+                signature_parts.append("*")
+            signature_parts.append(f"**{name}" if one.kind is one.VAR_KEYWORD else name)
         meant = next((hint(name, names) for name in options if name not in names), "")
-        called = f"{function.__name__}({', '.join(taken)})"
+        called = f"{function.__name__}({', '.join(signature_parts)})"
         raise ParameterTypeError(
             f"{function.__name__}: {error}{meant or f'; call it as {called}'}"
         ) from None
@@ -67,7 +69,9 @@ def _require_arguments(
 def _require_kinds(
     function: Callable[..., Any], args: tuple[Any, ...], options: Mapping[str, Any]
 ) -> None:
-    """Refuse the first argument that is of no class in its annotation."""
+    """Raise a ParameterTypeError for the first argument of none of the classes in its
+    annotation.
+    """
     general = inspect.unwrap(function)
     signature = inspect.signature(general)
     for name, value in signature.bind_partial(*args, **options).arguments.items():
@@ -79,15 +83,15 @@ def _require_kinds(
 
 
 def _may_be(word: str, value: object, general: Callable[..., Any]) -> bool:
-    """Whether a value is of the class that a word of an annotation names, or that is not known, as
-    of numbers and sequences, which arrays may be too.
+    """Whether a value may be of the class that a word of an annotation names.
+
+    True for numbers and sequences, in whose place arrays may be given, and for unknown names.
     """
-    found = general.__globals__.get(word) or getattr(builtins, word, None)
-    if word == "None" or word.endswith("Options"):  # named only where types are checked
-        return word in (
-            "None" if value is None else "",
-            *(it.__name__ for it in type(value).__mro__),
-        )
-    if not isinstance(found, type) or found in (float, int, bool, Sequence):
+    kind = general.__globals__.get(word) or getattr(builtins, word, None)
+    if word == "None":
+        return value is None
+    if word.endswith("Options"):  # imported by type checkers only
+        return word in (base.__name__ for base in type(value).__mro__)
+    if not isinstance(kind, type) or kind in (float, int, bool, Sequence):
         return True
-    return isinstance(value, found)
+    return isinstance(value, kind)

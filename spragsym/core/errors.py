@@ -21,7 +21,7 @@ class ParameterTypeError(SpragsymError, TypeError):
 
 
 class ModelError(ParameterTypeError):
-    """A model is asked what is not there for it yet; the error says what can be asked instead."""
+    """A question that can't be answered for a model; the text says what can be asked instead."""
 
 
 class NotDimensionlessError(ParameterTypeError, AttributeError):
@@ -33,7 +33,7 @@ class NotDimensionlessError(ParameterTypeError, AttributeError):
 
 
 class TargetError(ParameterError, FileExistsError):
-    """A file is in the way."""
+    """A file exists at the target and is not to be replaced."""
 
 
 class ConvergenceError(SpragsymError, RuntimeError):
@@ -87,7 +87,7 @@ def closest(given: str, allowed: Iterable[str]) -> str | None:
     """
     plain = {_plain(name): name for name in allowed}
     word = _plain(given)
-    # Other ways to write the symbols of the model.
+    # Words for the article's parameters.
     words = {
         "theta": "theta0",
         "mu": "mu0",
@@ -98,23 +98,20 @@ def closest(given: str, allowed: Iterable[str]) -> str | None:
     for candidate in (word, word.removesuffix("deg"), word.removesuffix("rad")):
         if (match := words.get(candidate, candidate)) in plain:
             return plain[match]
-    # A one-letter name resembles every short name, so only its exact spelling counts.
-    found = (
-        difflib.get_close_matches(word, [name for name in plain if len(name) > 1], n=1)
-        if len(word) > 1
-        else []
-    )
+    if len(word) < 2:  # one letter resembles every short name
+        return None
+    found = difflib.get_close_matches(word, [name for name in plain if len(name) > 1], n=1)
     return plain[found[0]] if found else None
 
 
 def hint(given: str, allowed: Iterable[str]) -> str:
-    """``"; did you mean kappa?"``, or nothing."""
+    """The end of a message, ``"; did you mean kappa?"``; empty if no name is similar."""
     meant = closest(given, allowed)
     return f"; did you mean {meant}?" if meant else ""
 
 
 def one_of(name: str, given: object, allowed: Iterable[str]) -> str:
-    """A word that is one of those allowed, else an error that names them."""
+    """Return a word if it is allowed; else raise a ParameterError that lists those that are."""
     words = [*allowed]
     if given not in words:
         raise ParameterError(
@@ -124,7 +121,7 @@ def one_of(name: str, given: object, allowed: Iterable[str]) -> str:
 
 
 def require_kind(name: str, value: object, kind: type | tuple[type, ...], remedy: str) -> None:
-    """Raise unless an argument is what its name says, as a result of another question."""
+    """Raise a ParameterTypeError unless an argument is of a class, as the result of a question."""
     if not isinstance(value, kind):
         kinds = " or ".join(it.__name__ for it in (kind if isinstance(kind, tuple) else (kind,)))
         raise ParameterTypeError(f"{name} = {value!r:.60} is no {kinds}; give {remedy}")

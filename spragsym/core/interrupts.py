@@ -1,5 +1,5 @@
-"""Ctrl-C, heard whatever a library makes of it: within an import or a callback of compiled code it
-is often swallowed.
+"""Handling of Ctrl-C (SIGINT), also where libraries swallow the KeyboardInterrupt: in imports and
+in callbacks of compiled code.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ INTERRUPTED = 130
 
 
 def _handler() -> Callable[[int, FrameType | None], object] | None:
-    """The handler of Ctrl-C; None where that goes to another thread, or is ignored."""
+    """The present handler of Ctrl-C; None in another thread, or if Ctrl-C is ignored."""
     handler = signal.getsignal(signal.SIGINT)
     if threading.current_thread() is threading.main_thread() and callable(handler):
         return handler
@@ -27,8 +27,9 @@ def _handler() -> Callable[[int, FrameType | None], object] | None:
 
 @contextmanager
 def heard() -> Iterator[Callable[[], None]]:
-    """A function that raises KeyboardInterrupt if there was one since; so does the end, whatever
-    ended it.
+    """Give a function that raises KeyboardInterrupt if there was a Ctrl-C within the body.
+
+    It is raised at the end of the body too, even if the body ends with another exception.
     """
     seen: list[int] = []
     former = _handler()
@@ -61,9 +62,7 @@ def heard() -> Iterator[Callable[[], None]]:
 
 @contextmanager
 def held() -> Iterator[None]:
-    """Ctrl-C waits for the end of the body, such as the import of a library that would be left half
-    imported.
-    """
+    """Delay Ctrl-C to the end of the body, as for the import of a library."""
     waiting: list[Any] = []
     former = _handler()
     if former is None:
@@ -85,8 +84,8 @@ def held() -> Iterator[None]:
 
 
 class _Ending:
-    """A handler of Ctrl-C for a process that ends soon after it: what does not end by itself in
-    time is cut off.
+    """The handler of Ctrl-C of a command: raises KeyboardInterrupt, and ends the process 0.7 s
+    later if it has not ended by itself.
     """
 
     installed: ClassVar[_Ending | None] = None
@@ -110,7 +109,7 @@ class _Ending:
 
 
 def cut() -> None:
-    """End the process at once."""
+    """End the process immediately, without cleaning up."""
     with suppress(OSError):
         os.write(2, b"spragsym: interrupted\n")
     os._exit(INTERRUPTED)
@@ -118,9 +117,10 @@ def cut() -> None:
 
 @contextmanager
 def ending() -> Iterator[None]:
-    """A command: after Ctrl-C it raises KeyboardInterrupt at its end at the latest, and the process
-    ends within a second; where Python can't raise it, as in a callback of a lock of the import
-    system, nothing is printed of it.
+    """Run a command so that after Ctrl-C the process ends within a second.
+
+    KeyboardInterrupt is raised at the end of the body at the latest. Where Python can't raise it,
+    as in a callback of an import lock, nothing is printed.
     """
     if (
         threading.current_thread() is not threading.main_thread()
@@ -150,8 +150,8 @@ def ending() -> Iterator[None]:
 
 
 def begun() -> _Ending:
-    """From now on, until there is a command, Ctrl-C ends the process at once, unless it is
-    ignored.
+    """Install the handler: until a command begins, Ctrl-C ends the process immediately, unless
+    Ctrl-C is ignored.
     """
     own = _Ending.installed = _Ending()
     if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:

@@ -1,5 +1,5 @@
-"""Options of algorithms: frozen dataclasses of tolerances and limits, each field with the range of
-values that it may have.
+"""Options of algorithms: frozen dataclasses of tolerances and limits, with a range for each
+field.
 """
 
 from __future__ import annotations
@@ -15,21 +15,22 @@ from .type_variables import T
 
 
 def option(default: T, low: float, high: float = math.inf, kind: type = Real) -> T:
-    """Field of options, from ``low`` to ``high``, both included, and whatever its default is; whole
-    numbers with the ``kind`` Integral, and a tuple of numbers where the default is one.
+    """A field of options with values in [low, high]; the default is always allowed.
+
+    Values are of the ``kind`` Real or Integral; tuples of these if the default is a tuple.
     """
     made: Callable[..., T] = field
     return made(default=default, metadata={"low": low, "high": high, "kind": kind})
 
 
 def limit(default: T, low: int = 1, high: float = math.inf) -> T:
-    """Field of options that is a whole number."""
+    """A field of options that is a whole number."""
     return option(default, low, high, Integral)
 
 
 @dataclass(frozen=True)
 class Options:
-    """Base of options, whose fields are checked as they are set.
+    """Base class of options; the fields are checked when they are set.
 
     Raises
     ------
@@ -40,13 +41,19 @@ class Options:
     """
 
     def __post_init__(self) -> None:
-        for each in fields(self):
-            value = getattr(self, each.name)
-            if each.metadata and value != each.default:
-                _check(f"{type(self).__name__}: {each.name}", value, each.default, **each.metadata)
+        for option_field in fields(self):
+            value = getattr(self, option_field.name)
+            if option_field.metadata and value != option_field.default:
+                _check(
+                    f"{type(self).__name__}: {option_field.name}",
+                    value,
+                    option_field.default,
+                    **option_field.metadata,
+                )
 
 
 def _check(name: str, value: Any, default: object, low: float, high: float, kind: type) -> None:
+    """Raise unless a value is of its kind and in its range."""
     remedy = "leave it out" if default is None else f"leave it out for {default}"
     if isinstance(default, tuple):
         if not isinstance(value, tuple) or not value:
@@ -54,8 +61,8 @@ def _check(name: str, value: Any, default: object, low: float, high: float, kind
         for i, each in enumerate(value):
             _check(f"{name}[{i}]", each, None, low, high, kind)
         return
-    of_its_kind = isinstance(value, kind) and not isinstance(value, bool)
-    if not of_its_kind:
+    is_of_kind = isinstance(value, kind) and not isinstance(value, bool)
+    if not is_of_kind:
         what = "whole number" if kind is Integral else "number"
         raise ParameterTypeError(f"{name} = {value!r:.60} is no {what}; {remedy}")
     if not low <= value <= high:

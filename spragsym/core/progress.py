@@ -1,4 +1,4 @@
-"""Progress of long work: a line on stderr, or a function that is called, for whoever asks."""
+"""Progress of long computations, for callers who ask: a line on stderr, or calls of a function."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .errors import ParameterTypeError
 
 Listener = Callable[[str], object]
 
-#: Seconds after which a computation is said to go on where no terminal shows it.
+#: Seconds after which a line says that a computation goes on, if stderr is no terminal.
 LONG = 10.0
 
 
 class _Work:
-    """Work that is being computed: each part within the one before it."""
+    """What is being computed: nested parts, the outermost first."""
 
     def __init__(self, listener: Listener, part: str) -> None:
         self.listener, self.parts = listener, [part]
@@ -28,7 +28,7 @@ class _Work:
         return ": ".join(part for part in self.parts if part)
 
 
-#: Of this thread, or of this task of asyncio: what other threads compute is not said.
+#: The work of this thread or asyncio task; other threads do not report to its listener.
 _work: ContextVar[_Work | None] = ContextVar("spragsym.core.progress", default=None)
 
 
@@ -89,8 +89,9 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
 
 @contextmanager
 def doing(text: str, *values: object) -> Iterator[None]:
-    """A part of what is computed, ``text.format(*values)``; where nobody listens, nothing is
-    formatted.
+    """Report a part of the work, ``text.format(*values)``, while the body runs.
+
+    Without a listener nothing is formatted.
     """
     work = _work.get()
     if work is None:
@@ -105,7 +106,7 @@ def doing(text: str, *values: object) -> Iterator[None]:
 
 
 def tell(text: str, *values: object) -> None:
-    """Another text in place of the innermost part."""
+    """Replace the text of the innermost part, and call the listener."""
     work = _work.get()
     if work is not None:
         work.parts[-1] = text.format(*values)
@@ -113,7 +114,7 @@ def tell(text: str, *values: object) -> None:
 
 
 def _line(work: _Work) -> AbstractContextManager[object]:
-    """A line on stderr."""
+    """A line on stderr that shows the work: updated on a terminal, else printed now and then."""
     from rich.console import Console
     from rich.text import Text
 
@@ -127,15 +128,15 @@ def _line(work: _Work) -> AbstractContextManager[object]:
 
 @contextmanager
 def _lines(work: _Work) -> Iterator[None]:
-    """A line after :data:`LONG` seconds, and further ones after twice the time each."""
+    """Print a line after :data:`LONG` seconds, and again each time the elapsed time has doubled."""
     begun, done = time.monotonic(), threading.Event()
 
     def say() -> None:
         wait = LONG
         while not done.wait(wait):
-            spent = time.monotonic() - begun
-            print(f"{work}: {spent:.0f} s so far", file=sys.stderr)
-            wait = spent
+            elapsed = time.monotonic() - begun
+            print(f"{work}: {elapsed:.0f} s so far", file=sys.stderr)
+            wait = elapsed
 
     teller = threading.Thread(target=say, daemon=True)
     teller.start()
@@ -148,8 +149,8 @@ def _lines(work: _Work) -> Iterator[None]:
 
 @contextmanager
 def advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
-    """A function to call after every point, which moves a bar if one is wanted, and else tells who
-    listens.
+    """Give a function to be called after every point: it advances a progress bar if ``progress``,
+    else it reports to the listener.
     """
     if not progress:
         made = itertools.count(done + 1)

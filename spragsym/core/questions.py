@@ -1,17 +1,17 @@
-"""Questions: one function for all models, answered by a closed form where the model of the
-parameters brings one.
+"""Questions: public functions of a set of parameters, the same for all models.
 
-``@question`` stands on the general algorithm, whose signature and docstring are the public ones:
-``ss.folds`` is that function. A model must bring ``model.json`` and generated functions,
-``algebra``, which follow from a page. A shipped one may bring closed forms of primitives
-(equilibria, folds, cusps, where states end, …) in a room of its name: ``CLOSED_FORMS`` there says
-for a question in which module the function of the same name stands. It is not asked about arguments
-that it does not have, and raises :class:`NotInClosedForm` for values that it does not know: then
-the general algorithm answers. What is derived from primitives asks the public questions, and so
-stands once. So a model gets every public question for nothing, by its general algorithm, but for
-those that a room of a model keeps to itself. ``method="search"`` asks the same of the model without
-closed forms, ``model.search``: its sets of parameters know it, so that everything below searches
-too.
+``@question`` decorates the general algorithm of a question, whose signature and docstring are the
+public ones: ``ss.folds`` is that function. Any model with a ``model.json`` and the generated
+functions ``algebra`` is answered by it.
+
+A shipped model may bring closed forms of primitives (equilibria, folds, cusps, ends of states, …)
+in a room of its name. ``CLOSED_FORMS`` there names, for each such question, the module with the
+function of the same name. The closed form answers if it has the arguments that are given. It raises
+:class:`NotInClosedForm` for values that it does not cover, and then the general algorithm answers.
+Algorithms that need primitives ask the public questions, so that they use closed forms too.
+
+``method="search"`` asks ``model.search``, the same model without closed forms. Its sets of
+parameters belong to it, so that all further questions are answered by search as well.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ if TYPE_CHECKING:
     from ..models import Model
 
 
-#: Ways to an answer: by closed form where there is one, by closed form only, or by the general
-#: algorithm and all that it asks.
+#: How a question is answered: by a closed form if there is one, by a closed form only, or by
+#: general algorithms only.
 Method: TypeAlias = Literal["auto", "closed", "search"]
 
 
-#: Questions that are answered of a page with a clock.
+#: Questions that are answered for a page with a clock.
 FORCED = (
     "basin",
     "check",
@@ -53,13 +53,11 @@ FORCED = (
 
 
 class NotInClosedForm(Exception):
-    """Raised by a closed form for arguments that it does not know."""
+    """Raised by a closed form for values that it does not cover."""
 
 
 def question(general: Callable[P, R]) -> Callable[P, R]:
-    """The general algorithm behind the closed form of that name, if the model of the parameters
-    brings one.
-    """
+    """Decorate a general algorithm: the model's closed form of the same name is tried first."""
     name = general.__name__
 
     @in_usual_state
@@ -68,17 +66,14 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())
         model.require_answered(name)
-        asked = model
+        answering = model
         if method != "auto":
-            asked = (
-                model.whole
-                if one_of("method", method, get_args(Method)) == "closed"
-                else model.search
-            )
-            args = of(asked, args)
-            options.update({key: of(asked, value) for key, value in options.items()})
+            one_of("method", method, get_args(Method))
+            answering = model.whole if method == "closed" else model.search
+            args = of(answering, args)
+            options.update({key: of(answering, value) for key, value in options.items()})
         given = {key: value for key, value in options.items() if not _says_nothing(value)}
-        if (closed := _closed_form(asked, name, args, given)) is not None:
+        if (closed := _closed_form(answering, name, args, given)) is not None:
             try:
                 return closed(*args, **given)
             except NotInClosedForm:
@@ -94,8 +89,12 @@ def question(general: Callable[P, R]) -> Callable[P, R]:
 
 
 def model_of(*things: Any) -> Model:
-    """The model of the first set of parameters among arguments, all of which must be of that
-    model.
+    """The model of the sets of parameters among the arguments.
+
+    Raises
+    ------
+    ParameterTypeError
+        If there is none, or they are of different models.
     """
     sets = [*_sets(things)]
     if not sets:
@@ -105,8 +104,8 @@ def model_of(*things: Any) -> Model:
         )
     (_, kind), *others = sets
     model: Model = kind.model_of_class()
-    for other, its in others:
-        if not issubclass(its, kind) and not issubclass(kind, its):
+    for other, other_class in others:
+        if not issubclass(other_class, kind) and not issubclass(kind, other_class):
             remedy = (
                 "call .dimensionless() on it"
                 if hasattr(other, "dimensionless")
@@ -123,8 +122,9 @@ def _is_set(thing: object) -> bool:
 
 
 def _sets(things: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
-    """Sets of parameters among arguments, and designs that stand for one, each with its class;
-    those in pairs of corners too.
+    """Sets of parameters among the arguments, and designs, which have one; in tuples too.
+
+    Each comes with the class of its parameters.
     """
     for thing in things:
         if _is_set(thing):
@@ -136,8 +136,8 @@ def _sets(things: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
 
 
 def of(model: Model, thing: Any) -> Any:
-    """Arguments with their sets of parameters as sets of the model without closed forms, or of the
-    one with them.
+    """An argument with its sets of parameters turned into sets of another version of the model,
+    with or without closed forms.
     """
     if _is_set(thing) or hasattr(thing, "of_model"):
         return thing.of(model)
@@ -148,14 +148,14 @@ _signature = functools.cache(inspect.signature)
 
 
 def _says_nothing(value: object) -> bool:
-    """Whether an option is as if it were left out: None, or ranges of no parameter."""
+    """Whether an option is equivalent to leaving it out: None, or an empty mapping."""
     return value is None or (isinstance(value, Mapping) and not value)
 
 
 def _closed_form(
     model: Model, name: str, args: tuple[Any, ...], options: Mapping[str, Any]
 ) -> Callable[..., Any] | None:
-    """The closed form of a question, if it has arguments of these names."""
+    """The closed form of a question, if it accepts these arguments; else None."""
     closed = model.closed_form(name)
     if closed is None or (len(args) == 1 and not options):
         return closed

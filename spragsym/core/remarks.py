@@ -1,6 +1,4 @@
-"""Remarks on what is not known: sentences whose numbers know what they are of, so that they can be
-told in other units.
-"""
+"""Remarks of results: sentences whose numbers can be converted to other units afterwards."""
 
 from __future__ import annotations
 
@@ -8,15 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-#: What a parameter or a coordinate is called, its unit, and what one of it is there.
+#: For a parameter or coordinate its title, its unit, and the factor to that unit.
 Units: TypeAlias = Callable[[str], tuple[str, str, float]]
 
 
 @dataclass(frozen=True)
 class At:
-    """The value of a parameter or a coordinate, or both ends of a range of it, and its unit where
-    the model measures it.
-    """
+    """A value or a range (two ends) of a parameter or a coordinate, in units of the model."""
 
     name: str
     ends: tuple[float, ...]
@@ -24,9 +20,9 @@ class At:
     unit: str = ""
 
     def in_units(self, units: Units) -> str:
-        """Text of the quantity in other units."""
-        title, unit, one = units(self.name)
-        low, *high = (f"{one * (end + 0.0):{self.digits}}" for end in self.ends)
+        """The text, "title = value unit" or "title in [low, high] unit", in other units."""
+        title, unit, factor = units(self.name)
+        low, *high = (f"{factor * (end + 0.0):{self.digits}}" for end in self.ends)
         where = f"in [{low}, {high[0]}]" if high else f"= {low}"
         return f"{title} {where} {unit}".rstrip()
 
@@ -35,7 +31,7 @@ class At:
 
 
 class Remark(str):
-    """A sentence from a template and its parts, among them places and other remarks."""
+    """A sentence, made of a format template and its parts, which may be :class:`At` or remarks."""
 
     template: str
     parts: tuple[Any, ...]

@@ -1,6 +1,4 @@
-"""Files: datasets with units and provenance, the journal that a long sweep writes as it goes, and
-locks.
-"""
+"""Files: datasets with units and provenance, the journal of a running sweep, texts and caches."""
 
-#: Modules that other rooms ask; each is loaded when it is imported.
+#: Modules for other rooms.
 __all__ = ["journal", "storage", "text"]

@@ -1,4 +1,4 @@
-"""Texts that take seconds to make, in the user's cache folder by what they are made of."""
+"""Cache of generated texts in the user's cache folder, by a digest of what they are made of."""
 
 import hashlib
 import json
@@ -14,10 +14,11 @@ from .storage import put, sealed, verified
 def cached(
     made_of: Mapping[str, object], make: Callable[[], dict[str, str]], most: int = 64
 ) -> dict[str, str]:
-    """Files by their names, as they were made of the same before, or made now.
+    """Texts of files by name: from the cache if they were made of the same before, else by
+    ``make()``.
 
-    A result that is damaged is made again, and one that can't be kept is not: neither is an error.
-    The ``most`` recent results are kept.
+    A damaged entry is made again, and one that can't be written is not kept; neither is an error.
+    The cache holds the ``most`` recent entries.
     """
     key = hashlib.sha256(json.dumps(made_of, sort_keys=True).encode()).hexdigest()
     path = cache_folder() / f"{key}.json"

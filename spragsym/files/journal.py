@@ -1,8 +1,8 @@
-"""The journal of a sweep: finished points, a line each, in a file beside the result until that is
-written.
+"""The journal of a sweep: a file beside the result with a line for each finished point.
 
-A line is a checksum and JSON. The checksum of a point takes in the fingerprint of its sweep, so
-that a line that is cut, changed, or that belongs to another sweep, is never taken for a result.
+It is removed when the result is written. A line is a checksum and JSON; the checksum of a point
+includes the fingerprint of its sweep, so that a line that is cut, changed or of another sweep is
+never taken for a result.
 """
 
 from __future__ import annotations
@@ -37,14 +37,20 @@ def path_of(target: Path) -> Path:
 def journal(
     target: Path, fingerprint: str, total: int
 ) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
-    """Finished points of an earlier run to ``target``, and a function that stores one more.
+    """Open the journal of ``target``: finished points of earlier runs, and a function that stores
+    one more.
 
-    Every line is out of this process before the next task is asked for. The journal is removed when
-    the body ends well, which must have written the target; whatever else ends the body says how
-    many points are kept. A line that a kill cut short is dropped, a damaged one with a
-    :class:`~spragsym.core.errors.DamageWarning`. Another process at it, a file that can't be read
-    or written, or that is no journal, is a StoreError; points of another sweep are a
-    ParameterError.
+    Every line is written before the next task begins. When the body ends without an error, having
+    written the target, the journal is removed; an error says how many points are kept. A line that
+    was cut short by a kill is dropped, a damaged one with a
+    :class:`~spragsym.core.errors.DamageWarning`.
+
+    Raises
+    ------
+    StoreError
+        If another process has the journal, or the file can't be read or written or is no journal.
+    ParameterError
+        If it has points of another sweep.
     """
     path = path_of(target)
     with ExitStack() as stack:
@@ -65,15 +71,15 @@ def journal(
         if os.name == "posix":
             path.unlink()  # while it is locked, so that no other process has it
     if os.name != "posix":
-        # An open file can't be removed there; the process that has it open sees that the work is
-        # done.
+        # Windows can't remove an open file; if another process has it open, that one finds the
+        # work done.
         with suppress(OSError):
             path.unlink()
 
 
 def clear(target: Path, fingerprint: str, total: int) -> None:
-    """Remove the journal that a killed process left beside its finished result, if no other process
-    has it.
+    """Remove a journal that a killed process left beside its finished result, unless another
+    process uses it.
     """
     if path_of(target).exists():
         with suppress(SpragsymError, OSError), journal(target, fingerprint, total):
@@ -81,11 +87,11 @@ def clear(target: Path, fingerprint: str, total: int) -> None:
 
 
 def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
-    """The journal, for this process alone until the stack is left, and what it holds.
+    """Open and lock the journal until the stack is left; the file and its content.
 
-    The file itself is locked, so that no other one is left beside it. The system lets go of the
-    lock when the process ends, whatever ends it; on a network file system it holds between machines
-    as far as the file system's own locks do.
+    The journal itself is locked, so that no lock file is left behind. The system releases the lock
+    when the process ends. On a network file system the lock holds between machines as far as the
+    file system's own locks do.
     """
     try:
         while True:
@@ -106,9 +112,7 @@ def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
 
 
 def _locked(file: FileIO, path: Path) -> bool:
-    """Lock the file, and return whether the file system supports locks; where it does not, a
-    warning says so.
-    """
+    """Lock the file; return whether the file system supports locks, and warn if not."""
     try:
         if not lock_descriptor(file.fileno(), blocking=False):
             raise StoreError(
@@ -116,8 +120,7 @@ def _locked(file: FileIO, path: Path) -> bool:
                 "give another path"
             )
     except OSError as error:
-        # The file system has no locks: some network and cluster file systems, as they
-        # are mounted.
+        # Some network and cluster file systems have no locks.
         if error.errno not in (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL):
             raise
         warnings.warn(
@@ -131,10 +134,11 @@ def _locked(file: FileIO, path: Path) -> bool:
 
 
 # ------------------------------------------------------------------------------------------------
-# its lines
+# lines
 
 
 def _line(key: str, content: object) -> bytes:
+    """A line with its checksum; ``key`` is the fingerprint for a point, empty for other lines."""
     text = json.dumps(content).encode()
     return _checksum(key, text) + b" " + text + b"\n"
 
@@ -144,14 +148,20 @@ def _checksum(key: str, text: bytes) -> bytes:
 
 
 def _content(key: str, line: bytes) -> Any:
-    """The content of a line without its line end; None if the checksum is wrong."""
+    """The content of a line; None if the checksum is wrong."""
     checksum, _, text = line.partition(b" ")
     return json.loads(text) if checksum == _checksum(key, text) else None
 
 
 def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int, Record]:
-    """Undamaged points of this sweep; the file is made ready to append to, and damage is warned
-    of.
+    """The undamaged points of this sweep; warns of damage and makes the file ready for appending.
+
+    Raises
+    ------
+    ParameterError
+        If the lines are of another sweep.
+    StoreError
+        If the file is no journal.
     """
     *lines, cut = data.split(b"\n")
     points, damaged, owner = dict[int, Record](), list[int](), None
@@ -168,14 +178,13 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
     head = _line("", {"journal": 1, "fingerprint": fingerprint, **provenance()})
     ours = owner == fingerprint or bool(points)
     if not ours and owner is not None and damaged:
-        # The lines of another sweep have checksums that only its fingerprint can tell from damage.
+        # Lines that look damaged may be points of another sweep.
         raise ParameterError(
             f"{path} belongs to another sweep, or to other code; remove it to start anew, or "
             "give another path"
         )
-    if (
-        not ours and owner is None and not head.startswith(data)
-    ):  # else a kill or a full disk has left a part of the first line
+    # A part of the first line may be left by a kill or a full disk.
+    if not ours and owner is None and not head.startswith(data):
         raise StoreError(
             f"{path} is damaged, no journal, or one of an older version: its first line is "
             "not as it is written, and no "
@@ -191,7 +200,7 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
             DamageWarning,
             stacklevel=2,
         )
-    # The beginning of a line that a killed process left goes.
+    # Drop the beginning of a line that a killed process left.
     file.truncate(len(data) - len(cut) if ours else 0)
     if not ours:
         _append(file, path, head)
@@ -199,7 +208,7 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
 
 
 def _append(file: FileIO, path: Path, line: bytes) -> None:
-    """Write a line, all of it or nothing."""
+    """Append a line completely, or leave the file as it was and raise."""
     end = file.seek(0, os.SEEK_END)
     try:
         write_all(file, line)

@@ -1,13 +1,12 @@
-"""Files of results: units, provenance, and a checksum, whole or not there at all.
+"""Files of columns, netCDF or CSV, with units, provenance and a checksum, written atomically.
 
-Every file, netCDF or CSV, ends in a line with the SHA-256 of all bytes before it. HDF5 ignores that
-line, because its superblock says where the data end. The checksum is verified before anything else
-is read: HDF5 accepts many damaged files, and crashes the process on others.
+Every file ends in a line with the SHA-256 of all bytes before it. HDF5 ignores that line, because
+its superblock says where the data end. The checksum is verified before anything else is read: HDF5
+accepts many damaged files, and crashes the process on others.
 
-Any file is written to a temporary one beside it, flushed to the disk, then renamed. Whatever ends a
-write, a full disk or a kill, what stood there before stays, and nothing half-written stands under a
-name that was asked for. What a killed process leaves, ``.spragsym-`` with its number, is removed by
-a write to the same folder an hour later.
+A file is written to a temporary one in the same folder, flushed to the disk and renamed. If a full
+disk or a kill ends the write, the former file stays. Temporary files that a killed process left,
+``.spragsym-*``, are removed by a later write to the same folder, after an hour.
 """
 
 from __future__ import annotations
@@ -43,16 +42,22 @@ from .text import FilePath, path_text, printed
 if TYPE_CHECKING:
     from xarray import Dataset
 
-#: What columns are, by their names; their dimension is the unit that the file is in.
+#: Columns by name; their dimensions are the units in the file.
 Columns: TypeAlias = Mapping[str, Column]
 
 
 def xarray() -> ModuleType:
-    """The module, or an error that names the extra."""
+    """The module xarray.
+
+    Raises
+    ------
+    MissingExtraError
+        Without xarray, h5netcdf or h5py.
+    """
     try:
         with held():
-            import h5netcdf  # noqa: F401  # here only to be missed early
-            import h5py  # noqa: F401  # here only to be missed early
+            import h5netcdf  # noqa: F401  # imported to notice early that it is missing
+            import h5py  # noqa: F401
             import xarray
     except ModuleNotFoundError as error:
         raise MissingExtraError("a netCDF file", error.name or "xarray", "sweep") from error
@@ -65,8 +70,9 @@ def dataset(
     attributes: Mapping[str, Any],
     columns: Columns,
 ) -> Dataset:
-    """An ``xarray.Dataset`` of columns and their dimensions, with unit and meaning of every column,
-    and the words of its codes.
+    """An ``xarray.Dataset`` with the unit, the meaning and the codes of every column.
+
+    ``data`` and ``coords`` have axes and values by name.
     """
     variables = {
         name: (dims, values.astype(object) if values.dtype.kind == "U" else values)
@@ -86,9 +92,7 @@ def dataset(
 
 
 def provenance() -> dict[str, str]:
-    """Provenance of a file: the version and the hash of the derivation behind the generated
-    code.
-    """
+    """The version of this package and the hash of the generated code, for a file."""
     return {"source": f"spragsym {__version__}", "generated_from": SOURCE_HASH}
 
 
@@ -105,13 +109,12 @@ def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
 # -----------------------------------------------------------------------------------------------
 # before the work
 
-#: Whether a file that is there is computed anew; it stays as it is until the new one takes its
-#: place.
+#: Whether an existing file is replaced; it stays until the new one is written.
 OVERWRITING: ContextVar[bool] = ContextVar("overwriting", default=False)
 
 
 def check_target(path: FilePath, bytes_needed: int) -> Path:
-    """Target of a path; an error, before any work, if a file can't be written there."""
+    """The file of a path, before any work; an error if it can't be written."""
     target = resolved(path)
     if target.suffix not in (".nc", ".csv"):
         raise ParameterError(
@@ -146,23 +149,23 @@ def write(
 
 
 def _netcdf(data: Dataset) -> bytes:
-    """The bytes of a dataset, written under a lock of its own.
+    """The bytes of a dataset as netCDF.
 
-    Where a dask client is open, ``to_netcdf`` asks its scheduler for one, which does not know it.
+    A lock is given, because ``to_netcdf`` would ask the scheduler of an open dask client for one,
+    which does not know it.
     """
-    held = io.BytesIO()
+    buffer = io.BytesIO()
     open_store = xarray().backends.H5NetCDFStore.open
-    store = open_store(held, mode="w", format="NETCDF4", lock=threading.Lock())
+    store = open_store(buffer, mode="w", format="NETCDF4", lock=threading.Lock())
     data.dump_to_store(store)
     store.close()
-    return held.getvalue()
+    return buffer.getvalue()
 
 
 def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], described: Columns) -> bytes:
-    """Names of the columns, then attributes and units in comment lines, then the numbers to the
-    last digit.
+    """The bytes of a CSV file: column names, comment lines with attributes and units, numbers.
 
-    The names come first because NumPy takes them from the first line, comment or not.
+    The names come first, because NumPy takes them from the first line.
     """
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
@@ -182,8 +185,8 @@ def sealed(data: bytes) -> bytes:
 
 
 def plain(text: str) -> str:
-    """Text that is one cell to every reader of CSV, NumPy too, which knows no quotes: no comma,
-    quote, # or line end.
+    """Text without commas, quotes, # and line ends, so that it is one cell of a CSV file for every
+    reader; NumPy knows no quotes.
     """
     return " ".join(text.replace(",", ";").replace('"', "'").replace("#", "no. ").split())
 
@@ -191,13 +194,17 @@ def plain(text: str) -> str:
 # ------------------------------------------------------------------------------------------------
 # to read
 
-#: The last line of a file.
+#: The beginning of the last line, before the checksum.
 _TRAILER = b"# sha256: "
 
 
 def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Columns, flat, and attributes of a file that :func:`write` wrote; a StoreError if a bit of it
-    has changed.
+    """The columns, flat, and the attributes of a file that :func:`write` wrote.
+
+    Raises
+    ------
+    StoreError
+        If it can't be read or has changed.
     """
     content = verified(path)
     if path.suffix != ".nc":
@@ -212,8 +219,12 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def read_own(path: Path, key: str) -> dict[str, Any]:
-    """Columns of the file that a call of this fingerprint wrote; a TargetError for any other
-    one.
+    """The columns of a file that was written with this fingerprint.
+
+    Raises
+    ------
+    TargetError
+        If it was written with another fingerprint.
     """
     columns, attributes = read(path)
     if attributes.get("fingerprint") != key:
@@ -228,7 +239,13 @@ def read_own(path: Path, key: str) -> dict[str, Any]:
 
 
 def verified(path: Path) -> bytes:
-    """The part of a file that its checksum covers."""
+    """The content of a file without its checksum, which is verified.
+
+    Raises
+    ------
+    StoreError
+        If it can't be read; DamagedError if the checksum is missing or wrong.
+    """
     try:
         data = resolved(path).read_bytes()
     except OSError as error:
@@ -249,24 +266,27 @@ def verified(path: Path) -> bytes:
 
 
 def _read_csv(text: str) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Columns and attributes of a CSV file."""
     lines = text.splitlines(keepends=True)
-    comments, table = (
-        [line for line in lines if line.startswith("#") == comment] for comment in (True, False)
-    )
+    comments = [line for line in lines if line.startswith("#")]
+    table = [line for line in lines if not line.startswith("#")]
     attrs = dict(line[2:].rstrip("\n").split(": ", 1) for line in comments)
     header, *rows = csv.reader(table)
-    columns = dict(
-        zip(header, zip(*rows, strict=True) if rows else [()] * len(header), strict=True)
-    )
-    return {name: np.array(values) for name, values in columns.items()}, attrs
+    return {name: np.array([row[i] for row in rows]) for i, name in enumerate(header)}, attrs
 
 
-# ----------------------------------------------------------------------------------- whole or not
-# at all
+# ------------------------------------------------------------------------------------------------
+# atomic writing
 
 
 def resolved(path: FilePath) -> Path:
-    """The file that a path leads to through links, even if it does not exist yet."""
+    """The file that a path leads to through links, even if it does not exist yet.
+
+    Raises
+    ------
+    ParameterError
+        If the path leads nowhere, or to a device or a pipe.
+    """
     try:
         target = Path(path_text(path)).resolve()
         if target.is_symlink():
@@ -274,7 +294,7 @@ def resolved(path: FilePath) -> Path:
         if target.exists() and not target.is_file() and not target.is_dir():
             raise ParameterError(f"{path} is a device or a pipe; give the name of a file")
     except (OSError, RuntimeError, ValueError) as error:
-        # A link that leads to itself, a name too long, a NUL within.
+        # A circular link, a name that is too long, or a NUL in it.
         reason = getattr(error, "strerror", None) or error
         raise ParameterError(
             f"{os.fspath(path)[:200]!r} leads nowhere ({reason}); give another path"
@@ -283,10 +303,14 @@ def resolved(path: FilePath) -> Path:
 
 
 def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
-    """Target of a path, found out before any work: a ParameterError if no file can be written
-    there.
+    """The file of a path, checked before any work by writing a temporary file.
 
-    ``made`` is for folders that are made on writing: the nearest one that exists is tried.
+    ``made`` says that missing folders will be made: then the nearest existing one is tried.
+
+    Raises
+    ------
+    ParameterError
+        If no file of that size can be written there.
     """
     target = resolved(path)
     folder = target.parent
@@ -313,10 +337,14 @@ def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
 
 
 def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
-    """Write a file, whole or not at all, or raise a StoreError that names it; a file that was there
-    keeps its mode.
+    """Write a file atomically; a former file is replaced and its mode kept.
 
-    ``made`` is for a folder that is made if missing.
+    ``made`` says that missing folders are made.
+
+    Raises
+    ------
+    StoreError
+        If it can't be written.
     """
     target = resolved(path)
     try:
@@ -338,6 +366,7 @@ def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
 
 
 def _replace(target: Path, data: bytes) -> None:
+    """Write data to a temporary file, flush it to the disk and rename it to the target."""
     temporary = _beside(target.parent)
     number = _opened(temporary)
     try:
@@ -354,26 +383,24 @@ def _replace(target: Path, data: bytes) -> None:
 
 
 def write_all(file: FileIO, data: bytes) -> None:
-    """Write everything or raise: an almost full disk accepts a part, and fails only at the next
-    write.
-    """
+    """Write all data: an almost full disk accepts a part, and fails only at the next write."""
     view = memoryview(data)
     while view:
         view = view[file.write(view) :]
 
 
 def _beside(folder: Path) -> Path:
+    """A new name for a temporary file in a folder."""
     return folder / f".spragsym-{os.getpid()}-{secrets.token_hex(8)}"
 
 
 def _opened(path: Path) -> int:
-    """A new file, never one that is there, nor what a link leads to."""
-    # What exists is no new file, a link to nothing included.
+    """The descriptor of a new file; an error if the name exists, even as a link to nothing."""
     return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
 
 
 def _remove_left(folder: Path) -> None:
-    """Remove what killed writes left in a folder: no write takes an hour."""
+    """Remove temporary files of killed writes from a folder: those older than an hour."""
     old = time.time() - 3600.0
     with suppress(OSError):
         for path in folder.glob(".spragsym-*-" + 16 * "[0-9a-f]"):
@@ -382,7 +409,7 @@ def _remove_left(folder: Path) -> None:
 
 
 def _settle(folder: Path) -> None:
-    """Make a new name in a folder survive a power cut, on systems that can do this."""
+    """Flush a folder to the disk, so that a new name in it survives a power cut, where possible."""
     with suppress(OSError):
         number = os.open(folder, os.O_RDONLY)
         try:

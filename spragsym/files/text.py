@@ -1,6 +1,4 @@
-"""Texts: of users' files, read on any system and up to a bound, and of templates that come with the
-package.
-"""
+"""Texts of users' files, of bounded size and checked characters, and of the package's templates."""
 
 from __future__ import annotations
 
@@ -14,32 +12,41 @@ from typing import Any, TypeAlias
 from ..core.errors import MissingExtraError, ParameterError, ParameterTypeError
 from ..core.type_variables import T
 
-#: What says where a file is.
+#: The path of a file.
 FilePath: TypeAlias = str | os.PathLike[str]
-#: Bytes of a file that a user writes by hand, at most.
+#: Largest size in bytes of a file that is written by hand.
 BY_HAND = 1 << 20
 
 
 def path_text(path: FilePath) -> str:
-    """A path as text; a ParameterTypeError for what is none."""
+    """A path as text.
+
+    Raises
+    ------
+    ParameterTypeError
+        For anything else.
+    """
     if not isinstance(path, str | os.PathLike):
         raise ParameterTypeError(f"path = {path!r:.60} is no path; give text, or a pathlib.Path")
     return os.fsdecode(os.fspath(path))
 
 
 def contents(path: FilePath, largest: int = BY_HAND, what: str = "another file") -> bytes:
-    """The bytes of a file, or of a pipe; a device without end, and a pipe that nobody writes to,
-    end too.
+    """The bytes of a file or a pipe; ``what`` says in errors what to give.
 
-    If there is no such file, or it holds more than ``largest`` bytes, that is a ParameterError.
+    It returns for an endless device and for a pipe without a writer too.
+
+    Raises
+    ------
+    ParameterError
+        If there is no such file, or it holds more than ``largest`` bytes.
     """
     name = path_text(path)
     shown = name if len(name) <= 200 else f"{name[:80]}…"
     if os.path.isdir(path):
         raise ParameterError(f"{shown} is a folder; give {what}")
     try:
-        # A pipe that nobody writes to is at its end at once, if it is not waited for when it is
-        # opened.
+        # O_NONBLOCK: a pipe without a writer is then at its end, instead of blocking.
         number = os.open(
             path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
         )
@@ -61,16 +68,15 @@ def contents(path: FilePath, largest: int = BY_HAND, what: str = "another file")
 def text_of(
     path: FilePath, largest: int = BY_HAND, what: str = "another file", remedy: str = ""
 ) -> str:
-    """The text of a file in UTF-8, with a mark at its beginning or without, or in UTF-16 with one,
-    as PowerShell writes it.
+    """The text of a file in UTF-8, with or without byte order mark, or in UTF-16 with one, as
+    PowerShell writes it.
 
-    Errors are those of :func:`contents`, and one for bytes that are no text.
+    Errors are those of :func:`contents`, and a ParameterError for other bytes.
     """
     data = contents(path, largest, what)
+    is_utf16 = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
-        text = data.decode(
-            "utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig"
-        )
+        text = data.decode("utf-16" if is_utf16 else "utf-8-sig")
     except UnicodeDecodeError as error:
         raise ParameterError(
             f"{os.fspath(path)} is not text in UTF-8 (byte {error.start}); save it as UTF-8{remedy}"
@@ -80,24 +86,27 @@ def text_of(
 
 
 def brake_text(path: FilePath) -> str:
-    """The text of the file of a brake, as :func:`text_of`."""
+    """The text of a file of data, by :func:`text_of`."""
     return text_of(path, what="a file such as brake.toml", remedy=", or write +- for ±")
 
 
 def printed(where: str, held: T, allowed: str = "") -> T:
-    """Text that was read, or data with texts in them; a ParameterError if one holds what is not
-    printed.
+    """Return text, or data with texts in it, if it has printable characters only.
 
-    Control characters command a terminal, and marks of direction show a text as another. Pages have
-    the same rule, ``check_characters`` of ``derive.model``.
+    Control characters are commands to a terminal, and marks of the writing direction disguise a
+    text. Pages have the same rule, ``check_characters`` of ``derive.model``.
+
+    Raises
+    ------
+    ParameterError
+        For other characters, unless they are ``allowed``.
 
     >>> printed("brake.toml", {"title": "Front brake"})
     {'title': 'Front brake'}
     """
     if isinstance(held, str):
         for one in sorted(set(held) - {*allowed}):
-            # Categories of Unicode: controls, formats, surrogates, ends of lines and
-            # of paragraphs.
+            # Unicode's controls, formats, surrogates, line and paragraph separators.
             if unicodedata.category(one) in ("Cc", "Cf", "Cs", "Zl", "Zp"):
                 line = held[: held.index(one)].count("\n") + 1
                 at = f", line {line}" if line > 1 else ""
@@ -116,13 +125,17 @@ def printed(where: str, held: T, allowed: str = "") -> T:
 
 
 def shipped_text(package: str, name: str) -> str:
-    """The text of a file that comes with a package."""
+    """The text of a file in a package."""
     return (resources.files(package) / name).read_text(encoding="utf-8")
 
 
 def filled(package: str, name: str, what: str, **values: Any) -> str:
-    """The template of this name with values in it, text escaped in HTML; ``what`` it is needs the
-    extra ``plot``.
+    """A template filled with values; text is escaped in HTML.
+
+    Raises
+    ------
+    MissingExtraError
+        Without jinja2; ``what`` says for what it is needed.
     """
     try:
         from jinja2 import Environment, StrictUndefined

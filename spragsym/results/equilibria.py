@@ -1,4 +1,6 @@
-"""Equilibria of many points: one class for every model, however they were found."""
+"""The result of ``equilibria``: the states of many points of parameters, for every model and
+method.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +47,7 @@ class EquilibriumType(enum.IntEnum):
 
 @dataclass(frozen=True)
 class Undecided(Result):
-    """A box at one point that may hold no equilibrium, one, or several: this is not known."""
+    """A box of states at one point for which it is not decided how many equilibria it holds."""
 
     index: tuple[int, ...]  #: of the point in the shape of the parameters
     low: tuple[float, ...]  #: lower ends, by coordinate
@@ -54,10 +56,10 @@ class Undecided(Result):
 
 
 class ColumnSource(Protocol):
-    """Source of the columns of equilibria, each made when it is asked for.
+    """Source of the columns of equilibria, each computed when it is asked for.
 
-    It must bring ``undamped``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it
-    may bring others.
+    It must have ``undamped``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates, and may
+    have others.
     """
 
     @property
@@ -73,10 +75,10 @@ class ColumnSource(Protocol):
         """
 
     def held(self, columns: Mapping[str, NDArray[Any]]) -> ColumnSource:
-        """The source with these columns made, for a file."""
+        """A source that holds these columns, for a file."""
 
 
-#: Columns of the full linearization: what it calls them, and what stands in an empty slot.
+#: Columns of the full linearization: its attribute, and the value in a slot without equilibrium.
 _LINEARIZED: Mapping[str, tuple[str, Any]] = {
     "damped_eigenvalues": ("eigenvalues", np.nan),
     "growth": ("growth", np.nan),
@@ -87,10 +89,9 @@ _LINEARIZED: Mapping[str, tuple[str, Any]] = {
 
 @cache
 def _names(model: Model, more: tuple[str, ...]) -> tuple[str, ...]:
-    """Names of all columns: where states are, forces, and ours."""
+    """Names of all columns: of states, forces, parameters, and of the package."""
     made = (each.name for each in Equilibria.schema if each.of is not None)
     several = ["touching"] if model.has_regimes else []
-    # Columns that every result has.
     fixed = ("undamped", "marginal", "eigenvalues", "error", "region", "whole")
     ours = (own_name(model, name) for name in (*several, *fixed, *_LINEARIZED, *made, *more))
     return tuple(dict.fromkeys([*model.places, *forces_of(model), *model.parameters, *ours]))
@@ -199,7 +200,7 @@ class Equilibria(OfStates):
 
     @property
     def states(self) -> tuple[IntArray, ...]:
-        """Mask of the slots that hold equilibria: indices into the columns, in order."""
+        """Indices into the columns of all slots that hold equilibria, in order."""
         return np.nonzero(np.arange(self.undamped.shape[-1]) < self.count[..., None])
 
     def reason(self, *index: int) -> str:
@@ -221,8 +222,8 @@ class Equilibria(OfStates):
         >>> eq.reason(0)
         ''
         """
-        here = np.arange(self.count.size).reshape(self.count.shape)
-        boxes = (box for box in self.undecided if here[box.index] == here[index])
+        numbers = np.arange(self.count.size).reshape(self.count.shape)
+        boxes = (box for box in self.undecided if numbers[box.index] == numbers[index])
         return "; ".join(dict.fromkeys(box.reason for box in boxes))
 
     def require_decided(self) -> Self:
@@ -264,22 +265,22 @@ class Equilibria(OfStates):
         >>> eq.as_table().title, len(eq.as_table().rows)
         ('4 equilibria in contact of 2 points', 4)
         """
-        every, number = self.states, math.prod(self.count.shape)
+        states, number = self.states, math.prod(self.count.shape)
 
-        def columns(some: IntArray) -> dict[str, Any]:
-            states = tuple(part[some] for part in every)
-            rows = self._rows(states)
+        def columns(chosen: IntArray) -> dict[str, Any]:
+            shown = tuple(part[chosen] for part in states)
+            rows = self._rows(shown)
             growth = self._own("growth")
             return {
-                **points(states[:-1]),
+                **points(shown[:-1]),
                 **rows,
                 growth: [f"{rate:.1e}" for rate in rows[growth]],
             }
 
         where = {"sliding": "of sliding", "rest": "at rest"}.get(self.regime, f"in {self.regime}")
-        caption = f"{counted(every[0].size, 'equilibrium', 'equilibria')} {where}"
+        caption = f"{counted(states[0].size, 'equilibrium', 'equilibria')} {where}"
         caption += f" of {number} points" * bool(self.count.shape)
-        return in_rows(caption + not_all(self), self._schema, every[0].size, columns)
+        return in_rows(caption + not_all(self), self._schema, states[0].size, columns)
 
     def data(self) -> dict[str, NDArray[Any]]:
         """A row for each equilibrium: the parameters that vary over the points, its stability and
@@ -354,11 +355,15 @@ class Equilibria(OfStates):
         return tuple(name for name in names if name in available)
 
     def _rows(self, states: tuple[IntArray, ...]) -> dict[str, NDArray[Any]]:
-        p, found = self.parameters, self._source.linearized(self, states)
+        p, linearization = self.parameters, self._source.linearized(self, states)
         attributes = {self._own(name): of for name, (of, _) in _LINEARIZED.items()}
 
         def column(name: str) -> NDArray[Any]:
-            return getattr(found, attributes[name]) if name in attributes else self[name][states]
+            return (
+                getattr(linearization, attributes[name])
+                if name in attributes
+                else self[name][states]
+            )
 
         vary = [name for name in p.ranges if np.size(p[name]) > 1]
         given = {name: np.broadcast_to(p[name], p.shape)[states[:-1]] for name in vary}
@@ -389,9 +394,7 @@ class Equilibria(OfStates):
         return self._source.linearized(self, self.states)
 
     def _column(self, name: str) -> NDArray[Any]:
-        """A column: as it was found, by the linearization, or what follows from where the states
-        are.
-        """
+        """A column: from the source, the linearization, the schema, or derived from the states."""
         column = self._source.column(name)
         if column is not None:
             return column

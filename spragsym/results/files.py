@@ -1,7 +1,7 @@
-"""Results as files: all that a result holds as JSON, and read back as the same class, bit for bit.
+"""Files of results: JSON with all data of a result, which is read back bit for bit.
 
-Only data classes of this package are made from a file, from their fields: it runs no code and loads
-no folder. It has a digest, so that a damaged one is refused.
+Reading runs no code of the file and loads no folder: only data classes of this package are made,
+from their fields. A digest detects damage.
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ from ..models.load import load, shipped
 from ..models.parameters import ParameterSet, set_of
 from .result import Result
 
-#: Version of the format, raised by hand where an older file is read in another way: :func:`_read`
-#: then converts it. Files before there was a number are of the first.
+#: Version of the format, to be raised if older files have to be converted by :func:`_read`. Files
+#: without a version are of the first one.
 FORMAT = 1
-#: Where classes stand whose module or name has changed since a file was written.
+#: Present module and name of classes that older files name otherwise.
 MOVED: Mapping[tuple[str, str], tuple[str, str]] = {
     ("spragsym.report.brake_files", "FrictionFit"): ("spragsym.report.friction_fit", "FrictionFit"),
     ("spragsym.models.quantities", "PhysicalParameters"): (
@@ -50,7 +50,7 @@ MOVED: Mapping[tuple[str, str], tuple[str, str]] = {
     ("spragsym.orbits.arclength", "Point"): ("spragsym.orbits.arclength", "BranchPoint"),
     ("spragsym.orbits.events", "Finding"): ("spragsym.orbits.events", "DetectedEvent"),
 }
-#: Former names of fields, by those of now.
+#: Former names of fields by the present ones.
 FORMER_FIELDS: Mapping[str, str] = {
     "orbit": "loop",
     "orbits": "loops",
@@ -59,12 +59,19 @@ FORMER_FIELDS: Mapping[str, str] = {
 }
 
 
-#: Endings of files of columns alone, and what reads them.
+#: Endings of files that hold columns only, and the functions that read them.
 _COLUMNS = {".csv": "pandas.read_csv", ".nc": "xarray.open_dataset"}
 
 
 def save(result: Result, path: FilePath) -> None:
-    """Write a result: all of it as JSON, for :func:`open`, or its columns, by the ending."""
+    """Write a result to ``*.json``, which :func:`open` reads, or its columns to ``*.csv``,
+    ``*.nc``.
+
+    Raises
+    ------
+    ParameterError
+        For another ending.
+    """
     ending = Path(path_text(path)).suffix
     if ending not in (".json", *_COLUMNS):
         raise ParameterError(
@@ -110,10 +117,9 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
             "wrote, which holds the whole result"
         )
     remedy = ", or give a *.json that save() wrote"
-    # Bytes of a file that is read back, at most.
-    most = 2**30
-    text = text_of(path, most, "a *.json that save() wrote", remedy)
-    # What a file raises that is not as :func:`save` writes it now.
+    largest = 2**30  # bytes
+    text = text_of(path, largest, "a *.json that save() wrote", remedy)
+    # Errors in reading a file that is not as save() writes it now.
     wrong = (
         ValueError,
         TypeError,
@@ -124,10 +130,10 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
         RecursionError,
     )
     try:
-        held = printed(name, json.loads(text))
-        version, body = held["spragsym"], _text(held["result"])
-        sealed = held.get("format", 1) <= FORMAT and "sha256" in held
-        if sealed and _digest(body) != held["sha256"]:
+        content = printed(name, json.loads(text))
+        version, body = content["spragsym"], _text(content["result"])
+        is_sealed = content.get("format", 1) <= FORMAT and "sha256" in content
+        if is_sealed and _digest(body) != content["sha256"]:
             raise ValueError("it is not as it was written")
     except ParameterError:
         raise
@@ -135,15 +141,17 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
         raise ParameterError(
             f"{name} holds no result of spragsym ({error!r:.80}); give a *.json that save() wrote"
         ) from error
-    why = f"this is {__version__}"
-    if sealed:
+    version_reason = f"this is {__version__}"
+    if is_sealed:
         try:
             return json.loads(body, object_hook=partial(_read, model))
         except ParameterError:
             raise
         except wrong as error:
-            why = f"when results had other parts than now ({error!r:.80})"
-    raise ParameterError(f"{name} was written by spragsym {version}, {why}; compute it anew")
+            version_reason = f"when results had other parts than now ({error!r:.80})"
+    raise ParameterError(
+        f"{name} was written by spragsym {version}, {version_reason}; compute it anew"
+    )
 
 
 def _text(body: object) -> str:
@@ -171,7 +179,7 @@ def _array_of(kind: str, shape: list[int], data: str) -> NDArray[Any]:
     return array
 
 
-#: Kinds of numbers: what they are in Python, how they are written, and how they are read.
+#: Kinds of numbers: their types in Python, how they are written, and how they are read.
 _NUMBERS: dict[str, tuple[Any, Callable[[Any], Any], Callable[[Any], Any]]] = {
     "float": (float, float.hex, float.fromhex),
     "array": (
@@ -193,7 +201,7 @@ _NUMBERS: dict[str, tuple[Any, Callable[[Any], Any], Callable[[Any], Any]]] = {
 
 
 def _written(thing: object) -> object:
-    """Object for JSON: what it knows as it is, all else under the name of its kind."""
+    """An object as JSON data: what JSON has not is a mapping from its kind to its parts."""
     match thing:
         case None | bool() | str():
             return thing
@@ -228,15 +236,19 @@ def _place(kind: type) -> tuple[str, str]:
     return kind.__module__, kind.__qualname__
 
 
-def _read(given: Model | None, held: dict[str, Any]) -> object:
-    """Object that :func:`_written` wrote under the name of its kind, of which the parts are read
-    before.
+def _read(model_of_user: Model | None, entry: dict[str, Any]) -> object:
+    """The object of a mapping from :func:`_written`, whose parts are already read.
+
+    Raises
+    ------
+    ParameterError
+        If it is of a model that is neither shipped nor the one that the user gave.
     """
-    ((kind, value),) = held.items()
+    ((kind, value),) = entry.items()
 
     def model(where: str) -> Model:
-        if given is not None and given.where == where:
-            return given
+        if model_of_user is not None and model_of_user.where == where:
+            return model_of_user
         if where not in shipped():
             raise ParameterError(
                 f"model: the result is of {where}, which is no shipped model; give "
@@ -260,18 +272,18 @@ def _read(given: Model | None, held: dict[str, Any]) -> object:
         case "parameters":
             return set_of(*value)
     *names, parts = value
-    made = _class(*names)
+    kind_class = _class(*names)
     if kind == "enum":
-        return made(parts)
-    if hasattr(made, "_fields"):
-        return made(**parts)
-    out = object.__new__(made)
-    out.__dict__.update({each.name: _part(each, parts) for each in fields(made)})
+        return kind_class(parts)
+    if hasattr(kind_class, "_fields"):
+        return kind_class(**parts)
+    out = object.__new__(kind_class)
+    out.__dict__.update({each.name: _part(each, parts) for each in fields(kind_class)})
     return out
 
 
 def _part(field: dataclasses.Field[Any], parts: Mapping[str, Any]) -> object:
-    """A field of a result; of one that is younger than the file, its default."""
+    """The value of a field in a file; the default of a field that is newer than the file."""
     for name in (field.name, FORMER_FIELDS.get(field.name, field.name)):
         if name in parts:
             return parts[name]
@@ -283,14 +295,20 @@ def _part(field: dataclasses.Field[Any], parts: Mapping[str, Any]) -> object:
 
 
 def _class(module: str, name: str) -> type[Any]:
-    """A class of this package that holds data."""
+    """A data class, named tuple or enumeration of this package, by module and name.
+
+    Raises
+    ------
+    ValueError
+        For anything else.
+    """
     module, name = MOVED.get((module, name), (module, name))
     package, *inner = module.split(".")
-    # What derives, and what runs as a command when it is imported, has no results.
+    # The derivation, and modules that run as commands when they are imported, have no results.
     ours = package == __package__.partition(".")[0] and not {"derive", "__main__"} & {*inner}
-    made = getattr(importlib.import_module(module), name) if ours else None
-    if not isinstance(made, type) or not (
-        is_dataclass(made) or issubclass(made, enum.Enum) or hasattr(made, "_fields")
+    found = getattr(importlib.import_module(module), name) if ours else None
+    if not isinstance(found, type) or not (
+        is_dataclass(found) or issubclass(found, enum.Enum) or hasattr(found, "_fields")
     ):
         raise ValueError(f"{module}.{name} is no class of results")
-    return made
+    return found

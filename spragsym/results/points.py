@@ -1,5 +1,5 @@
-"""Points, curves and paths on which equilibria change: one class each for every model, however they
-were found.
+"""Results on bifurcations of equilibria: points, curves, sets and paths; the same classes for every
+model and method.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from .result import Items, Named, OfStates, Result, Rows
 
 @dataclass(frozen=True, eq=False)
 class Ended(Result):
-    """Event at a fold: columns of :class:`Points` under these names; ``after``, or what makes it
-    when asked.
+    """What ends at each of several points: the columns ``ends``, ``when`` and ``after`` of
+    :class:`Points`; ``after`` may be a function that computes it.
     """
 
     schema = (Column("{p}_after", "{p}", "{p} of the state that is jumped to"),)
@@ -37,13 +37,13 @@ class Ended(Result):
 
 
 def nothing_ends(points: Points) -> Ended:
-    """Columns for points of which none is a fold."""
+    """The columns for points at which no state ends."""
     ends, when = np.full((2, len(points)), "", dtype="<U9")
     return Ended(ends, when, nowhere(points))
 
 
 def nowhere(points: Points) -> dict[str, FloatArray]:
-    """``after`` of points at which nothing jumps."""
+    """The column ``after`` for points at which nothing jumps: NaN."""
     return {name: np.full(len(points), np.nan) for name in points.state_columns}
 
 
@@ -152,7 +152,7 @@ class Points(OfStates, Rows):
 
     @property
     def _of_each(self) -> tuple[str, ...]:
-        """Attributes that tables have of each point but where it is."""
+        """Names of the attributes in tables, besides parameters and states."""
         return ("kind",)
 
     def data(self) -> dict[str, NDArray[Any]]:
@@ -171,8 +171,7 @@ class Points(OfStates, Rows):
         >>> found.data()["theta0"].round(4)
         array([0.7777, 2.7063])
         """
-        # Columns of a model with several contacts.
-        several = [
+        several = [  # only of a model with several contacts
             name for name in map(self._own, ("touching", "at_border")) if name in self._values
         ]
         where = {name: self[name] for name in (*self.vary, *self.state_columns, *several)}
@@ -195,7 +194,7 @@ class Points(OfStates, Rows):
         >>> [row[0] for row in found.as_table().rows]
         ['44.5593177', '155.0594188']
         """
-        said = self._schema
+        schema = self._schema
         columns = self.data()
         error = columns.pop(self._own("error"))
         if np.isin(self.kind, ("fold", "border_fold")).any():
@@ -204,11 +203,11 @@ class Points(OfStates, Rows):
         columns[self._own("error")] = error
         ends = self.region[-len(self.vary) :].tolist()
         spans = (
-            f"{said.heading(name)} from {said.cell(name, low)} to {said.cell(name, high)}"
+            f"{schema.heading(name)} from {schema.cell(name, low)} to {schema.cell(name, high)}"
             for name, (low, high) in zip(self.vary, ends, strict=True)
         )
         caption = f"{counted(len(self), 'point', 'points')} along {', '.join(spans)}{not_all(self)}"
-        return in_rows(caption, said, len(self), lambda some: selected_rows(columns, some))
+        return in_rows(caption, schema, len(self), lambda some: selected_rows(columns, some))
 
     def select(self, which: BoolArray) -> Self:
         """The points that ``which`` marks.
@@ -274,7 +273,7 @@ class Points(OfStates, Rows):
 
     @cached_property
     def _derived(self) -> dict[str, FloatArray]:
-        """Quantities that follow from where the states are."""
+        """Quantities that follow from the states."""
         p = self.parameters.replace(**{name: self[name] for name in self.vary})
         derived = derived_of_states(
             p, [coordinate[:, None] for coordinate in self.coordinates.values()]
@@ -309,7 +308,7 @@ class Points(OfStates, Rows):
 
 
 def after_if_known(points: Points) -> Mapping[str, FloatArray]:
-    """``after`` where it costs no search: of closed forms, and where it was asked for before."""
+    """The column ``after`` if it is known without a search; else empty."""
     after = points.__dict__.get("after", points._what_ends.after)
     return {} if callable(after) else after
 
@@ -504,7 +503,7 @@ class Path(OfStates, Rows):
 
     @property
     def _items(self) -> Items:
-        # Columns of the full linearization, as of :class:`spragsym.results.Equilibria`.
+        # Columns of the full linearization are those of the equilibria along the path.
         ours = {self._own(name): name for name in ("stability", "growth", "growth_sign")}
         places = {self.vary: self.values, **self.places, self._own("undamped"): self.undamped}
 
@@ -585,7 +584,10 @@ class CriticalLoad(Tabular, NDArrayOperatorsMixin):
         return len(self.value)
 
     def __getitem__(self, index: int | slice | tuple[()] | NDArray[Any]) -> CriticalLoad:
-        some = {name: getattr(self, name)[index] for name in ("value", "where", "kind", "error")}
+        selected = {
+            name: getattr(self, name)[index] for name in ("value", "where", "kind", "error")
+        }
         return replace(
-            self, **{name: part if np.ndim(part) else part.item() for name, part in some.items()}
+            self,
+            **{name: part if np.ndim(part) else part.item() for name, part in selected.items()},
         )

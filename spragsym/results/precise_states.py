@@ -1,4 +1,4 @@
-"""Equilibria and cusps to any number of digits, and how their numbers are written."""
+"""Results to any number of digits: equilibria and cusps, with their numbers in decimals."""
 
 from __future__ import annotations
 
@@ -17,9 +17,7 @@ from .equilibria import EquilibriumType
 
 @dataclass(frozen=True, repr=False)
 class Written(ABC):
-    """Numbers by name, each an attribute too and written in decimals, with a ``repr`` that is made
-    of these.
-    """
+    """Numbers by name, which are attributes too; ``repr`` writes them in decimals."""
 
     numbers: Mapping[str, mpmath.mpf]
 
@@ -35,13 +33,12 @@ class Written(ABC):
 
     @abstractmethod
     def _bound(self, value: mpmath.mpf) -> Fraction:
-        """A bound on the error of one of them."""
+        """A bound on the error of a number."""
 
     def decimals(self, digits: int | None = None) -> dict[str, Decimal]:
-        """The numbers in decimals, each with a bound on its error that covers the rounding to these
-        digits too.
+        """The numbers in decimals, each with a bound on its error that includes the rounding.
 
-        ``digits`` are significant ones; by default as many as are proved.
+        ``digits`` is the number of significant digits, by default as many as are proved.
         """
         return {
             name: rounded_decimal(value, self._bound(value), digits)

@@ -1,4 +1,6 @@
-"""Base of results: shown as a table, given as columns, written to a file and drawn."""
+"""Base classes of results: columns with a schema, printed as a table, saved, converted and
+drawn.
+"""
 
 from __future__ import annotations
 
@@ -36,24 +38,24 @@ if TYPE_CHECKING:
     from ..models.model import Model
 
 
-#: Longer arrays and tuples stand in ``repr`` by their shapes.
+#: Largest length of arrays and tuples that ``repr`` shows; longer ones are shown by their shapes.
 WHOLE = 6
 
 
 class Units(Protocol):
-    """Units of data: a study, or scales."""
+    """The units of data: a study, with the units of its file, or scales."""
 
     @property
     def scales(self) -> Any:
         """Scales in SI."""
 
     def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
-        """The unit for one in SI, and what one of the model's is in it."""
+        """The unit that is used for one in SI, and the factor from the model's unit to it."""
 
 
 @dataclass(frozen=True, eq=False)
 class Items(Mapping[str, Any]):
-    """Columns by name, each made when it is asked for."""
+    """A mapping of columns by name, each computed when it is asked for."""
 
     names: tuple[str, ...]
     make: Callable[[str], Any]
@@ -74,18 +76,17 @@ class Items(Mapping[str, Any]):
 
 
 class Result(Tabular):
-    """A result: ``print`` gives its table as well; ``repr`` is that of the dataclass, long arrays
-    by their shapes.
+    """Base class of results. ``print`` shows the table; ``repr`` shows long arrays by their shapes.
 
-    Columns are items by their names, ``result["x"]``, and ``result.columns`` says of each what it
-    is. Where no attribute of the package has its name, a column is an attribute too. A column of
-    the package that has the name of a quantity of the page is an item with an underscore behind it.
+    Columns are items, ``result["x"]``, and ``result.columns`` has the meaning of each. A column is
+    an attribute too, unless the class has an attribute of that name. If a column of the package has
+    the name of a quantity of the page, the package's is the item with an underscore behind it.
     """
 
     def __init_subclass__(cls, **options: Any) -> None:
         super().__init_subclass__(**options)
         if "__repr__" not in cls.__dict__:
-            # In the class itself, so that the dataclass of it makes no other.
+            # Set in the class itself: the dataclass decorator then makes no other.
             cls.__repr__ = _short  # type: ignore[method-assign]
 
     @property
@@ -93,7 +94,7 @@ class Result(Tabular):
         return schema_of(self, Schema({}, load(USUAL)))
 
     def _own(self, name: str) -> str:
-        """The item that a column of the package is."""
+        """The item name of a column of the package."""
         model = self._of_model
         return name if model is None else own_name(model, name)
 
@@ -121,12 +122,11 @@ class Result(Tabular):
         return "\n\n".join(map(text, tables(self, self._schema)))
 
     def _is_short(self) -> bool:
-        """Whether its columns are worth computing for ``repr``."""
+        """Whether ``repr`` shows the columns."""
         return True
 
     def data(self) -> dict[str, NDArray[Any]]:
-        """The columns of its table by name, whole: arrays of one shape, angles in radians; none
-        where it has no rows.
+        """The columns by name: arrays of one shape, angles in radians; empty without rows.
 
         Returns
         -------
@@ -142,8 +142,7 @@ class Result(Tabular):
         return sorted_out(self, self._schema)[0]
 
     def to_dataframe(self) -> DataFrame:
-        """A ``pandas.DataFrame`` of :meth:`data`, a row a point, angles in radians; pandas must be
-        installed.
+        """A ``pandas.DataFrame`` of :meth:`data`, one row a point; pandas must be installed.
 
         Returns
         -------
@@ -217,19 +216,19 @@ class Result(Tabular):
         >>> [name for name in found.columns if name[0] in "xL"], found["x_m"].round(5).tolist()
         (['L_m', 'x_m'], [0.00478, 0.02107, 0.05484])
         """
-        columns, found, meanings, names = self.columns, {}, {}, {}
+        columns, values, meanings, names = self.columns, {}, {}, {}
         entries = [] if self._of_model is None else self._of_model.about["parameters"]
         quantities = {one["name"]: one.get("quantity", one["name"]) for one in entries}
         for name, column in self._of_points().items():
-            called, said = quantities.get(name, name), columns[name]
-            unit, size = in_unit(said.dimension, units, called)
-            title = titled(called, said.dimension, units, called)[0]
-            found[title] = size * column if column.dtype.kind == "f" else column
-            meanings[title], names[title] = said.meaning, unit or "1"
-        return InUnits(found, meanings, names)
+            quantity, column_of_name = quantities.get(name, name), columns[name]
+            unit, size = in_unit(column_of_name.dimension, units, quantity)
+            title = titled(quantity, column_of_name.dimension, units, quantity)[0]
+            values[title] = size * column if column.dtype.kind == "f" else column
+            meanings[title], names[title] = column_of_name.meaning, unit or "1"
+        return InUnits(values, meanings, names)
 
     def _of_points(self) -> Mapping[str, NDArray[Any]]:
-        """The columns of which each has a value of every row, in radians."""
+        """The columns with a value in every row, angles in radians."""
         return self.data()
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -261,7 +260,7 @@ class Result(Tabular):
         save(self, path)
 
     def _for_file(self) -> Result:
-        """The result with all columns made: data alone."""
+        """The result with all columns computed, as it is written to a file."""
         return self
 
     def _save_columns(self, path: Path) -> None:
@@ -274,14 +273,14 @@ class Result(Tabular):
         return self.data()
 
     def _attributes(self) -> dict[str, Any]:
-        """Further attributes of a file."""
+        """Attributes of a file of columns."""
         return storage.provenance()
 
     @property
     def _in_model_units(self) -> dict[str, Column]:
-        """Columns by name, of each the unit of the model in place of that in SI."""
-        said = self._schema
-        return in_model_units(said.model, said.columns)
+        """The schema's columns with units of the model in place of those in SI."""
+        schema = self._schema
+        return in_model_units(schema.model, schema.columns)
 
     def plot(self, ax: Axes | None = None, **options: Any) -> Any:
         """Draw it into ``ax``, by default pyplot's current axes, and return what was drawn (extra
@@ -311,15 +310,15 @@ class Result(Tabular):
         >>> bool(found.plot(Figure().add_subplot()))
         True
         """
-        # a shorthand for what a user asks the package: no room imports one behind it
+        # A shorthand that asks the package: figures is a later room, which this one can't import.
         import spragsym
 
         return spragsym.figures.plot(self, ax, **options)
 
 
 def in_model_units(model: Model, columns: Mapping[str, Column]) -> dict[str, Column]:
-    """Columns with the unit of the model, as ``k_c*L_0``, in place of that in SI; beside an angle
-    its column in degrees.
+    """Columns with units of the model, as ``k_c*L_0``, in place of those in SI; every angle has a
+    second column in degrees.
     """
     found = {
         f"{name}_deg": Column(f"{name}_deg", "degree", column.meaning)
@@ -333,32 +332,37 @@ def in_model_units(model: Model, columns: Mapping[str, Column]) -> dict[str, Col
 
 
 def titled(name: str, dimension: str, units: Units | None, of: str = "") -> tuple[str, float]:
-    """The title of a column with its unit, and what one of the model's own unit is in it; ``of`` is
-    the quantity of a file whose unit it has.
+    """The title of a column, which ends in its unit, and the factor from the model's unit to it.
+
+    ``of`` is the quantity of a file whose unit is used.
     """
     unit, size = in_unit(dimension, units, of)
     return f"{name}_{'per_s' if unit == '1/s' else unit}" if unit else name, size
 
 
 def in_unit(dimension: str, units: Units | None, of: str = "") -> tuple[str, float]:
-    """The unit of a dimension in data, empty of a number, and what one of the model's is in it."""
+    """The unit for a dimension, empty for a number, and the factor from the model's unit to it."""
     if dimension == "rad":
         return "deg", math.degrees(1.0)
     if units is None or dimension in ("1", ""):
         return "", 1.0
-    return ("1/s", 1.0 / units.scales.time) if dimension == "1/s" else units.unit_of(dimension, of)
+    if dimension == "1/s":
+        return "1/s", 1.0 / units.scales.time
+    return units.unit_of(dimension, of)
 
 
 def axes_of(inputs: Mapping[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:
-    """A name for every axis: the input that alone varies along it, and along no other axis."""
+    """A name for every axis: the only input that varies along it, if it varies along no other axis;
+    else ``axis_0``, ….
+    """
     sizes = {
         name: (*[1] * (len(shape) - values.ndim), *values.shape) for name, values in inputs.items()
     }
     names = []
     for axis, size in enumerate(shape):
-        along = [name for name, own in sizes.items() if own[axis] > 1]
+        varying = [name for name, own in sizes.items() if own[axis] > 1]
         names.append(
-            along[0] if len(along) == 1 and inputs[along[0]].size == size else f"axis_{axis}"
+            varying[0] if len(varying) == 1 and inputs[varying[0]].size == size else f"axis_{axis}"
         )
     return tuple(names)
 
@@ -366,33 +370,36 @@ def axes_of(inputs: Mapping[str, FloatArray], shape: tuple[int, ...]) -> tuple[s
 def along_axes(
     inputs: Mapping[str, FloatArray], axes: tuple[str, ...], shape: tuple[int, ...]
 ) -> dict[str, Any]:
-    """Inputs as coordinates of a dataset: a single number stays one, an axis becomes a coordinate,
-    and a table keeps the full shape.
+    """Inputs as coordinates of a dataset: a number, the values along an axis, or an array of the
+    full shape, each with its axes.
     """
-    return {
-        name: ((), float(values.flat[0]))
-        if values.size == 1
-        else (name.removesuffix("_deg"), values.ravel())
-        if name.removesuffix("_deg") in axes
-        else (axes, np.broadcast_to(values, shape).copy())
-        for name, values in inputs.items()
-    }
+    found: dict[str, Any] = {}
+    for name, values in inputs.items():
+        axis = name.removesuffix("_deg")
+        if values.size == 1:
+            found[name] = (), float(values.flat[0])
+        elif axis in axes:
+            found[name] = axis, values.ravel()
+        else:
+            found[name] = axes, np.broadcast_to(values, shape).copy()
+    return found
 
 
 def _short(result: Any) -> str:
-    """The dataclass's own text with its first columns, but for what would fill pages."""
-    given = {field.name: getattr(result, field.name) for field in fields(result) if field.repr}
+    """The ``repr`` of a result: its columns, if it is short, and its fields."""
+    attributes = {field.name: getattr(result, field.name) for field in fields(result) if field.repr}
     shown = (
-        {name: column for name, column in result.data().items() if name not in given}
+        {name: column for name, column in result.data().items() if name not in attributes}
         if isinstance(result, Named) and result._is_short()
         else {}
     )
-    given.pop("values" if given.get("vary") in shown else "", None)
-    words = ", ".join(f"{name}={_named(value)}" for name, value in {**shown, **given}.items())
+    attributes.pop("values" if attributes.get("vary") in shown else "", None)
+    words = ", ".join(f"{name}={_named(value)}" for name, value in {**shown, **attributes}.items())
     return f"{type(result).__name__}({words})"
 
 
 def _named(value: object) -> str:
+    """A value for ``repr``; long arrays and sequences by their shapes."""
     if isinstance(value, np.ndarray) and value.size > WHOLE:
         return f"array{value.shape}"
     if isinstance(value, tuple | list) and len(value) > WHOLE:
@@ -401,7 +408,7 @@ def _named(value: object) -> str:
 
 
 class Named(Result):
-    """A result whose columns are attributes too, each made when it is first asked for.
+    """A result whose columns are attributes too, each computed when it is first asked for.
 
     Examples
     --------
@@ -415,7 +422,7 @@ class Named(Result):
     (1.5, 1.5)
     """
 
-    #: The field with a mapping of names to columns, of a result that does not make them otherwise.
+    #: name of a field that maps names to columns, if there is one
     _held = ""
 
     @property
@@ -429,7 +436,7 @@ class Named(Result):
         if name.startswith("_"):
             raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
         items, key = self._items, name
-        # An attribute is the package's own where it and the page have the same name.
+        # As an attribute, a name that the page has too is the package's column.
         if any(column.name == name for column in self.schema):
             while f"{key}_" in items:
                 key += "_"
@@ -442,9 +449,7 @@ class Named(Result):
 
 
 class Rows(Result):
-    """A result whose rows can be counted, indexed and gone through: each is a mapping of its
-    columns to numbers or words.
-    """
+    """A result as a sequence of rows: each row maps the names of columns to numbers or words."""
 
     def __len__(self) -> int:
         return len(next(iter(self.data().values()), ()))
@@ -459,8 +464,8 @@ class Rows(Result):
         return (self._row(columns, index) for index in range(len(self)))
 
     def _row(self, columns: Mapping[str, NDArray[Any]], index: int) -> dict[str, Any]:
-        said = self._schema
-        return {name: said.word(name, column[index].item()) for name, column in columns.items()}
+        schema = self._schema
+        return {name: schema.word(name, column[index].item()) for name, column in columns.items()}
 
 
 @dataclass(frozen=True, eq=False)
@@ -493,8 +498,8 @@ class InUnits(Rows):
         return self._said | _in_hdf5(self._said)
 
     def to_xarray(self) -> Dataset:
-        """An ``xarray.Dataset`` with units; in names ``_per_`` stands for the stroke, which HDF5
-        does not take.
+        """An ``xarray.Dataset`` with units; names have ``_per_`` for "/", which HDF5 does not
+        allow.
 
         Returns
         -------
@@ -535,20 +540,18 @@ class InUnits(Rows):
 
 
 def _in_hdf5(columns: Mapping[str, T]) -> dict[str, T]:
-    """Columns by names that HDF5 takes."""
+    """Columns with names that HDF5 allows."""
     return {name.replace("/", "_per_"): column for name, column in columns.items()}
 
 
 class OfStates(Named):
-    """A result that says where states of a model are."""
+    """A result with states of a model."""
 
     parameters: Any
 
     @property
     def state_columns(self) -> tuple[str, ...]:
-        """Names of the columns that say where a state is: directions and lengths of springs, and
-        the coordinates.
-        """
+        """Names of the columns of a state: directions and lengths of springs, and coordinates."""
         names: tuple[str, ...] = self.parameters.model.places
         return names
 

@@ -95,7 +95,7 @@ def test_a_tube_comes_to_the_same_state_by_other_steps_and_stops_with_too_few():
         return tubes.followed(tubes.place(z), goal)
 
     usual = end()
-    assert usual.sure
+    assert usual.proved
     assert usual.v == goal
     for options in ({"first_step": 2.0**-4, "inflation": 0.3}, {"newton_steps": 3}):
         assert np.abs(end(**options).z - usual.z).max() < 1e-12

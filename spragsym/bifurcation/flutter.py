@@ -151,6 +151,11 @@ class Sought:
     kind: str
     block: Block
 
+    @property
+    def has_simple_pair(self) -> bool:
+        """Whether a single pair of eigenvalues is imaginary at an onset, as a normal form needs."""
+        return self.kind != "flutter" and self.frequencies is not every
+
     def omega(self, *linearization: FloatArray) -> list[float]:
         """Frequencies at a state, from M, C + G and K of all coordinates."""
         if self.block is None:

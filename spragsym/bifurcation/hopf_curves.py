@@ -218,36 +218,21 @@ class _Plane(Family):
             if sought.condition is NO_SLOPE:
                 said, whole = (*said, *self.of_slope()), False
                 continue
-            generic = sought.kind != "flutter" and sought.frequencies is not every
-            alike = self.alike if generic else None
+            alike = self.alike if sought.has_simple_pair else None
             found = on_lines(self, sought.condition, n, own_ends, options=options, alike=alike)
             for chain in found.chains:
-                at_end = _at_ends(found.curves, chain, own_ends).tolist()
-                linearizations = matrices(self, chain, damping=sought.kind == "hopf")
-                each = zip(at_end, *linearizations, strict=True)
-                modes = [_modes(sought, *state) for state in each]
-                for states, omega in _pieces(chain, modes):
-                    forms: Forms = [UNPROVED] * len(omega)
-                    if generic:
-                        forms = self.forms(found.curves, states)
-                    curve = self.curve(states, omega, forms)
+                for curve, of_curve in self.along(sought, found.curves, chain, own_ends):
                     curves.append(curve)
-                    changes += self.changes(found.curves, states, curve.criticality.tolist())
+                    changes += of_curve
             undecided = np.concatenate([undecided, found.undecided])
             whole = whole and found.whole
             said = said + found.remarks
             lines = found.lines
-        hardly = 0
         if damping and len(undecided):
-            hardly = int(self.hardly_damped(undecided.mean(axis=2).T, options.undamped).sum())
-        if hardly:
-            said += (
-                f"on lines: in {hardly} of {len(undecided)} undecided boxes C is at most "
-                f"{options.undamped:g} times K: where it vanishes every pair crosses at once, and "
-                "such onsets are not isolated",
-            )
-        where = "of points: {}" if damping else "of states: {}"
-        said += () if points.complete else tuple(Remark(where, it) for it in points.remarks)
+            said += self.of_damping(undecided, options.undamped)
+        if not points.complete:
+            where = "of points: {}" if damping else "of states: {}"
+            said += tuple(Remark(where, remark) for remark in points.remarks)
         own = own_name(self.balance.model, "error")
         names = (*self.vary, *self.balance.coordinates, own)
         rows = dict(zip(names, np.array(changes).reshape(-1, len(names)).T, strict=True))
@@ -264,6 +249,33 @@ class _Plane(Family):
             complete,
             undecided,
             said,
+        )
+
+    def along(
+        self, sought: Sought, on: FoldCurves, chain: FloatArray, ends: FloatArray
+    ) -> Iterator[tuple[Curve, list[list[float]]]]:
+        """Curves of a chain of states, cut where the frequencies of a pair end, and for each the
+        rows of :meth:`changes`.
+        """
+        at_end = _at_ends(on, chain, ends).tolist()
+        linearizations = matrices(self, chain, damping=sought.kind == "hopf")
+        modes = [_modes(sought, *state) for state in zip(at_end, *linearizations, strict=True)]
+        for states, omega in _pieces(chain, modes):
+            forms: Forms = [UNPROVED] * len(omega)
+            if sought.has_simple_pair:
+                forms = self.forms(on, states)
+            curve = self.curve(states, omega, forms)
+            yield curve, self.changes(on, states, curve.criticality.tolist())
+
+    def of_damping(self, undecided: FloatArray, share: float) -> tuple[str, ...]:
+        """A remark if C is at most this share of K in the middle of some undecided boxes."""
+        count = int(self.hardly_damped(undecided.mean(axis=2).T, share).sum())
+        if not count:
+            return ()
+        return (
+            f"on lines: in {count} of {len(undecided)} undecided boxes C is at most "
+            f"{share:g} times K: where it vanishes every pair crosses at once, and "
+            "such onsets are not isolated",
         )
 
     def of_slope(self) -> tuple[str, ...]:

@@ -233,66 +233,71 @@ def _by_boxes(balance: Balance, given: FloatArray, box: FloatArray) -> Roots:
 def _arranged(
     p: ParameterSet, parts: Sequence[tuple[Balance, Roots, FloatArray, BoolArray]]
 ) -> Equilibria:
-    """Results of all combinations of touching contacts as columns, one slot for each state."""
-    shape = p.shape
-    size = int(np.prod(shape))
-    balance, box = parts[0][0], np.max([region for *_, region, _ in parts], axis=0)
-    complete: BoolArray = np.logical_and.reduce([complete for *_, complete in parts])
-    given, every = columns(p, balance.parameters), list[tuple[Any, ...]]()
-    reasons, touching = list[str](), list[str]()
+    """Results of all combinations of touching contacts as columns, one slot for each state.
+
+    ``parts`` are balances with their roots, the regions that were searched, and masks of the points
+    whose region holds all states.
+    """
+    balance, given = parts[0][0], columns(p, parts[0][0].parameters)
+    searched = np.max([part for *_, part, _ in parts], axis=0)
+    complete: BoolArray = np.logical_and.reduce([whole for *_, whole in parts])
+    classified, touching, reasons = list[tuple[Any, ...]](), list[str](), list[str]()
     for own, roots, _, _ in parts:
-        ends, at = roots.ends, given[:, roots.point]
-        every.append(stability.classified(own, roots.middle, at, ends))
-        reasons += kinds_of(own, given[:, roots.undecided_point], roots.undecided)
+        at = given[:, roots.point]
+        classified.append(stability.classified(own, roots.middle, at, roots.ends))
         touching += [own.touching] * roots.point.size
+        reasons += kinds_of(own, given[:, roots.undecided_point], roots.undecided)
     found = parts[0][1].concatenated(*(roots for _, roots, *_ in parts[1:]))
     order, slot = _in_slots(found)
     found = found.select(order)
-    codes, proved, eigenvalues = (np.concatenate(part)[order] for part in zip(*every, strict=True))
-    point, states = found.point, found.middle
-    count = np.bincount(point, minlength=size)
-    slots = max(1, int(count.max(initial=0)))
+    codes, proved, eigenvalues = map(np.concatenate, zip(*classified, strict=True))
+    count = np.bincount(found.point, minlength=given.shape[1])
+    decided = np.ones(count.size, dtype=bool)
+    decided[found.undecided_point] = False
 
     def placed(values: NDArray[Any], empty: float | str) -> NDArray[Any]:
-        out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
-        out[point, slot] = values
-        return out.reshape(*shape, slots, *values.shape[1:])
+        """A column of all points and slots from values of the sorted roots."""
+        slots, entry = max(1, int(count.max(initial=0))), values.shape[1:]
+        out = np.full((count.size, slots, *entry), empty, dtype=values.dtype)
+        out[found.point, slot] = values
+        return out.reshape(*p.shape, slots, *entry)
 
-    decided = np.ones(size, dtype=bool)
-    decided[found.undecided_point] = False
-    searched = np.moveaxis(spans_of(box), 0, 1)
     ours = {
-        "undamped": placed(codes, 0),
-        "marginal": placed(~proved, False),
-        "eigenvalues": placed(eigenvalues, np.nan),
+        "undamped": placed(codes[order], 0),
+        "marginal": placed(~proved[order], False),
+        "eigenvalues": placed(eigenvalues[order], np.nan),
         "error": placed(found.error, np.nan),
-        "region": searched.reshape(*shape, balance.n, 2),
-        "whole": complete.reshape(shape),
+        "region": np.moveaxis(spans_of(searched), 0, 1).reshape(*p.shape, balance.n, 2),
+        "whole": complete.reshape(p.shape),
     }
     if p.model.has_regimes:
         ours["touching"] = placed(np.array(touching, dtype=str)[order], "")
-    made = {
-        **{own_name(p.model, name): column for name, column in ours.items()},
-        **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
-    }
-    remarks = (*summed(reasons), *of_region(balance, box, complete))
-    counts, settled = count.reshape(shape), decided.reshape(shape)
-    which = balance.contact if len(parts) == 1 else None
-    undecided = _undecided_boxes(found, reasons, shape)
-    return Equilibria(p, which, counts, settled, undecided, remarks, Held(made, found.ends))
-
-
-def _undecided_boxes(found: Roots, reasons: Sequence[str], shape: Shape) -> tuple[Undecided, ...]:
-    """The undecided boxes of a search over points of an array of that shape, with the reasons."""
-    low, high = -found.undecided[0].T, found.undecided[1].T
-    each = zip(found.undecided_point, low.tolist(), high.tolist(), reasons, strict=True)
-    return tuple(
-        Undecided(tuple(map(int, np.unravel_index(point, shape))), tuple(low), tuple(high), reason)
-        for point, low, high, reason in each
+    held = {own_name(p.model, name): column for name, column in ours.items()}
+    for name, coordinate in zip(balance.coordinates, found.middle, strict=True):
+        held[name] = placed(coordinate, np.nan)
+    return Equilibria(
+        p,
+        balance.contact if len(parts) == 1 else None,
+        count.reshape(p.shape),
+        decided.reshape(p.shape),
+        _undecided_boxes(found, reasons, p.shape),
+        (*summed(reasons), *of_region(balance, searched, complete)),
+        Held(held, found.ends),
     )
 
 
-#: Reason why a box is undecided: where it lies and what it may hold. The first that applies.
+def _undecided_boxes(found: Roots, reasons: Sequence[str], shape: Shape) -> tuple[Undecided, ...]:
+    """The undecided boxes of a search with their reasons; points form an array of that shape."""
+    lows, highs = -found.undecided[0].T, found.undecided[1].T
+    out = []
+    for point, low, high, reason in zip(found.undecided_point, lows, highs, reasons, strict=True):
+        index = tuple(map(int, np.unravel_index(point, shape)))
+        out.append(Undecided(index, tuple(low.tolist()), tuple(high.tolist()), reason))
+    return tuple(out)
+
+
+#: Reasons why a box is undecided: where it lies and what it may hold. The first that applies is
+#: given.
 KINDS = {
     "free": (
         "along which no force acts on one of the coordinates at these parameters: a line of "
@@ -342,9 +347,9 @@ def kinds_of(
 ) -> list[str]:
     """The reason of :data:`KINDS` for each undecided box.
 
-    ``given`` are parameters, shape (parameters, boxes), and ``left`` the boxes as −low and high,
-    shape (2, unknowns, boxes). Unknowns are the coordinates and then parameters that vary, whose
-    intervals ``varied`` holds by name.
+    ``given`` are parameters, shape (parameters, boxes), and ``undecided`` the boxes as −low and
+    high, shape (2, unknowns, boxes). Unknowns are the coordinates and then parameters that vary,
+    whose intervals ``varied`` holds by name.
     """
     count, n = undecided.shape[2], balance.n
     if not count:

@@ -253,12 +253,12 @@ def stability_figure(found: OnsetCurves) -> Sheet:
         lines = """, supercritical on full lines, subcritical on dashed,
         undecided on dotted ones. Dots: GH; squares: curves end on folds (BT, ZH) or cross (HH)."""
     return figure.describe(
-        f"Onsets of oscillation of {model.name}{lines}{_open(found)}",
+        f"Onsets of oscillation of {model.name}{lines}{on_undecided(found)}",
         a=_table(found, *model.coordinates, "omega", "lyapunov", "lyapunov_error"),
     )
 
 
-def _open(found: BifurcationSet | OnsetCurves) -> str:
+def on_undecided(found: BifurcationSet | OnsetCurves) -> str:
     """A sentence on undecided boxes, if there are any."""
     count = len(found.undecided)
     return f" {count} boxes on its lines are undecided." if count else ""
@@ -342,7 +342,7 @@ def bifurcation_figure(
         }: two equilibria in contact meet on the lines{
             ", three in contact in the shaded regions and one elsewhere" if shaded else ""
         };
-        dots are cusps.{_open(found)}{
+        dots are cusps.{on_undecided(found)}{
             " Oscillation sets in on the black or grey lines." if onsets else ""
         }""",
         a=_table(found, *model.coordinates),

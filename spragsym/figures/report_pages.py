@@ -32,10 +32,11 @@ from ..report.facts import Facts
 from ..report.states import Oscillation, unit_of
 from ..report.texts import about as about_of
 from ..report.texts import sections, verdict
+from ..results import BifurcationSet
 from ..statics.stability import NEUTRAL_GROWTH
 from .curves import curves_between, draw_branches, draw_path, mark_folds
 from .motions import draw_harmonics, draw_phase, draw_spectrum
-from .planes import draw_onset_curves, draw_plane, growth_of_oscillations
+from .planes import draw_onset_curves, draw_plane, growth_of_oscillations, on_undecided
 from .style import (
     BLACK,
     BLUE,
@@ -114,22 +115,26 @@ def _planes(report: Facts) -> Rows:
     seen = not lowest > _top(high, jump)  # otherwise the plane would be empty
     if angle is not None and friction is not None and study.of_friction and seen:
         angles = study.quantities[str(study.kind.inclination)]
-        caption = "On the lines two states of sliding meet; where it is shaded there are three."
-        caption += (
-            " Cross: the friction at which the reference state jumps at this angle."
-            if jump < math.inf
-            else ""
-        )
+        cross = " Cross: the friction at which the reference state jumps at this angle."
         box = {angle: (angles.low, angles.high), friction: (low, high)}
         works = "Where the brake works (dot)" + " and its tolerances (box)" * _varies(box)
         top = _top(high, jump)
+        plane = list[tuple[BifurcationSet, bool]]()
 
         def draw(ax: Axes) -> None:
-            draw_plane(ax, p, {friction: (0.0, top)}, n=40)
+            plane.append(draw_plane(ax, p, {friction: (0.0, top)}, n=40))
             mark_brake(ax, p, box, jump)
 
         with suppress(SpragsymError):
-            yield picture(draw), f"{works}. {caption}"
+            image = picture(draw)
+            found, shaded = plane[0]
+            yield (
+                image,
+                f"{works}. On the lines two states of sliding meet"
+                + "; where it is shaded there are three" * shaded
+                + f".{on_undecided(found)}"
+                + cross * (jump < math.inf),
+            )
     unit, size = unit_of(study)
     # Angles are already drawn in degrees.
     up = f"{first['name']} in {unit}", size if unit == "mm" else 1.0
@@ -143,15 +148,17 @@ def _planes(report: Facts) -> Rows:
         along = title, study.in_file(load, drawn * scale)
     meaning = first["meaning"].partition(",")[0]
     turns, varies = vary in report.folds and len(report.folds[vary]) > 0, high > low
-    path = list[Any]()
+    rising = list[tuple[list[Any], bool]]()
     image = picture(
-        lambda ax: path.extend(draw_rising(ax, p, vary, (low, high), begin, (along, up)))
+        lambda ax: rising.append(draw_rising(ax, p, vary, (low, high), begin, (along, up)))
     )
+    path, hatched = rising[0]
     followed = f" (orange{', with its jumps' * turns})" if path else ", where it is not followed"
     yield (
         image,
         f"{meaning[:1].upper()}{meaning[1:]} as {load} rises{followed}; grey: all states, full "
         "where stable."
+        + " Hatched: where states or folds may be missing." * hatched
         + " Dots: folds, where two states meet and end." * turns
         + f" Shaded: {load} within its tolerances." * varies,
     )
@@ -324,9 +331,9 @@ def mark_brake(ax: Axes, p: ParameterSet, box: Ranges, jump: float = float("nan"
 
 def draw_rising(
     ax: Axes, p: ParameterSet, vary: str, ends: Span, begin: float, shown: tuple[Shown, Shown]
-) -> list[Any]:
+) -> tuple[list[Any], bool]:
     """Draw the states over the loading parameter, the state that is followed as it rises, and its
-    tolerance, shaded; returns the artists of the path.
+    tolerance, shaded; returns the artists of the path, and whether undecided ranges are hatched.
 
     Parameters
     ----------
@@ -367,7 +374,7 @@ def draw_rising(
     ax.set_xlim(size * begin, size * top)
     for axis, one in zip((ax.xaxis, ax.yaxis), shown, strict=True):
         in_units(axis, one)
-    return artists
+    return artists, len(curves.undecided) > 0
 
 
 def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes) -> None:

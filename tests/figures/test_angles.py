@@ -44,7 +44,8 @@ def test_a_path_and_the_states_of_a_turning_rod_share_an_axis(ax: Any) -> None:
 def test_what_rises_is_drawn_in_the_units_of_its_axis(ax: Any, vary: str) -> None:
     p = ss.load("sprag_rod").Parameters(theta0=0.6)
     ends = (0.3, 0.4) if vary == "mu0" else (0.5, 0.6)
-    artists = draw_rising(ax, p, vary, ends, 0.3, ((vary, 1.0), ("phi", 1.0)))
+    artists, hatched = draw_rising(ax, p, vary, ends, 0.3, ((vary, 1.0), ("phi", 1.0)))
+    assert not hatched
     along, phi = drawn(artists)
     top = ax.get_xlim()[1] if vary == "mu0" else np.radians(ax.get_xlim()[1])
     path = ss.quasi_static_path(p, vary, np.linspace(0.3, top, 21))

@@ -181,11 +181,12 @@ def pages(monkeypatch: pytest.MonkeyPatch) -> Any:
     pytest.importorskip("matplotlib")
     from spragsym.figures import report_pages
 
-    for name in ("draw_plane", "mark_brake", "draw_onset_curves", "draw_phase", "draw_shares"):
+    for name in ("mark_brake", "draw_onset_curves", "draw_phase", "draw_shares"):
         monkeypatch.setattr(report_pages, name, Mock())
     for name in ("draw_harmonics", "draw_spectrum"):
         monkeypatch.setattr(report_pages, name, Mock())
-    monkeypatch.setattr(report_pages, "draw_rising", Mock(return_value=["path"]))
+    monkeypatch.setattr(report_pages, "draw_plane", Mock(return_value=(Mock(undecided=[]), True)))
+    monkeypatch.setattr(report_pages, "draw_rising", Mock(return_value=(["path"], False)))
     monkeypatch.setattr(report_pages, "picture", lambda draw: draw(None) and "")
     return report_pages
 
@@ -212,12 +213,16 @@ def test_captions_of_the_planes(pages: Any) -> None:
     assert sure[1].endswith("rises (orange); grey: all states, full where stable.")
     never = said_of(LOOSE, jump_at=math.inf, jump_parameter=math.inf, reach="never")
     assert captions(pages._planes(never))[0].endswith("where it is shaded there are three.")
+    pages.draw_plane.return_value = Mock(undecided=[1, 2]), False
+    assert captions(pages._planes(never))[0].endswith(
+        "states of sliding meet. 2 boxes on its lines are undecided."
+    )
     assert len(captions(pages._planes(said_of(LOOSE, mu_lowest=math.inf)))) == 1
     assert "as F_L rises (orange" in captions(pages._planes(said_of(LOAD)))[0]
-    pages.draw_rising.return_value = []
-    assert (
-        "as F_L rises, where it is not followed; grey" in captions(pages._planes(said_of(LOAD)))[0]
-    )
+    pages.draw_rising.return_value = [], True
+    searched = captions(pages._planes(said_of(LOAD)))[0]
+    assert "as F_L rises, where it is not followed; grey" in searched
+    assert "full where stable. Hatched: where states or folds may be missing." in searched
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,5 @@
-"""``spragsym check`` and ``figures``: the ledgers of equations and of claims, as committed or
-computed again, and the figures.
+"""``spragsym check`` and ``figures``: how the article, or another paper, compares with derivation
+and computation; and the article's figures.
 """
 
 import difflib
@@ -54,7 +54,6 @@ from .output import print_json, refuse, wrapped, write
 @o.force
 def check(
     paper: Path | None,
-    json_output: bool,
     claims: bool,
     only: tuple[str, ...],
     again: bool,
@@ -87,7 +86,7 @@ def check(
     if paper is not None:
         if claims or again or report is not None:
             raise click.UsageError("a paper is checked without --claims, --again and --report")
-        _check_paper(paper, model_name, json_output, only, out)
+        _check_paper(paper, model_name, only, out)
         return
     if out is not None:
         raise click.UsageError(
@@ -104,7 +103,7 @@ def check(
             "--model out"
         )
     if model_name is not None:
-        _check_model(model_name, json_output, only)
+        _check_model(model_name, only)
     elif report is not None:
         from ..article.ledger import page
 
@@ -112,7 +111,7 @@ def check(
         click.echo(f"wrote {report}" if wrote else f"{report} is as it should be", err=True)
     else:
         rows, wrong = (_claims if claims else _equations)(only, again)
-        if json_output:
+        if o.is_json():
             print_json(rows)
         elif only and not claims:
             for row in rows:
@@ -130,13 +129,14 @@ def check(
             sys.exit(1)
 
 
-#: Rows of a ledger, and what is wrong with them.
+#: Rows of a ledger, and the differences from the committed ones as text.
 _Rows = tuple[list[dict[str, Any]], list[str]]
 
 
 def _chosen(only: tuple[str, ...], rows: Mapping[str, T], what: str) -> list[T]:
-    """The rows asked for, by name, by how names begin or by the place in the print, in the order of
-    the record; all of them if none is asked for.
+    """The rows that are asked for, in the order of the ledger; all if none is asked for.
+
+    A row is asked for by its name, the beginning of its name, or its place in the print.
     """
     chosen = set() if only else set(rows)
     for name in only:
@@ -155,11 +155,11 @@ def _chosen(only: tuple[str, ...], rows: Mapping[str, T], what: str) -> list[T]:
     return [row for name, row in rows.items() if name in chosen]
 
 
-def _standing_at(given: str, rows: Mapping[str, Any]) -> set[str]:
-    """The rows whose place in the print is meant, as by ``9``, ``(9)``, ``eq9`` or ``Figure 7``;
-    not those of the text about it.
+def _standing_at(typed: str, rows: Mapping[str, Any]) -> set[str]:
+    """The rows at a place in the print, as ``9``, ``(9)``, ``eq9`` or ``Figure 7``; without those
+    of the text about it, whose places are longer.
     """
-    number = re.sub(r"^eq[a-z]*[\s.-]*|[()]", "", given.lower())
+    number = re.sub(r"^eq[a-z]*[\s.-]*|[()]", "", typed.lower())
     places = {
         name: str(row["where"] if isinstance(row, Mapping) else row.where or "").lower()
         for name, row in rows.items()
@@ -167,13 +167,14 @@ def _standing_at(given: str, rows: Mapping[str, Any]) -> set[str]:
     found = {
         name: where
         for name, where in places.items()
-        if f"({number})" in where or (" " in given and given.lower() in where)
+        if f"({number})" in where or (" " in typed and typed.lower() in where)
     }
     shortest = min(map(len, found.values()), default=0)
     return {name for name, where in found.items() if len(where) == shortest}
 
 
 def _claims(only: tuple[str, ...], again: bool) -> _Rows:
+    """The statements of the article's text, as committed or computed again."""
     from ..article import STATEMENTS, drifted, recorded, run
 
     statements = _chosen(only, {statement.id: statement for statement in STATEMENTS}, "the claims")
@@ -185,6 +186,7 @@ def _claims(only: tuple[str, ...], again: bool) -> _Rows:
 
 
 def _equations(only: tuple[str, ...], again: bool) -> _Rows:
+    """The printed equations of the article, as committed or derived again."""
     from ..article.ledger import printed
 
     before = {row["id"]: row for row in printed()["rows"]}
@@ -194,11 +196,11 @@ def _equations(only: tuple[str, ...], again: bool) -> _Rows:
     from ..derive.kang_nam import ledger as derivation
 
     with show_progress("deriving the equations of the article"):
-        every = derivation.run()
-    chosen, now = {row["id"] for row in rows}, {row.id: row.recorded() for row in every}
+        all_rows = derivation.run()
+    chosen, now = {row["id"] for row in rows}, {row.id: row.recorded() for row in all_rows}
     wrong = [
         f"{row.id} ({row.where}): {row.note}"
-        for row in derivation.failures(every)
+        for row in derivation.failures(all_rows)
         if row.id in chosen
     ]
     changed = [
@@ -210,24 +212,18 @@ def _equations(only: tuple[str, ...], again: bool) -> _Rows:
     return [row for id, row in now.items() if id in chosen], wrong
 
 
-def _check_paper(
-    paper: Path,
-    model: str | None,
-    json_output: bool,
-    only: tuple[str, ...],
-    out: Path | None,
-) -> None:
-    """Verdicts on the statements of a file."""
-    from ..papers import check as judged
+def _check_paper(paper: Path, model: str | None, only: tuple[str, ...], out: Path | None) -> None:
+    """Print the verdicts on the statements of a file."""
+    from ..papers import check as check_statements
     from ..papers import fields
 
     with show_progress("deriving what the paper is held against"):
-        found = judged(paper, model)
+        found = check_statements(paper, model)
     rows = _chosen(only, {row.id: row for row in found.rows}, "the paper")
     if out is not None:
         files = {out / "LEDGER.md": found.to_markdown(), out / "ledger.html": found.to_html()}
         write(files, made=True)
-    if json_output:
+    if o.is_json():
         chosen = {row.id for row in rows}
         whole = found.as_dict()
         print_json({**whole, "rows": [row for row in whole["rows"] if row["id"] in chosen]})
@@ -244,16 +240,16 @@ def _check_paper(
         sys.exit(1)
 
 
-def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
-    """Rows of the article that hold for a model, fail, or have no meaning there."""
+def _check_model(name: str, only: tuple[str, ...]) -> None:
+    """Print which rows of the article hold for a model, fail, or have no meaning."""
     from ..derive import pages
     from ..derive.kang_nam import ledger
 
     model = load(name)
     with show_progress(f"deriving the equations of {model.name}"):
-        every = ledger.judge(pages.read(page_of(model, pages.SHIPPED), model.name))
-    rows = _chosen(only, {row.id: row for row in every}, "the equations")
-    if json_output:
+        all_rows = ledger.judge(pages.read(page_of(model, pages.SHIPPED), model.name))
+    rows = _chosen(only, {row.id: row for row in all_rows}, "the equations")
+    if o.is_json():
         print_json([asdict(row) for row in rows])
         return
     _print_rows("print less model", [(it.id, it.where, it.status, it.remark) for it in rows])
@@ -265,9 +261,7 @@ def _check_model(name: str, json_output: bool, only: tuple[str, ...]) -> None:
 
 
 def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]]) -> None:
-    """Rows with their status; the last column, of which a cell may be long, is wrapped on a
-    terminal.
-    """
+    """Print rows with their status in colour; the last column is wrapped on a terminal."""
     colours = {
         **dict.fromkeys(("confirmed", "reproduced", "holds"), "green"),
         **dict.fromkeys(("failed", "not reproduced", "fails"), "red"),
@@ -288,9 +282,11 @@ def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]]) -> None:
 
 
 def _fields(row: Mapping[str, Any]) -> dict[str, str]:
-    """Fields of a row of the article's equations, under titles; what is derived is printed so."""
+    """The fields of a row of the article's equations, by their titles.
+
+    A row without a derived form of its own is derived as printed.
+    """
     whole = {"derived": row["printed"], **row} if row.get("derived_by") else row
-    # Fields of a row of the article's equations under titles.
     titles = {
         "where": "Where",
         "printed": "Printed",
@@ -308,13 +304,14 @@ def _fields(row: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _print_in_full(row: str, status: str, said: Mapping[str, str]) -> None:
+    """Print all fields of one row."""
     click.echo(f"{row}: {status}")
     for title, text in said.items():
         click.echo(wrapped(f"  {title}: {text}", 4))
 
 
 def _print_table(rows: Sequence[Mapping[str, Any]]) -> None:
-    """Equations with the remark of each; of the text's statements the outcome."""
+    """Print equations with a remark each, or statements of the text with their outcome."""
     remarks = ("outcome", "cause", "limit", "note")
     shown = [
         (
@@ -333,7 +330,7 @@ def _print_table(rows: Sequence[Mapping[str, Any]]) -> None:
 
 
 def _words(allowed: Sequence[str], option: str) -> Callable[..., list[str]]:
-    """A callback of click: words of an option, separated by blanks or commas."""
+    """A callback of click that splits an option into allowed words, at blanks or commas."""
 
     def known(_: click.Context, __: click.Parameter, given: str | tuple[str, ...]) -> list[str]:
         text = given if isinstance(given, str) else ",".join(given)

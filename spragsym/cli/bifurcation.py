@@ -1,6 +1,4 @@
-"""``spragsym bifurcation``, ``folds`` and ``onsets``: where states meet, and where oscillation sets
-in.
-"""
+"""``spragsym bifurcation``, ``folds`` and ``onsets``: folds, cusps, and onsets of oscillation."""
 
 from __future__ import annotations
 
@@ -98,7 +96,7 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> object
                 **case.searching(*along),
                 **more,
             )
-        # Closed forms know mirror images beyond the ranges of what varies.
+        # Closed forms give mirror images beyond the ranges of the parameters too.
         ranges = [points.parameters.ranges[name] for name in along]
         low, high = np.array([(one.low, one.high) for one in ranges]).T[..., None]
         found[title] = points.between(np.clip(points.region[-len(along) :], low, high))
@@ -127,10 +125,10 @@ def bifurcation(case: Case, undamped: bool, plot: Path | None, n: int) -> object
 def _draw(
     case: Case, path: Path, vary: tuple[str, ...], found: dict[str, Any], n: int, undamped: bool
 ) -> None:
-    """The bifurcation set; by closed forms where the model has them for all of this plane.
+    """Draw the bifurcation set.
 
-    Curves of onsets where they are asked for, or were found along the first parameter, or where
-    there are no folds to show.
+    Curves of onsets are drawn if they are asked for, if there are onsets along the first parameter,
+    or if there are no folds.
     """
     from ..figures.style import window
 
@@ -194,7 +192,7 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
         case.row({name: curve[name] for name in columns}, ss.results.Onsets)
         for curve in found.curves
     ]
-    # Points at which two conditions hold, and those at which the kind of the onset changes.
+    # Codimension-two points, and those at which the criticality changes.
     places = (*names, *coordinates)
     special = {name: [*found.points[name], *found.changes[name]] for name in places}
     between = found.changes[own("error")]
@@ -244,8 +242,9 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
 
 
 def points_of(case: Case, found: Points, after: bool = False) -> Row:
-    """A row for each point, whether these are all, what was searched, and the undecided boxes;
-    ``after`` at any cost.
+    """Rows of the points, whether these are all, what was searched, and the undecided boxes.
+
+    With ``after``, the states that are jumped to are searched if they are not known.
     """
     alone = len(found.vary) == 1
     onsets, following = isinstance(found, ss.results.Onsets), {}
@@ -276,28 +275,29 @@ def points_of(case: Case, found: Points, after: bool = False) -> Row:
 
 
 def print_points(case: Case, title: str, found: Mapping[str, Any], where: Sequence[str]) -> None:
-    """A table of points, and where it is not known whether there are more."""
+    """Print a table of points, folds without a state to jump to, and what is undecided."""
     rows = found["points"]
     if rows or found["complete"]:
-        # Of an onset what JSON has besides the table.
-        beside = tuple(each.name for each in ss.results.Onsets.schema if each.row == "beside")
-        shown = [{name: value for name, value in row.items() if name not in beside} for row in rows]
+        json_only = tuple(each.name for each in ss.results.Onsets.schema if each.row == "beside")
+        shown = [
+            {name: value for name, value in row.items() if name not in json_only} for row in rows
+        ]
         names = [*shown[0]] if shown else []
         after = [name for name in names if "_after" in name]
         room = [*left_out_first(case, names), *after[::-1]]
         heading = f"{title} along {' and '.join(where)}"
         print_rows(heading, shown, room, own_name(case.model, "error"))
-    lost = [
+    without_target = [
         row
         for row in rows
         if row.get("ends") in ("lower", "upper")
         and any(math.isnan(value) for name, value in row.items() if "_after" in name)
     ]
-    if lost:
-        # Closed forms search everywhere; a search may be undecided.
+    if without_target:
+        # Closed forms cover all states; a search covers its region only.
         everywhere = math.isinf(next(iter(found["searched"].values()))[0])
         said = "is left" if found["complete"] and everywhere else "was found"
-        nowhere = ", ".join(f"{row[where[0]]:.6g}" for row in lost)
+        nowhere = ", ".join(f"{row[where[0]]:.6g}" for row in without_target)
         click.echo(
             f"{title}: nothing stable in contact {said} to jump to at {' and '.join(where)} "
             f"= {nowhere}"
@@ -306,7 +306,7 @@ def print_points(case: Case, title: str, found: Mapping[str, Any], where: Sequen
 
 
 def print_open(title: str, found: Mapping[str, Any]) -> None:
-    """Whether these are all, and what is known of the rest."""
+    """Print what is undecided, and the remarks."""
     if found["undecided"]:
         click.echo(f"{title}: not complete, {summed(found['undecided'])}")
     elif not found["complete"]:
@@ -316,9 +316,8 @@ def print_open(title: str, found: Mapping[str, Any]) -> None:
 
 
 def left_out_first(case: Case, columns: Collection[str]) -> list[str]:
-    """Columns that a table without room for them leaves out, the first of them first: lengths of
-    springs, which follow from coordinates, the error, and directions of springs before and after a
-    jump.
+    """Columns that a table leaves out if it is too wide, in this order: lengths of springs, which
+    follow from the coordinates, the error, and directions of springs before and after a jump.
     """
     model, jump = case.model, ("_before", "_after")
     springs = [name for name in model.places if name not in model.coordinates]
@@ -332,7 +331,7 @@ def left_out_first(case: Case, columns: Collection[str]) -> list[str]:
 
 
 def summed(boxes: Sequence[Row]) -> str:
-    """Number of undecided boxes, and what holds them all; ``--json`` lists each."""
+    """The number of undecided boxes, and their hull, as text."""
     titles = [title for title, ends in boxes[0].items() if isinstance(ends, list)]
     hull = ", ".join(
         f"{title} in [{min(box[title][0] for box in boxes):.8g}, "

@@ -1,5 +1,5 @@
-"""What a command about a model is about: parameters, what varies, and the units of the answer,
-degrees or those of a file.
+"""The case of a command about a model: its parameters, the ranges that vary, and the units of the
+answer, degrees or those of a file.
 """
 
 from __future__ import annotations
@@ -26,67 +26,61 @@ from .output import is_typed
 if TYPE_CHECKING:
     from ..report.study import Study
 
-#: What JSON and a table say of one thing, by its columns; a title, and what one of the model's own
-#: units is there.
+#: A row of JSON or a table, by column.
 Row: TypeAlias = dict[str, Any]
+#: The title of a column, and the factor from the model's unit to that of the answer.
 Titled: TypeAlias = tuple[str, float]
 
 
 @dataclass(frozen=True)
 class Span:
-    """Range of what varies, as it was typed; of a case a parameter, with what one of it is in the
-    answer, and what it is called there.
+    """A range of --vary, --within or --over.
 
-    Its ends, if given, are as typed, and of a case the model's own.
+    As parsed, ``name`` and ``ends`` are as typed. In a case, ``name`` is a parameter and ``ends``
+    are in the model's units.
     """
 
     typed: str
     name: str
     ends: tuple[float, float] | None = None
-    #: Values from one end to the other.
-    count: int = 11
-    unit: float = 1.0
-    title: str = ""
+    count: int = 11  #: number of values
+    unit: float = 1.0  #: factor from the model's unit to that of the answer
+    title: str = ""  #: title of the parameter in the answer
 
     @property
     def values(self) -> FloatArray:
-        """Values from one end to the other."""
-        assert self.ends is not None  # asked for where it is needed
+        """Equally spaced values from one end to the other, in units of the model."""
+        assert self.ends is not None
         low, high = (self.unit * end for end in self.ends)
         return np.linspace(low, high, self.count) / self.unit
 
 
 @dataclass(frozen=True)
 class Case:
-    """Subject of a command, and the units of its answer.
-
-    ``values`` of its parameters are radians, None for those that were not given and have no base
-    value; ``start`` is the initial state, ``x0`` and the like, as the model takes it; ``ask`` goes
-    with every question to the model; ``spans`` vary.
-    """
+    """What a command about a model is asked, and the units of its answer."""
 
     model: Model
-    study: Study | None = None
+    study: Study | None = None  #: the data of --data, whose units the answer has
+    #: the parameters, in radians; None for one without value and base value
     values: Mapping[str, Any] = field(default_factory=dict)
-    start: Mapping[str, Any] = field(default_factory=dict)
-    ask: Mapping[str, Any] = field(default_factory=dict)
-    spans: tuple[Span, ...] = ()
+    start: Mapping[str, Any] = field(default_factory=dict)  #: the initial state, as ``x0``
+    ask: Mapping[str, Any] = field(default_factory=dict)  #: arguments of every question
+    spans: tuple[Span, ...] = ()  #: the parameters that vary
 
     def set(self, *spanned: str, **changes: Any) -> ParameterSet:
-        """The parameters; those that vary need no value."""
+        """The set of parameters with changes; those in ``spanned`` need no value."""
         values = {**self.values, **changes}
         self.require(values, spanned)
-        return (self.model.search if self.ask.get("method") == "search" else self.model).Parameters(
-            **values
-        )
+        model = self.model.search if self.ask.get("method") == "search" else self.model
+        return model.Parameters(**values)
 
     def require(self, values: Mapping[str, Any], spanned: Sequence[str] = ()) -> None:
-        """An error that names the option of a parameter that has no value, and is not one of those
-        that vary.
+        """Raise for the first parameter without a value, unless it varies; the error names its
+        option.
         """
-        for name in (
-            name for name, value in values.items() if value is None and name not in spanned
-        ):
+        for name, value in values.items():
+            if value is not None or name in spanned:
+                continue
             flag = options_of(self.model.about, name)[0]
             number = "DEGREES" if self.model.is_angle(name) else "NUMBER"
             varying = f" while {' and '.join(self.names)} varies" if self.spans else ""
@@ -97,13 +91,11 @@ class Case:
 
     @property
     def between(self) -> Ranges:
-        """Ranges of what varies, where they were given, the smaller end first."""
+        """The given ranges of parameters that vary, the smaller end first."""
         return {span.name: (min(span.ends), max(span.ends)) for span in self.spans if span.ends}
 
     def searching(self, *names: str) -> dict[str, Any]:
-        """Arguments by which points are asked for: the method, and ranges of what varies and of
-        coordinates where they were given.
-        """
+        """Arguments of a question for points: the method, and the given ranges of these names."""
         return {
             **self.ask,
             "between": {name: ends for name, ends in self.between.items() if name in names} or None,
@@ -111,7 +103,7 @@ class Case:
 
     @property
     def span(self) -> Span:
-        """The first that varies."""
+        """The first range."""
         return self.spans[0]
 
     @property
@@ -120,7 +112,7 @@ class Case:
         return tuple(span.name for span in self.spans)
 
     def require_ends(self) -> None:
-        """An error for a range that is missing."""
+        """Raise if the first range has no ends."""
         if not self.spans or self.span.ends is None:
             typed = self.span.typed if self.spans else self.model.axes[-1]
             raise click.UsageError(
@@ -128,43 +120,46 @@ class Case:
             )
 
     def parameter_row(self) -> Row:
-        """The parameters, angles in degrees."""
+        """The parameters in units of the answer, by title."""
         titles = ((*self.parameter(name), value) for name, value in self.values.items())
         return {title: None if value is None else unit * value for title, unit, value in titles}
 
     def parameter(self, name: str) -> Titled:
-        """Title of a parameter, and what one of it is there."""
+        """The title of a parameter, and the factor to its unit."""
         return self._titled(name, "rad" if self.model.is_angle(name) else "1")
 
     def boxes(self, boxes: Iterable[Any], names: Sequence[str], **about: Any) -> list[Row]:
-        """Boxes that are not decided, each with the ends of what it says, in the units of the
-        answer.
-        """
+        """Rows of undecided boxes with their ends, in units of the answer."""
         return [{**about, **self.row(dict(zip(names, box, strict=True)))} for box in boxes]
 
     def following(self, p: ParameterSet, near: Sequence[str]) -> ParameterSet:
-        """A set of parameters that follows the state that ``--state`` chose, if it did."""
-        ones, chosen = {name: self.of(name)[1] for name in self.model.coordinates}, {}
+        """The set of parameters that follows the state of ``--state``, if one is given."""
+        units_of, chosen = {name: self.of(name)[1] for name in self.model.coordinates}, {}
         for word in near:
             name, _, value = word.partition("=")
             try:
-                chosen[name] = as_number(name, float(value)) / ones[name]
+                chosen[name] = as_number(name, float(value)) / units_of[name]
             except (KeyError, ValueError) as error:
                 raise click.UsageError(
-                    f"--state {word}: give NAME=VALUE, NAME one of {', '.join(ones)}"
+                    f"--state {word}: give NAME=VALUE, NAME one of {', '.join(units_of)}"
                 ) from error
         return p.following(**chosen) if chosen else p
 
     def spanning(self, span: Span, values: bool, alone: bool) -> Span:
-        """Ranges of what varies, from what was typed; with ``values``, both ends are values
-        themselves.
+        """A range in units of the model, from one as typed.
 
-        Where it stands ``alone`` a range has no value besides.
+        With ``values`` both ends must be allowed values. With ``alone`` the parameter must not have
+        a value as well.
+
+        Raises
+        ------
+        ParameterError
+            If an end is not allowed.
         """
         name, title, unit = self.varied(span.name)
-        found = replace(span, name=name, unit=unit, title=title)
+        of_parameter = replace(span, name=name, unit=unit, title=title)
         if span.ends is None:
-            return found
+            return of_parameter
         if alone and is_typed(option_name(name)):
             flag = options_of(self.model.about, name)[0]
             raise ParameterError(
@@ -172,8 +167,7 @@ class Case:
                 "of the two out"
             )
         allowed, angle = self.model.Parameters.ranges[name], self.model.is_angle(name)
-        # How far an end may be, in the model's units.
-        largest = 1e6
+        largest = 1e6  # size of an end, in units of the model
         for end in span.ends:
             value = end / unit
             if abs(value) > largest and allowed.low <= value <= allowed.high:
@@ -188,10 +182,10 @@ class Case:
                     f"--vary {span.typed}: {title} = {end:g}{own} is not in {limits}"
                 )
         low, high = span.ends
-        return replace(found, ends=(low / unit, high / unit))
+        return replace(of_parameter, ends=(low / unit, high / unit))
 
     def box(self, spans: Sequence[Span]) -> Ranges:
-        """Ranges of coordinates by name."""
+        """Ranges of coordinates by name, in units of the model."""
         found = {}
         for span in spans:
             if span.ends is None:
@@ -204,24 +198,23 @@ class Case:
 
     @property
     def kind(self) -> Quantities:
-        """The quantities of its model."""
+        """The quantities of the model."""
         return quantities(self.model.where)
 
     @property
     def quantity_of(self) -> dict[str, str]:
-        """Of each parameter the quantity of a file that it is."""
+        """The quantity of a file for each parameter."""
         return {name: quantity for quantity, name in self.kind.parameters.items()}
 
     @property
     def time(self) -> float:
-        """Unit of time in the answer: seconds, with a file."""
+        """The model's unit of time in seconds with a file, else 1."""
         return 1.0 if self.study is None else self.study.scales.time
 
     def of(self, name: str, kind: type = Equilibria, end: str = "") -> Titled:
-        """The title of a column of a class of results, and what one of the model's own units is,
-        printed or typed.
+        """The title of a column of a class of results, and the factor to its unit.
 
-        Angles are degrees, their rates are not.
+        Angles are in degrees, their rates are not.
         """
         for span in self.spans:
             if span.name == name:
@@ -231,7 +224,7 @@ class Case:
         return self._titled(name + end, dimension)
 
     def row(self, values: Mapping[str, Any], kind: type = Equilibria, end: str = "") -> Row:
-        """Columns of a class of results, each under the name that says its unit, codes as words."""
+        """Columns of a class of results in units of the answer, by title; codes are words."""
         columns, found = columns_of_class(kind, self.model), {}
         for name, value in values.items():
             title, size = self.of(name, kind, end)
@@ -248,17 +241,18 @@ class Case:
         kind: type = Equilibria,
         **more: Sequence[Any] | FloatArray,
     ) -> list[Row]:
-        """Rows of columns of one length, and of those that have no unit."""
-        own = {own_name(self.model, name): values for name, values in more.items()}
-        titled_columns = {**self.row(columns, kind), **own}
+        """Rows of columns of one length; ``more`` are columns without units."""
+        named_by_page = {own_name(self.model, name): values for name, values in more.items()}
+        titled_columns = {**self.row(columns, kind), **named_by_page}
         return [
             dict(zip(titled_columns, row, strict=True))
             for row in zip(*titled_columns.values(), strict=True)
         ]
 
     def varied(self, name: str) -> tuple[str, str, float]:
-        """A parameter, or with a file its quantity: the parameter, its title, and what one of it is
-        there.
+        """The parameter that is meant by a name of --vary, its title, and the factor to its unit.
+
+        With a file the name may be that of a quantity.
         """
         kind = self.kind
         if name in self.model.parameters and (
@@ -286,10 +280,9 @@ class Case:
         )
 
     def axis(self, name: str, before: str = "", after: str = "") -> Titled | None:
-        """Title of an axis of a figure for a parameter or a coordinate, and what one of the model's
-        own is there.
+        """The title of an axis of a figure, and the factor to its unit.
 
-        None without a file, and of angles, which figures show in degrees.
+        None without a file, and for angles, which figures show in degrees anyway.
         """
         if self.study is None or self.model.is_angle(name):
             return None
@@ -300,16 +293,16 @@ class Case:
         return f"{before}${symbol(quantity or name)}${f' ({unit})' if unit else ''}{after}", size
 
     def said(self, remarks: Iterable[str]) -> list[str]:
-        """Remarks with what they say of parameters and coordinates in the units of the file."""
+        """Remarks with their numbers in the units of the file."""
         return [str(text) if self.study is None else self.study.said(text) for text in remarks]
 
     def _titled(self, title: str, si: str, quantity: str = "") -> Titled:
-        """A title with its unit, and what one of the model's own units is there."""
+        """A title with its unit, and the factor from the model's unit to it."""
         return titled(title, si, self.study, quantity)
 
 
 def _scaled(value: object, size: float) -> Any:
-    """A value, or all of several, in a unit; a complex number as its two parts."""
+    """A value or an array times a factor, as numbers and lists; a complex number as two parts."""
     array = np.asarray(value)
     if array.dtype.kind == "c":
         array = np.stack([array.real, array.imag], axis=-1)
@@ -317,6 +310,7 @@ def _scaled(value: object, size: float) -> Any:
 
 
 def in_degrees(allowed: Range, remedy: str = "") -> Range:
+    """A range of an angle in degrees."""
     return replace(
         allowed, low=math.degrees(allowed.low), high=math.degrees(allowed.high), remedy=remedy
     )
@@ -325,8 +319,12 @@ def in_degrees(allowed: Range, remedy: str = "") -> Range:
 def study_of(
     path: str | Path, model: str | None, *, trust: bool | None = None, warn: bool = True
 ) -> Study:
-    """The data of a brake, for the model that the command names if it names one; with warnings of
-    what numbers may mean.
+    """Read the data of a brake; warns of numbers that may be mistaken.
+
+    Raises
+    ------
+    ParameterError
+        If the command names a model that the file is not about.
     """
     from ..report.data import read_brake
 

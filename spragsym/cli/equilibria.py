@@ -1,5 +1,5 @@
-"""``spragsym equilibria``, ``path`` and ``critical``: all equilibria of points, and states followed
-as one parameter moves.
+"""``spragsym equilibria``, ``path`` and ``critical``: all equilibria of points, and a state that is
+followed along one parameter.
 """
 
 from __future__ import annotations
@@ -70,24 +70,25 @@ def equilibria(case: Case, plot: Path | None) -> object:
         _draw(case, plot, many)
     lists = [np.ravel(value).tolist() for value in values.values()]
     size = math.prod(map(len, lists))
-    # Points of a table.
-    most = 10_000
-    if size > most:
+    most_points = 10_000
+    if size > most_points:
         raise click.UsageError(
-            f"{size} points are more than the {most} of a table; in Python ss.equilibria "
+            f"{size} points are more than the {most_points} of a table; in Python ss.equilibria "
             "takes any number"
         )
     with show_progress(
         f"searching for equilibria of {size} points" if many else "searching for equilibria"
     ):
-        # The first goes slowest.
-        every = [
+        combinations = [
             dict(zip(values, combination, strict=True)) for combination in itertools.product(*lists)
         ]
-        named = [{title: unit * at[name] for name, (title, unit) in titles.items()} for at in every]
+        named = [
+            {title: unit * at[name] for name, (title, unit) in titles.items()}
+            for at in combinations
+        ]
         points = [
             {"parameters": at, **one}
-            for at, one in zip(named, _all_states(case, every), strict=True)
+            for at, one in zip(named, _all_states(case, combinations), strict=True)
         ]
     return {"points": points} if many else points[0], lambda: _print(
         case, points, [titles[name][0] for name in many]
@@ -96,10 +97,10 @@ def equilibria(case: Case, plot: Path | None) -> object:
 
 def _print(case: Case, points: list[Row], many: list[str]) -> None:
     of_class = columns_of_class(ss.results.Equilibria, case.model).items()
-    beside = {case.of(name)[0] for name, each in of_class if each.row == "beside"}
+    json_only = {case.of(name)[0] for name, each in of_class if each.row == "beside"}
     rows = [
         {title: point["parameters"][title] for title in many}
-        | {name: value for name, value in row.items() if name not in beside}
+        | {name: value for name, value in row.items() if name not in json_only}
         for point in points
         for row in point["equilibria"]
     ]
@@ -118,7 +119,7 @@ def _print(case: Case, points: list[Row], many: list[str]) -> None:
 
 
 def _draw(case: Case, plot: Path, many: list[str]) -> None:
-    """Eigenvalues over what varies, in the units of the answer."""
+    """Draw eigenvalues over one parameter, in units of the answer."""
     if not case.spans or many != [case.span.name]:
         raise click.UsageError(
             "--plot shows eigenvalues over one parameter: give it as --vary NAME=FROM:TO, and "
@@ -135,15 +136,14 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
 
 
 def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
-    """A row for each equilibrium of every point, whether these are all, and what is not known.
+    """For every point the rows of its equilibria, whether these are all, and what is undecided.
 
-    All points are asked in one call, and one by one where that does not answer completely; of one
-    alone an error is the answer.
+    Many points are asked in one call, and those without a complete answer again one by one.
     """
     p = case.model.Parameters(
         **{name: np.array([point[name] for point in points]) for name in points[0]}
     )
-    every = {
+    at_once = {
         contact: ss.equilibria(p, contact=contact, **case.ask)
         for contact in case.model.regimes
         if len(points) > 1
@@ -151,12 +151,12 @@ def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
     for at, point in enumerate(points):
         answer: Row = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
         for contact, state in case.model.regimes.items():
-            if every and (every[contact].decided & every[contact].whole)[at]:
-                answer["equilibria"] += _rows(case, every[contact], (at,))
+            if at_once and (at_once[contact].decided & at_once[contact].whole)[at]:
+                answer["equilibria"] += _rows(case, at_once[contact], (at,))
                 continue
             try:
                 eq = ss.equilibria(case.model.Parameters(**point), contact=contact, **case.ask)
-            except ConvergenceError as reason:  # the other regime may be known
+            except ConvergenceError as reason:  # the other regime may be decided
                 answer["undecided"].append({"state": state, "reason": str(reason)})
                 answer["complete"] = False
                 continue
@@ -172,12 +172,7 @@ def _all_states(case: Case, points: list[dict[str, float]]) -> Iterator[Row]:
 
 
 def _rows(case: Case, eq: Equilibria, point: tuple[int, ...] = ()) -> list[Row]:
-    """Rows of a point: words, directions and lengths of springs, coordinates, and the quality of
-    each state.
-
-    ``undamped`` and ``eigenvalues`` are those of (27); ``stability`` is with dampers and the slope
-    of the friction law.
-    """
+    """Rows of the equilibria of a point: regime, stability, state, and the columns beside it."""
     count = int(eq.count[point])
     before, behind = eq.row_columns("before"), eq.row_columns("behind", "beside")
     names = (*before, *eq.state_columns, *behind)
@@ -304,8 +299,8 @@ def _or(value: float | None, word: str) -> float | str:
 
 
 def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> Row:
-    """First end of the state; ``searched`` says from where to where, infinite if that is
-    everywhere.
+    """The first value at which the state ends; ``searched`` has both ends of the range, which are
+    infinite if all values were searched.
     """
     name = along.name
     ends = along.ends
@@ -341,7 +336,7 @@ def _first(case: Case, p: ParameterSet, along: Span, way: str, jumped: bool) -> 
 
 
 def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
-    """The frictions that decide; None for what can't be told, with the reason."""
+    """The critical frictions, None for those without an answer; and remarks with the reasons."""
     model, remarks = case.model, list[str]()
     own, angle = model.coefficient, model.inclination
     labels = {"inclination": angle, "friction coefficient": own}
@@ -382,7 +377,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
 
 
 def _meanings(case: Case, frictions: Row, vary: str) -> dict[str, str]:
-    """Meaning of each critical friction, of those that the model has."""
+    """Texts for those critical frictions that the model has."""
     kind, own, angle = frictions["kind_lowest"], case.model.coefficient, case.model.inclination
     where = (
         f" ({'to' if kind == 'infinity' else 'a'} {kind}, at "

@@ -1,5 +1,5 @@
-"""``spragsym simulate``, ``sweep``, ``fates`` and ``cycles``: motion in time, over a grid, what it
-comes to, and its cycles.
+"""``spragsym simulate``, ``sweep``, ``fates`` and ``cycles``: motions, over a grid too, their
+fates, and periodic orbits.
 """
 
 from __future__ import annotations
@@ -98,24 +98,27 @@ def simulate(
 
 
 def _times(case: Case, t_end: float, transient: float | None, why: str) -> tuple[float, float]:
-    """Until when, and from when on it is measured, in the model's unit of time; with a file they
-    are typed in seconds.
+    """The end of a motion, and the time from which it is measured, in the model's unit of time.
+
+    With a file they are typed in seconds. ``why`` says in an error why the motion can't be longer.
     """
-    second, of_file = case.time, case.study is not None
-    t_end = t_end / second if is_typed("t_end") else t_end
-    transient = 0.75 * t_end if transient is None else transient / second
+    seconds_per_unit, of_file = case.time, case.study is not None
+    t_end = t_end / seconds_per_unit if is_typed("t_end") else t_end
+    transient = 0.75 * t_end if transient is None else transient / seconds_per_unit
     if transient >= t_end:
-        begins, ends = (f"{value * second:.9g}{' s' * of_file}" for value in (transient, t_end))
+        begins, ends = (
+            f"{value * seconds_per_unit:.9g}{' s' * of_file}" for value in (transient, t_end)
+        )
         raise ParameterError(
             f"--transient = {begins} is not below --t-end = {ends}; nothing would be left to "
             "measure"
         )
     unit = case.model.about["scales"]["time"].replace("**", "^")
-    # Longest motion that a command follows, in the model's unit of time: one is kept whole,
-    # those of a sweep followed to the end.
-    longest = 2e6
+    longest = 2e6  # in the model's unit of time
     if t_end > longest:
-        limit = f"{longest:g} {unit}" + (f", which is {longest * second:.3g} s" if of_file else "")
+        limit = f"{longest:g} {unit}" + (
+            f", which is {longest * seconds_per_unit:.3g} s" if of_file else ""
+        )
         raise ParameterError(f"--t-end is {t_end:g} {unit}, and {why}: give at most {limit}")
     return t_end, transient
 
@@ -176,8 +179,8 @@ def sweep(
 
 
 def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
-    """The parameters and the initial state, each axis of more than one number along a dimension of
-    its own.
+    """The parameters and the initial state; every option with several numbers has an axis of its
+    own, so that they broadcast to the grid.
     """
     axes = {**case.values, **case.start}
     long = [name for name, axis in axes.items() if np.size(axis) > 1]
@@ -241,7 +244,7 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
 @click.option("--points", type=click.IntRange(1), default=200, help="Most points each way.")
 @click.option(
     "--diagram",
-    "whole",
+    "diagram",
     is_flag=True,
     help="Equilibria too, and cycles from Hopf points and doublings; with --vary.",
 )
@@ -259,7 +262,7 @@ def cycles(
     case: Case,
     near: float | FloatArray | None,
     points: int,
-    whole: bool,
+    diagram: bool,
     prove: bool,
     digits: int | None,
     sound: bool,
@@ -285,28 +288,25 @@ def cycles(
         raise ParameterError(f"--plot {plot}: it draws a branch, so it needs --vary")
     if along is not None:
         case.require_ends()
-    if whole and (along is None or prove):
+    if diagram and (along is None or prove):
         raise click.UsageError("--diagram goes with --vary, and without --prove")
     if digits is not None and not prove:
         raise click.UsageError("--digits goes with --prove")
     if sound and case.study is None:
         raise click.UsageError("--sound needs metres and seconds: give --data FILE")
     names = case.model.components
-    # A state is printed as it is typed, to be typed again.
-    ones = np.array([case.of(name)[1] for name in names])
+    # A state is printed in the units in which it is typed.
+    factors = np.array([case.of(name)[1] for name in names])
     if near is not None and np.size(near) != len(names):
         raise ParameterError(
             f"--near has {np.size(near)} numbers, and a state {len(names)}: {', '.join(names)}"
         )
-    start = None if near is None else near / ones
-    p = case.set(
-        **(
-            {along.name: along.ends[0]}
-            if along and along.ends and case.values[along.name] is None
-            else {}
-        )
-    )
-    if whole:
+    start = None if near is None else near / factors
+    changes = {}
+    if along and along.ends and case.values[along.name] is None:
+        changes[along.name] = along.ends[0]
+    p = case.set(**changes)
+    if diagram:
         return _diagram(case, p, [] if start is None else [start], points, plot)
     try:
         with show_progress("looking for a cycle"):
@@ -318,7 +318,7 @@ def cycles(
         {
             **{each.name: each.value(found) for each in found.schema},
             "stable": found.stable,
-            "state": found.state * ones,
+            "state": found.state * factors,
             "multipliers": found.multipliers,
             **found.forces,
             "crossings": len(found.events),
@@ -326,9 +326,10 @@ def cycles(
         },
         type(found),
     )
-    # What a phase of a cycle is called by the sign of its sliding speed.
-    words = {1: "belt ahead", -1: "mass ahead", 0: "sticks"}
-    modes, slips = found.phases, words if case.model.frictions else {1: "none"}
+    modes = found.phases
+    slips = {1: "belt ahead", -1: "mass ahead", 0: "sticks"}
+    if not case.model.frictions:
+        slips = {1: "none"}
     phases = case.rows(
         {"t": modes.t, "duration": modes.duration},
         type(modes),
@@ -369,7 +370,7 @@ def cycles(
 def _diagram(
     case: Case, p: ParameterSet, starts: list[Any], points: int, plot: Path | None
 ) -> object:
-    """Equilibria and cycles over a parameter: the labelled points, and the figure."""
+    """Equilibria and cycles over a parameter: branches, labelled points, and the figure."""
     from ..orbits.diagram import diagram
 
     along = case.span
@@ -439,9 +440,7 @@ def _diagram(
 
 
 def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
-    """The branch of a cycle within a range, which must hold the cycle itself, and what happens on
-    it.
-    """
+    """The branch of a cycle within a range, which must hold the cycle, and its events."""
     from ..orbits import cycle_branch
 
     along = case.span
@@ -477,12 +476,12 @@ def _branch(case: Case, found: Cycle, points: int, plot: Path | None) -> Row:
     }
 
 
-def _touching(case: Case, held: Int8Array) -> str:
-    """Contacts that touch in a mode, in words."""
-    contacts = zip(case.model.contacts, held.tolist(), strict=True)
+def _touching(case: Case, indicators: Int8Array) -> str:
+    """The touching contacts in words; ``indicators`` has 1 for each contact that touches."""
+    contacts = zip(case.model.contacts, indicators.tolist(), strict=True)
     opening = {label_of(entry): touches for entry, touches in contacts if entry["border"]}
-    some = tuple(name for name, touches in opening.items() if touches)
-    regime: Touching = len(some) == len(opening) or (some or False)
+    touching = tuple(name for name, touches in opening.items() if touches)
+    regime: Touching = len(touching) == len(opening) or (touching or False)
     return "contact" if regime is True else case.model.regimes[regime]
 
 
@@ -492,7 +491,7 @@ def _print_summary(case: Case, summary: Row) -> None:
 
 
 def _shown(value: object) -> object:
-    """Numbers to twelve digits; multipliers as a+bi."""
+    """A cell of a table: numbers with twelve digits, lists with ten, complex numbers as a+bi."""
     if isinstance(value, float):
         return f"{value:.12g}"
     return "  ".join(_number(item) for item in value) if isinstance(value, list) else value

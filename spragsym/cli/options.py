@@ -1,5 +1,5 @@
-"""Options of commands: one name, one meaning and one range everywhere; of commands about a model
-one for each parameter too.
+"""Options of commands: the same name, meaning and range in every command; a command about a model
+has an option for each parameter as well.
 """
 
 from __future__ import annotations
@@ -36,40 +36,35 @@ from .output import is_typed, print_json, refuse
 if TYPE_CHECKING:
     from ..report.study import Study
 
-#: What makes an option of a command.
+#: A decorator that adds an option to a command.
 Decorator: TypeAlias = Callable[[Any], Any]
 
 
 class Command(click.Command):
-    """A command that refuses what is empty or given twice, of which click takes the last, and whose
-    help ends in exit codes.
+    """A command that refuses options that are empty or given twice (click takes the last one).
+
+    Its help ends in the exit codes.
     """
 
     def __init__(self, *args: Any, **more: Any) -> None:
         super().__init__(*args, **more)
-        text = inspect.cleandoc(self.help or "")
-        self.help = (
-            text
-            if "Exit codes:" in text
-            else f"{text}\n\n\b\nExit codes: 0 done, 1 failed, 2 usage, 130 interrupted."
-        )
+        self.help = inspect.cleandoc(self.help or "")
+        if "Exit codes:" not in self.help:
+            self.help += "\n\n\b\nExit codes: 0 done, 1 failed, 2 usage, 130 interrupted."
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         values, _, order = self.make_parser(ctx).parse_args(list(args))
         for one in () if ctx.resilient_parsing else order:
             given, times = values[one.name or ""], order.count(one)
-            if (
-                times > 1
-                and not getattr(one, "multiple", False)
-                and (one.secondary_opts or not getattr(one, "is_flag", False))
-            ):
+            is_plain_flag = getattr(one, "is_flag", False) and not one.secondary_opts
+            if times > 1 and not getattr(one, "multiple", False) and not is_plain_flag:
                 raise click.BadParameter(f"it is given {times} times; give it once", ctx, one)
             if "" in (given if isinstance(given, list | tuple) else [given]):
                 raise click.BadParameter("it is empty; leave it out, or give a value", ctx, one)
         return super().parse_args(ctx, args)
 
     def invoke(self, ctx: click.Context) -> object:
-        """Do the work; an error about an argument of Python names its option."""
+        """Run the command; an error about an argument of a Python function names its option."""
         try:
             return super().invoke(ctx)
         except ParameterError as error:
@@ -91,8 +86,7 @@ TEXT = "Another model: the name of a shipped one, or a folder that `spragsym der
 TRUST = "Run the code of the folder that the file of --data names as its model."
 
 
-# generic in some versions of click
-# ParamType is generic in newer versions of click, and not in those that we allow down to.
+# ParamType is generic in newer versions of click only.
 class OneNumber(click.ParamType):  # type: ignore[type-arg,unused-ignore]
     """A number in a range; an error names the option as it is typed."""
 
@@ -112,8 +106,8 @@ class OneNumber(click.ParamType):  # type: ignore[type-arg,unused-ignore]
 
 
 class NumberList(OneNumber):
-    """A number, numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included; each in
-    a range.
+    """A number, several numbers ``a,b,c``, or ``start:stop:count`` with equal steps and both ends;
+    all in a range.
     """
 
     name = "numbers"
@@ -132,7 +126,6 @@ class NumberList(OneNumber):
                 numbers = np.array([float(number) for number in text.split(",")])
             else:
                 start, stop, count = text.split(":")
-                # Numbers of an axis.
                 most = 1_000_000
                 if not 1 < int(count) <= most:
                     self.fail(
@@ -150,13 +143,14 @@ class NumberList(OneNumber):
 
 
 def _span(typed: str) -> Span:
-    """``NAME``, ``NAME=FROM:TO`` or ``NAME=FROM:TO:COUNT``."""
+    """Parse ``NAME``, ``NAME=FROM:TO`` or ``NAME=FROM:TO:COUNT``."""
     name, sign, rest = typed.partition("=")
     if not sign:
         return Span(typed, name)
     try:
         low, high, *counts = rest.split(":")
-        ends, (count,) = (float(low), float(high)), [int(one) for one in counts] or [Span.count]
+        ends = float(low), float(high)
+        (count,) = map(int, counts) if counts else (Span.count,)
     except ValueError as error:
         cure = "give it as mu0=0:1, or with values as mu0=0:1:11"
         raise click.BadParameter(f"{typed!r} is neither a name nor a range; {cure}") from error
@@ -168,12 +162,12 @@ def _span(typed: str) -> Span:
 
 
 def _flag(param: click.Parameter | None) -> str:
-    """The option by its long name."""
+    """The long name of an option, for errors."""
     return "value" if param is None else max(param.opts, key=len)
 
 
 def vary(text: str, several: bool = False) -> Decorator:
-    """``--vary``, of one parameter or of several."""
+    """``--vary``, for one parameter or ``several``."""
     return click.option("--vary", type=_span, metavar="NAME[=FROM:TO]", multiple=several, help=text)
 
 
@@ -230,19 +224,28 @@ force: Decorator = click.option(
     "--force", is_flag=True, expose_value=False, help="Overwrite files that are in the way."
 )
 as_json: Decorator = click.option(
-    "--json", "json_output", is_flag=True, help="Print JSON instead of a table."
+    "--json",
+    "json_output",
+    is_flag=True,
+    expose_value=False,
+    help="Print JSON instead of a table.",
 )
 
 
+def is_json() -> bool:
+    """Whether JSON is asked for."""
+    return is_typed("json_output")
+
+
 def file(*flags: str, folder: bool = False, exists: bool = False, **more: Any) -> Decorator:
-    """A path; of a file, unless it may be a folder."""
+    """An option for the path of a file; of a folder too if ``folder``."""
     return click.option(
         *flags, type=click.Path(dir_okay=folder, exists=exists, path_type=Path), **more
     )
 
 
 def folder(text: str) -> Decorator:
-    """``--out``, where several files are written."""
+    """``--out``, the folder of commands that write several files."""
     return click.option(
         "--out", "-o", type=click.Path(file_okay=False, path_type=Path), required=True, help=text
     )
@@ -259,7 +262,7 @@ def lines(default: int, text: str) -> Decorator:
 
 
 def backend(*names: str) -> Decorator:
-    """``--backend``: of those that a command can use, the first that is there."""
+    """``--backend``, with the integrators that a command can use."""
     text = f"Integrator. Default: the first of {', '.join(names)} that is installed."
     return click.option("--backend", type=click.Choice(names), help=text)
 
@@ -272,19 +275,32 @@ def workers(default: int) -> Decorator:
 
 
 class OfModel(Command):
-    """A command whose options are its own and one for each parameter of a model; its work is given
-    a :class:`Case`.
+    """A command about a model: it has an option for each parameter, and its function is given a
+    :class:`Case`.
 
-    Parameters are of the type ``kind``. With ``start`` each number of the initial state has an
-    option too. ``statics`` of a brake takes the friction that works at the speed of its belt.
-    ``--vary``, ``--within`` and ``--method`` come with the case; of statics where nothing varies by
-    itself the ends of a range are values themselves; the first ``spanned`` ranges have no value
-    besides. Files of ``--plot`` are looked at before anything is computed. The work gives what JSON
-    says, and what prints the table.
+    The function returns the data for JSON, and a function that prints the table. ``--vary``,
+    ``--within`` and ``--method`` become part of the case. A file of ``--plot`` is checked before
+    anything is computed.
 
-    Texts of help may name ``{time}``, the unit of time, ``{axes}``, what varies unless told
-    otherwise, ``{last}`` of them, ``{coordinate}``, the first, and ``{state}``, all of the initial
-    state. Without ``--vary`` so many of the axes vary as ``varies`` says, from the last on.
+    Parameters
+    ----------
+    kind : type of click
+        Type of the parameters' options: a number or a list of numbers.
+    start : bool
+        Whether the initial state has options.
+    statics : bool
+        Whether the command is about equilibria: data of a brake then give the friction at the speed
+        of its belt; without ``varies`` both ends of a range must be allowed values.
+    spanned : int
+        Number of ranges, the first ones, whose parameters must not have a value too.
+    varies : int
+        Number of axes that vary without ``--vary``, counted from the last one.
+
+    Notes
+    -----
+    Help texts may hold ``{time}``, the unit of time, ``{axes}``, the parameters that vary by
+    default, ``{last}``, the last of these, ``{coordinate}``, the first one, and ``{state}``, the
+    components of the initial state.
     """
 
     def __init__(
@@ -304,6 +320,7 @@ class OfModel(Command):
         self._be_about(load(USUAL))
 
     def _be_about(self, model: Model) -> None:
+        """Set the options and the help of a model."""
         self.model = model
         words = {
             "time": model.about["scales"]["time"].replace("**", "^"),
@@ -323,8 +340,7 @@ class OfModel(Command):
             for name in model.starting
             if self.start
         ]
-        # Options that say what a command is about, which are looked at before the
-        # others.
+        # These choose the model, and are evaluated before the others.
         about = [
             click.Option(
                 ["--model"],
@@ -347,12 +363,9 @@ class OfModel(Command):
             *(_worded(option, words) for option in self.own),
             *about,
         ]
-        of = (
-            ""
-            if model.name == USUAL
-            else f"\n\nOf the model {model.name}: {model.about['summary']}"
-        )
-        self.help, self.callback = f"{self.text}{of}", self._work
+        self.help, self.callback = self.text, self._work
+        if model.name != USUAL:
+            self.help = f"{self.text}\n\nOf the model {model.name}: {model.about['summary']}"
 
     def make_context(
         self,
@@ -361,7 +374,7 @@ class OfModel(Command):
         parent: click.Context | None = None,
         **extra: Any,
     ) -> click.Context:
-        """With the options of the model that the arguments name."""
+        """The context with the options of the model that the arguments name."""
         path, name, about = _value_of(args, "--data"), _value_of(args, "--model"), self
         if path is not None:
             study = study_of(path, name, trust="--trust" in args)
@@ -373,7 +386,7 @@ class OfModel(Command):
         return super(OfModel, about).make_context(info_name, args, parent, **extra)
 
     def _work(self, **given: Any) -> None:
-        """Do the work, about the case that the parameters are."""
+        """Make the case from the options, and call the command's function."""
         ctx = click.get_current_context()
         units = Case(self.model, ctx.obj)
         values = {}
@@ -382,8 +395,7 @@ class OfModel(Command):
             if value is not None and self.model.is_angle(name):
                 value = np.radians(value)
             elif ctx.obj and name == entry["quantity"] and is_typed(option_name(name)):
-                # A quantity of the file that is typed by its own name is in the file's unit, as
-                # that of --vary is.
+                # Typed by the name of a quantity of the file, it is in the file's unit.
                 value = value / units.varied(name)[2]
             values[name] = value
         start = {
@@ -401,7 +413,7 @@ class OfModel(Command):
         )
         ask = {name: one for name, one in ask.items() if one}
         case = Case(self.model, ctx.obj, values, start, ask, spans)
-        json_output, plot = given.pop("json_output", False), given.get("plot")
+        plot = given.get("plot")
         assert self.work is not None
         if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
             raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
@@ -409,7 +421,7 @@ class OfModel(Command):
         done = self.work(case, **given)
         if done is not None:
             answer, tables = done
-            if json_output:
+            if is_json():
                 print_json({"model": self.model.name, **answer})
             else:
                 tables()
@@ -460,7 +472,7 @@ of_model = partial(command, cls=OfModel)
 
 
 def _worded(option: click.Parameter, words: dict[str, str]) -> click.Parameter:
-    """An option with the words of a model in its help."""
+    """A copy of an option with a model's words in its help."""
     other = copy.copy(option)
     for name in ("help", "metavar"):
         if text := getattr(option, name, None):
@@ -469,7 +481,7 @@ def _worded(option: click.Parameter, words: dict[str, str]) -> click.Parameter:
 
 
 def _value_of(args: Sequence[str], flag: str) -> str | None:
-    """The value of an option, if it is there and a value follows."""
+    """The value of an option among arguments; None without option or value."""
     for word, following in itertools.zip_longest(args, args[1:]):
         name, sign, value = word.partition("=")
         if name == flag:

@@ -1,10 +1,9 @@
-"""Output of commands: tables, styled on a terminal, plain in a pipe, never cut; JSON; and files,
-none overwritten unasked.
+"""Output of commands: tables, styled on a terminal and plain in a pipe; JSON; and files, which are
+overwritten with --force only.
 """
 
 from __future__ import annotations
 
-import itertools
 import json
 import math
 import shutil
@@ -29,19 +28,18 @@ if TYPE_CHECKING:
 
 
 def line_width() -> int:
-    """Width of the terminal; 0 in a pipe, where no line is broken."""
-    return (
-        shutil.get_terminal_size().columns if sys.stdout is not None and sys.stdout.isatty() else 0
-    )
+    """Width of the terminal; 0 in a pipe, where lines are not wrapped."""
+    if sys.stdout is None or not sys.stdout.isatty():
+        return 0
+    return shutil.get_terminal_size().columns
 
 
 def wrapped(text: str, indent: int = 0) -> str:
-    """A text for a line of the terminal, of which the first characters are taken; further lines
-    begin below its first word.
-    """
-    # Least width of a text beside others.
-    room = max(line_width() - indent, 20)
-    return f"\n{' ' * indent}".join(textwrap.wrap(text, room)) if line_width() else text
+    """A text wrapped to the terminal, of which the first ``indent`` columns are in use."""
+    if not line_width():
+        return text
+    width = max(line_width() - indent, 20)
+    return f"\n{' ' * indent}".join(textwrap.wrap(text, width))
 
 
 def print_rows(
@@ -50,12 +48,11 @@ def print_rows(
     optional: Sequence[str] = (),
     error: str = "error",
 ) -> None:
-    """Print a table of rows that have the same columns under a title; without rows, the title and
-    ``none``.
+    """Print rows with the same columns as a table under a title; without rows, "title: none".
 
-    Floats get as many digits as the line has room for, up to twelve; columns that are ``optional``
-    are left out, the first of them first, while it has none. ``--json`` gives all. The column
-    ``error`` has bounds, of two digits.
+    Floats have as many digits as fit into the line, up to twelve. If five digits do not fit,
+    ``optional`` columns are left out, in their order. The column ``error`` has bounds of two
+    digits, rounded up.
     """
     if title:
         click.echo(click.style(title, bold=True) if rows else f"{title}: none")
@@ -72,25 +69,24 @@ def print_rows(
 def _fitted(
     columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[str], error: str
 ) -> list[list[str]]:
-    """Each column as its name and its cells, together no wider than the line if that can be."""
+    """Each column as its name and its cells as text, if possible within the line (at least 80)."""
+    most_digits, least_digits = 12, 5
     written: list[list[str]] = []
-    # Digits in any case.
-    least_digits = 5
-    # Digits of a number in a table, where the line has room for them.
-    for left_out, digits in itertools.product(
-        range(len(optional) + 1), range(12, least_digits - 1, -1)
-    ):
-        used = ((name, cells) for name, cells in columns if name not in optional[:left_out])
-        written = [
-            [name, *(_written(name, cell, digits, error) for cell in cells)] for name, cells in used
-        ]
-        # Width that a table of numbers fits into, unless the terminal is wider.
-        if sum(max(map(len, column)) + 2 for column in written) - 2 <= max(80, line_width()):
-            break
+    for left_out in range(len(optional) + 1):
+        used = [(name, cells) for name, cells in columns if name not in optional[:left_out]]
+        for digits in range(most_digits, least_digits - 1, -1):
+            written = [
+                [name, *(_written(name, cell, digits, error) for cell in cells)]
+                for name, cells in used
+            ]
+            width = sum(max(map(len, column)) + 2 for column in written) - 2
+            if width <= max(80, line_width()):
+                return written
     return written
 
 
 def _written(name: str, cell: object, digits: int, error: str) -> str:
+    """A cell as text; bounds are rounded up, growth rates have two digits."""
     if not isinstance(cell, float):
         return str(cell)
     if name == error:
@@ -102,12 +98,13 @@ def _written(name: str, cell: object, digits: int, error: str) -> str:
 
 def print_json(thing: object) -> None:
     """Print JSON; NaN and infinities, which JSON does not have, become null."""
-    # Where the stream can't write Greek letters, JSON has an escape for them.
+    # Greek letters are escaped if the stream can't write them.
     escaped = not (getattr(sys.stdout, "encoding", None) or "utf").lower().startswith("utf")
     click.echo(json.dumps(_plain(thing), indent=1, ensure_ascii=escaped, allow_nan=False))
 
 
 def _plain(thing: object) -> object:
+    """Data for JSON: None in place of NaN and infinities."""
     if isinstance(thing, dict):
         return {name: _plain(value) for name, value in thing.items()}
     if isinstance(thing, list | tuple):
@@ -116,14 +113,12 @@ def _plain(thing: object) -> object:
 
 
 def is_typed(option: str) -> bool:
-    """Whether an option stands on the command line."""
+    """Whether an option is given on the command line."""
     return click.get_current_context().get_parameter_source(option) == ParameterSource.COMMANDLINE
 
 
 def refuse(paths: Iterable[Path | None], *, made: bool = False) -> None:
-    """Raise, before any work, if one of the files exists, unless it is to be overwritten, or if it
-    can't be written.
-    """
+    """Raise, before any work, if a file exists without --force, or can't be written."""
     targets = [path for path in paths if path is not None]
     found = [str(path) for path in targets if path.exists()]
     if found and not is_typed("force"):
@@ -137,8 +132,12 @@ def refuse(paths: Iterable[Path | None], *, made: bool = False) -> None:
 
 
 def write(files: Mapping[Path, Any], *, made: bool = False) -> bool:
-    """Write texts or bytes to files, but where they are; whether there were others. Refused if a
-    file is in the way.
+    """Write texts or bytes to files that differ from them; return whether any did.
+
+    Raises
+    ------
+    TargetError
+        If a file exists with another content, without --force.
     """
     data = {path: held.encode() if isinstance(held, str) else held for path, held in files.items()}
     changed = {
@@ -147,15 +146,15 @@ def write(files: Mapping[Path, Any], *, made: bool = False) -> bool:
         if not (path.is_file() and path.read_bytes() == held)
     }
     refuse(changed, made=made)
-    for path, held in changed.items():
-        put(path, held, made=made)
+    for path, content in changed.items():
+        put(path, content, made=made)
     return bool(changed)
 
 
 @contextmanager
 def resumed() -> Iterator[None]:
-    """Work that goes on in its file where it stopped; with ``--force`` whatever is there, which
-    stays until that is done.
+    """Run work that resumes from its file; with ``--force`` it starts anew, and the former file
+    stays until the new one is complete.
     """
     token = OVERWRITING.set(is_typed("force"))
     try:
@@ -172,8 +171,9 @@ def drawn(
     make: Callable[[], Any],
     axes: Callable[[], Iterable[Sequence[Shown | None]]] = tuple,
 ) -> None:
-    """Draw a figure if its file is asked for; ``axes`` says of each panel what its two axes show,
-    None as it is.
+    """Draw a figure to a file, if one is asked for.
+
+    ``axes`` gives for each panel the units of its two axes, None to leave an axis as it is.
     """
     if path is None:
         return

@@ -1,6 +1,4 @@
-"""``spragsym report`` and ``explore``: the data of a brake in, a verdict out; and the explorer as a
-page.
-"""
+"""``spragsym report`` and ``explore``: the verdict on a brake's data, and the explorer's page."""
 
 from __future__ import annotations
 
@@ -22,7 +20,7 @@ from ..models.load import USUAL, load, shipped
 from ..models.parameters import POSITIVE, ParameterSet
 from . import options as o
 from .case import Span, study_of
-from .output import drawn, print_json, print_rows, refuse, write
+from .output import drawn, is_typed, print_json, print_rows, refuse, write
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -34,7 +32,7 @@ if TYPE_CHECKING:
 
 @o.command()
 @click.argument("file", type=click.Path(path_type=Path), required=False)
-@click.option("--example", is_flag=True, help="Print a file to begin with.")
+@click.option("--example", is_flag=True, expose_value=False, help="Print a file to begin with.")
 @click.option(
     "--model",
     metavar="NAME|DIR",
@@ -64,16 +62,12 @@ if TYPE_CHECKING:
 @o.as_json
 def report(
     file: Path | None,
-    example: bool,
     model: str | None,
     html: Path | None,
-    oscillation: bool,
-    redesign: bool,
-    safety: float,
     over: tuple[Span, ...],
     csv: Path | None,
     plot: Path | None,
-    json_output: bool,
+    **parts: Any,
 ) -> None:
     """A verdict on the brake whose data stand in FILE, with units and tolerances.
 
@@ -85,10 +79,10 @@ def report(
       spragsym report brake.toml --html report.html
       spragsym report brake.toml --over theta0=40:70:31 --csv over.csv
     """
-    if example:
-        from ..report.example import example as text_of
+    if is_typed("example"):
+        from ..report.example import example
 
-        click.echo(text_of(load(model or USUAL)), nl=False)
+        click.echo(example(load(model or USUAL)), nl=False)
         return
     if file is None:
         raise click.UsageError("FILE is missing; begin with spragsym report --example > brake.toml")
@@ -101,13 +95,13 @@ def report(
     refuse([html, csv, plot])
     study = study_of(file, model, warn=False)  # the report has its own warnings
     if over:
-        _over(study, over, csv, plot, json_output)
+        _over(study, over, csv, plot)
         return
     with show_progress(
         "computing the report (--no-oscillation and --no-redesign leave out two of its parts)"
     ):
-        found = study.report(redesign=redesign, oscillation=oscillation, safety=safety)
-    if json_output:
+        found = study.report(**parts)
+    if o.is_json():
         print_json(found.to_dict())
     else:
         click.echo(found.text())
@@ -117,14 +111,8 @@ def report(
         click.echo(f"wrote {html}", err=True)
 
 
-def _over(
-    study: Study,
-    over: tuple[Span, ...],
-    csv: Path | None,
-    plot: Path | None,
-    json_output: bool,
-) -> None:
-    """The verdict over one quantity or two."""
+def _over(study: Study, over: tuple[Span, ...], csv: Path | None, plot: Path | None) -> None:
+    """Print the verdict over one quantity or two."""
     from ..report.over import verdicts_over
 
     names = [span.name for span in over]
@@ -136,23 +124,23 @@ def _over(
         found = verdicts_over(study, {one.name: one.values for one in over})
     rows = [dict(zip(found.titles, row, strict=True)) for row in found.rows]
     files = {} if csv is None else {csv: found.csv()}
-    if json_output:
+    if o.is_json():
         print_json({"rows": rows, "onsets": found.onsets, "unsettled": found.unsettled})
     else:
         print_rows("", [{key: _known(one) for key, one in row.items()} for row in rows])
         for line in (*found.onsets, *filter(None, [found.unsettled])):
             click.echo(line)
     write(files)
-    drawn(plot, "drawing the verdicts", lambda: _picture_over(found))
+    drawn(plot, "drawing the verdicts", lambda: _verdict_figure(found))
 
 
 def _known(one: float | str) -> float | str:
-    """A number; nothing in place of one that is not there."""
+    """A cell of a table; empty for NaN."""
     return "" if isinstance(one, float) and math.isnan(one) else one
 
 
-def _picture_over(found: Verdicts) -> Figure:
-    from ..figures.over import verdict_figure  # of the extra plot
+def _verdict_figure(found: Verdicts) -> Figure:
+    from ..figures.over import verdict_figure  # imported late: it needs the extra plot
 
     return verdict_figure(found)
 
@@ -242,7 +230,7 @@ def explore(
 
 
 def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
-    """The page of a model, at the user's point if there is one."""
+    """The explorer's page of a model, at the user's data if there are any."""
     _, p = model.cases()[0]
     about: dict[str, Any] = {}
     if study is not None:
@@ -257,7 +245,7 @@ def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
 
 
 def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:
-    """The map of stability at a point of a model, and the command that prints its numbers."""
+    """The figure of onset curves of a model, and the command that prints their numbers."""
     from ..figures.planes import draw_onset_curves
     from ..figures.report_pages import picture
     from ..figures.style import window
@@ -267,16 +255,15 @@ def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:
             f"--onsets: {model.name} has no two parameters of its equilibria; leave it out"
         )
     ends = window(p, model.plane, {})
-    # Lines of either parameter on which onsets are sought.
-    lines = 20
+    lines = 20  # of either parameter, on which onsets are sought
     with show_progress("searching for onsets (--onsets)"):
         found = ss.onset_curves(p, model.plane, lines, between=ends)
-    taken = (
-        f"--model {shlex.quote(model.where)}"
-        if study is None
-        else f"--data {shlex.quote(study.source)}"
-    )
-    taken += " --trust" if study is not None and model.where not in shipped() else ""
+    if study is None:
+        taken = f"--model {shlex.quote(model.where)}"
+    else:
+        taken = f"--data {shlex.quote(study.source)}"
+        if model.where not in shipped():
+            taken += " --trust"
     spans = (
         one if model.is_angle(one) else f"{one}={ends[one][0]:g}:{ends[one][1]:g}"
         for one in model.plane
@@ -288,7 +275,7 @@ def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:
 
 
 def _units(study: Study) -> dict[str, Any]:
-    """The units of the user's file, and whose they are."""
+    """The units of the user's file for the page, and the sentence that says so."""
     kind, (length, size), scales = study.kind, study.unit_of("m"), study.scales
     parameters = {
         name: (quantity, *study.unit_of(kind.units[quantity], quantity)[::-1])

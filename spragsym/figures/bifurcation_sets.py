@@ -1,5 +1,5 @@
-"""The article's Figures 11, 12 and 14: equilibrium surface and bifurcation set. Friction of the
-lowest fold; double roots of the quartics that are not folds.
+"""The article's Figures 11, 12 and 14: equilibrium surface and bifurcation set; and two of our own:
+the friction of the lowest fold, and double roots of the quartic in L that are no folds.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgba_array
+from numpy.typing import NDArray
 
 import spragsym as ss
 
@@ -138,8 +139,8 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
 
 
 def _regions(ax: Axes, p: Parameters, counts: Mapping[tuple[float, float], str]) -> Table:
-    """Draw the bifurcation set, with the numbers of equilibria at given positions, and the
-    coordinates of the cusp; the curves as a table.
+    """Draw the bifurcation set with the coordinates of the cusp, and the texts of ``counts``, which
+    are numbers of equilibria, at their positions; returns the curves as a table.
     """
     found, _ = draw_plane(ax, p, {"mu0": MU0_RANGE})
     for position, text in counts.items():
@@ -157,44 +158,45 @@ _ASPECT = (1.25, 1.1, 0.9)
 
 
 def sheets(p: Parameters, theta0_deg: FloatArray, n: int) -> tuple[FloatArray, Int8Array]:
-    """Mesh of the part of the equilibrium surface that is shown: quadrilaterals (cells, 4, 3) of
-    (θ₀ in degrees, μ₀, x), and their stability (cells,).
+    """Mesh of the shown part of the equilibrium surface: quadrilaterals (cells, 4, 3) of (θ₀ in
+    degrees, μ₀, x), and their stability (cells,).
 
-    For each θ₀ the directions go from one end of the arc in contact to the other, where μ₀ is
-    infinite, so that the mesh has no holes.
+    For each θ₀ there are ``n`` directions θ, from one end of the arc in contact to the other. At
+    both ends μ₀ is infinite, so that the mesh has no holes.
     """
     theta0 = np.radians(theta0_deg)
     found = ss.kang_nam.surface(p, _directions(p, theta0, n), theta0[:, None])
-    friction, x, within = found.mu0, found.x, np.clip(found.mu0, *MU0_RANGE)
-    kept = friction == within
+    friction, x, clipped = found.mu0, found.x, np.clip(found.mu0, *MU0_RANGE)
+    inside = friction == clipped
     # A vertex outside the range is moved to its end, on the line to a neighbour inside.
     for side in (1, -1) * 4:
-        beside, there = np.roll(friction, side, axis=1), np.roll(x, side, axis=1)
-        moves = (friction != within) & (beside == np.clip(beside, *MU0_RANGE))
-        share = (within - friction) / np.where(moves, beside - friction, np.inf)
-        friction, x = np.where(moves, within, friction), x + share * (there - x)
-    vertices = on_surface(friction, theta0[:, None], x)
-    cells, inside = (
-        np.stack([columns[:-1, :-1], columns[1:, :-1], columns[1:, 1:], columns[:-1, 1:]], axis=2)
-        for columns in (vertices, kept)
-    )
-    whole = np.isfinite(cells).all(axis=(2, 3)) & inside.any(axis=2)
-    return cells[whole], found.undamped[:-1, :-1][whole]
+        next_friction, next_x = np.roll(friction, side, axis=1), np.roll(x, side, axis=1)
+        moves = (friction != clipped) & (next_friction == np.clip(next_friction, *MU0_RANGE))
+        share = (clipped - friction) / np.where(moves, next_friction - friction, np.inf)
+        friction, x = np.where(moves, clipped, friction), x + share * (next_x - x)
+    cells = _corners(on_surface(friction, theta0[:, None], x))
+    shown = np.isfinite(cells).all(axis=(2, 3)) & _corners(inside).any(axis=2)
+    return cells[shown], found.undamped[:-1, :-1][shown]
+
+
+def _corners(values: NDArray[Any]) -> NDArray[Any]:
+    """Values at the four corners of each cell of a mesh, (rows − 1, columns − 1, 4, …)."""
+    return np.stack([values[:-1, :-1], values[1:, :-1], values[1:, 1:], values[:-1, 1:]], axis=2)
 
 
 def _directions(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
-    """For each θ₀, ``n`` directions θ in contact, evenly spaced on the part of the surface that is
-    shown, and sparser outside.
+    """For each θ₀, ``n`` directions θ in contact, evenly spaced along the shown part of the surface
+    and sparser outside.
     """
     kappa, sigma = p.scalars("kappa", "sigma")
-    # In contact sin θ is larger than that of the start.
-    start = np.arcsin(np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0))
+    # In contact sin θ > sin θ₀ − κ/σ.
+    least = np.arcsin(np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0))
     u = np.linspace(1e-3, 1 - 1e-3, 20 * n)
     share = u**3 * (10 - 15 * u + 6 * u * u)  # dense at the ends, where μ₀ is steep
-    theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
+    theta = least[:, None] + (np.pi - 2 * least[:, None]) * share
     found = ss.kang_nam.surface(p, theta, theta0[:, None])
     shown = np.clip(found.mu0, MU0_RANGE[0] - 0.1, MU0_RANGE[1] + 0.1)
-    # Sparser with the distance from the shown range.
+    # Outside of the shown range, the weight decreases with the distance from it.
     weight = 0.25 / (1 + (found.mu0 - shown) ** 2)[:, 1:]
     steps = np.hypot(np.diff(shown, axis=1), weight * np.diff(found.x, axis=1))
     length = np.pad(np.cumsum(steps, axis=1), [(0, 0), (1, 0)])
@@ -227,17 +229,20 @@ def space_axes(figure: Sheet, corners: tuple[float, float, float, float], zoom: 
 def draw_surface(
     ax: Axes3D, p: Parameters, lines: Iterable[tuple[FloatArray, str]], detail: float
 ) -> Table:
-    """Draw the equilibrium surface by stability, with folds, cusps and other ``lines``, (n, 3) with
-    a colour. Hidden lines are dashed. A table of the folds.
+    """Draw the equilibrium surface by stability, with folds, cusps and other ``lines``, each of
+    points (n, 3) and a colour; returns a table of the folds.
+
+    Lines are ribbons a little in front of the surface, which hides them where a sheet is nearer to
+    the viewer; the hidden parts are dashed.
     """
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     cells, kinds = sheets(p, np.linspace(0.5, 179.5, round(160 * detail)), round(160 * detail))
     # Ranges of θ₀ in degrees, μ₀ and x, relative to the sides of the axes.
-    size, (up, turn) = np.divide((180.0, 1.0, 4.0), _ASPECT), np.radians((ax.elev, ax.azim))
-    towards = np.array([np.cos(up) * np.cos(turn), np.cos(up) * np.sin(turn), np.sin(up)])
-    first, second = ((cells[:, i] - cells[:, j]) / size for i, j in ((2, 0), (3, 1)))
-    normal = np.cross(first, second)
+    size = np.divide((180.0, 1.0, 4.0), _ASPECT)
+    up, turn = np.radians((ax.elev, ax.azim))
+    viewer = np.array([np.cos(up) * np.cos(turn), np.cos(up) * np.sin(turn), np.sin(up)])
+    normal = np.cross((cells[:, 2] - cells[:, 0]) / size, (cells[:, 3] - cells[:, 1]) / size)
     upright = np.abs(normal[:, 2]) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
     sheet_colors = {
         EquilibriumType.STABLE: "#b3d9f0",
@@ -251,21 +256,21 @@ def draw_surface(
     polygons, faces = [cells], [colors]
     for points, color in (*lines, *((fold, VERMILION) for fold in folds)):
         ax.plot(*points.T, color=color, linewidth=0.6, linestyle=(0, (3.0, 2.2)), zorder=2)
-        across = np.cross(np.diff(points, axis=0) / size, towards)
-        # Lines are ribbons in front of the surface; half of the width in units of the sides.
+        across = np.cross(np.diff(points, axis=0) / size, viewer)
+        # Half of the width, and the distance from the surface, in units of the sides.
         across *= size * 0.0036 / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None]
-        # Distance from the surface in units of the sides.
-        begin, end = (part + 0.08 * towards * size for part in (points[:-1], points[1:]))
+        raised = points + 0.08 * viewer * size
+        begin, end = raised[:-1], raised[1:]
         ribbon = np.stack([begin - across, end - across, end + across, begin + across], axis=1)
         ribbon = ribbon[np.isfinite(ribbon).all(axis=(1, 2))]
         polygons.append(ribbon)
         faces.append(np.repeat(to_rgba_array(color), len(ribbon), axis=0))
-    every = np.concatenate(faces)
+    face_colors = np.concatenate(faces)
     ax.add_collection3d(
         Poly3DCollection(
             np.concatenate(polygons),
-            facecolors=every,
-            edgecolors=every,
+            facecolors=face_colors,
+            edgecolors=face_colors,
             linewidths=0.3,
             rasterized=True,
             zorder=1,
@@ -277,18 +282,16 @@ def draw_surface(
 
 
 def table_of_lines(lines: Iterable[FloatArray]) -> Table:
-    """The finite points of lines as a table."""
-    point = ("theta0_deg", "mu0", "x")
-    return stacked(
-        [dict(zip(point, line[np.isfinite(line[:, 1])].T, strict=True)) for line in lines],
-        "curve",
-        point,
-    )
+    """The points of lines on the surface as a table, without those outside of the shown range."""
+    names = ("theta0_deg", "mu0", "x")
+    tables = [dict(zip(names, line[np.isfinite(line[:, 1])].T, strict=True)) for line in lines]
+    return stacked(tables, "curve", names)
 
 
 def on_surface(mu0: FloatArray, theta0: FloatArray | float, x: FloatArray) -> FloatArray:
-    """Points (n, 3) of a line on the surface from θ₀ in radians; NaN where ``mu0`` is outside its
-    range, so that the line is interrupted.
+    """Points (…, 3) on the surface as (θ₀ in degrees, μ₀, x), from θ₀ in radians.
+
+    μ₀ outside of the shown range is NaN, so that lines are interrupted there.
     """
     inside = np.where(mu0 == np.clip(mu0, *MU0_RANGE), mu0, np.nan)
     return np.stack(np.broadcast_arrays(np.degrees(theta0), inside, x), axis=-1)
@@ -298,7 +301,7 @@ def on_surface(mu0: FloatArray, theta0: FloatArray | float, x: FloatArray) -> Fl
 def figure_cusp_friction(*, n: int = 41) -> Sheet:
     """Friction of the lowest fold over each parameter, which explains Figures 8 to 10."""
     figure, axes = panels(2, 2, DOUBLE, 4.6)
-    shown = {
+    shown: dict[str, _Samples] = {
         "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0), ()),
         "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07), (0.1, 1.0, 10.0)),
         "sigma": ((3e-3, 3.0), (0.01, 0.1, 1.0), (0.01, 0.1), (0.1, 0.2, 0.5)),
@@ -315,77 +318,70 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
     )
 
 
-#: Range of a parameter, the article's samples, an interval that contains the critical value, and
-#: ticks of the friction if the axes are logarithmic.
+#: Range of a parameter, the article's samples, a bracket of the critical value, and ticks of the
+#: friction if the axes are logarithmic.
 _Samples = tuple[Span, tuple[float, ...], Span, tuple[float, ...]]
 
 
 def _draw_cusp_friction(ax: Axes, name: str, shown: _Samples, n: int) -> Table:
-    """Draw one panel of :func:`figure_cusp_friction`; its data."""
+    """Draw one panel of :func:`figure_cusp_friction`; returns its data."""
     (low, high), samples, bracket, ticks = shown
     values = np.geomspace(low, high, n) if ticks else np.linspace(low, high, n)
     p, mu0 = Parameters.article(), Parameters.mu0
-    along = p.replace(**{name: values})
-    frictions, cusps = np.asarray(ss.critical_friction(along)), np.asarray(ss.cusp_friction(along))
+    varied = p.replace(**{name: values})
+    frictions = np.asarray(ss.critical_friction(varied))
     ax.plot(values, frictions, color=BLACK)
     ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     for value in samples:
         friction = float(ss.critical_friction(p.replace(**{name: value})))
         filled = BLUE if friction < mu0 else "white"
-        ax.plot(
-            value,
-            friction,
-            "o",
-            markersize=4.5,
-            color=BLUE,
-            markerfacecolor=filled,
-            zorder=3,
-            clip_on=False,
-        )
+        style: dict[str, Any] = {"markersize": 4.5, "color": BLUE, "markerfacecolor": filled}
+        ax.plot(value, friction, "o", zorder=3, clip_on=False, **style)
     critical = ss.critical_value(p, name, between={name: bracket})
     line_at(ax, critical, VERMILION)
     if ticks:
         ax.set(xscale="log", yscale="log")
         plain_ticks(ax.yaxis, ticks)
-        says, place, height = f"{critical:.3g}", critical * 1.12, 0.06
+        text, position = f"{critical:.3g}", (critical * 1.12, 0.06)
     else:
         ax.set(ylim=(0, 0.9))
-        says, place, height = f"{critical:.6f}", critical + 0.05, 0.06 / 0.9
-    write_along(ax, says, place, height, VERMILION, transform=ax.get_xaxis_transform())
+        text, position = f"{critical:.6f}", (critical + 0.05, 0.06 / 0.9)
+    write_along(ax, text, *position, VERMILION, transform=ax.get_xaxis_transform())
     ax.set(xlabel=rf"$\{name}$", ylabel=r"$\mu_{\mathrm{lowest}}$", xlim=(low, high))
-    return {name: values, "mu_lowest": frictions, "mu_cusp": cusps}
+    return {name: values, "mu_lowest": frictions, "mu_cusp": np.asarray(ss.cusp_friction(varied))}
 
 
-def _given(p: Parameters, theta0: FloatArray) -> tuple[Any, ...]:
-    """Arguments of the generated functions, in contact."""
+def _in_contact(p: Parameters, theta0: FloatArray) -> tuple[Any, ...]:
+    """Arguments of the generated functions in contact."""
     return np.cos(theta0), np.sin(theta0), *p.scalars("mu0", "kappa", "alpha", "sigma", "beta"), 1
 
 
-def _gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
-    """Smallest distance of two roots, relative to their size, of each polynomial, lowest power
+def _root_gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
+    """Smallest relative distance of two roots of each polynomial, coefficients lowest power
     first.
     """
-    table = np.stack(np.broadcast_arrays(*coefficients), axis=-1).astype(float)
-    roots = eigenvalues(table)
+    roots = eigenvalues(np.stack(np.broadcast_arrays(*coefficients), axis=-1).astype(float))
     one, other = (roots[..., which] for which in np.triu_indices(roots.shape[-1], 1))
     return (np.abs(one - other) / np.maximum(np.abs(one), np.abs(other))).min(axis=-1)
 
 
 def root_gaps(p: Parameters, theta0: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Smallest relative distance of two roots of the quartic in L and of that in t = tan(θ/2)."""
-    given = _given(p, theta0)
-    return _gap(_equilibrium.contact_quartic(*given[:-1])), _gap(
-        _equilibrium.t_quartic(*_equilibrium.f_coefficients(*given))
-    )
+    """Smallest relative distance of two roots, of the quartic in L and of that in t = tan(θ/2)."""
+    given = _in_contact(p, theta0)
+    in_t = _equilibrium.t_quartic(*_equilibrium.f_coefficients(*given))
+    return _root_gap(_equilibrium.contact_quartic(*given[:-1])), _root_gap(in_t)
 
 
 def false_double_roots(p: Parameters) -> FloatArray:
-    """θ₀ at which the quartic in L has a double root that is no fold: f(θ) = f(π − θ) = 0."""
-    # There a sin θ + b = 0 and d sin θ = m sin² θ: a d + m b = 0, with cos θ₀ and sin θ₀ of the
-    # first degree.
-    a, b, d, m = _equilibrium.f_coefficients(*_given(p, np.array([0, np.pi / 2, np.pi])))
-    right, up, left = a * d + m * b
-    t = np.roots([left, 2 * up - left - right, right])  # of tan(θ₀/2)
+    """θ₀ at which the quartic in L has a double root that is no fold: f(θ) = f(π − θ) = 0.
+
+    Then a sin θ + b = 0 and d sin θ = m sin² θ, so that a d + m b = 0. This is linear in cos θ₀ and
+    sin θ₀, and quadratic in t = tan(θ₀/2).
+    """
+    # The values at θ₀ = 0, π/2 and π give the coefficients.
+    a, b, d, m = _equilibrium.f_coefficients(*_in_contact(p, np.array([0, np.pi / 2, np.pi])))
+    at_0, at_right_angle, at_pi = a * d + m * b
+    t = np.roots([at_pi, 2 * at_right_angle - at_pi - at_0, at_0])
     return np.sort(2 * np.arctan(t.real[np.isreal(t) & (t.real > 0)]))
 
 
@@ -394,12 +390,9 @@ def figure_false_double_root() -> Sheet:
     """The quartic in L has a double root that is no fold; the quartic in t has none."""
     figure, (axes,) = panels(1, 2, DOUBLE, 2.6, sharey=True)
     p = Parameters.article()
-    true, false = np.degrees(ss.folds(p).theta0), np.degrees(false_double_roots(p))
-    near = [
-        centre + side * np.geomspace(1e-8, 10, 150)
-        for centre in (*true, *false)
-        for side in (-1, 1)
-    ]
+    folds, false = np.degrees(ss.folds(p).theta0), np.degrees(false_double_roots(p))
+    distances = np.geomspace(1e-8, 10, 150)
+    near = [centre + side * distances for centre in (*folds, *false) for side in (-1, 1)]
     angles = np.unique(np.concatenate([np.linspace(0.5, 179.5, 400), *near]))
     angles = angles[(angles > 0.1) & (angles < 179.9)]
     gaps = root_gaps(p, np.radians(angles))
@@ -407,7 +400,7 @@ def figure_false_double_root() -> Sheet:
         ax.semilogy(angles, gap, color=BLACK, linewidth=0.9)
         angle_axis(ax)
         remark(ax, f"quartic in ${name}$")
-        for angle in true:
+        for angle in folds:
             line_at(ax, angle, VERMILION, zorder=0)
             write_along(ax, f"fold\n{angle:.2f}°", angle + 2, 2e-5, color=VERMILION)
     for angle in false:

@@ -1,5 +1,5 @@
-"""Figures of cycles: their branches beside equilibria, bifurcation diagrams, curves of their
-bifurcations, and maps of the fates of motions.
+"""Figures of cycles: branches of cycles beside equilibria, bifurcation diagrams, curves of
+bifurcations of cycles, and maps of the fates of motions.
 """
 
 from __future__ import annotations
@@ -7,7 +7,7 @@ from __future__ import annotations
 import functools
 import json
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from operator import attrgetter
 from typing import Any
@@ -35,11 +35,9 @@ from .style import (
     BLACK,
     BLUE,
     DOUBLE,
-    GREEN,
     GREY,
     LINES,
-    ORANGE,
-    PURPLE,
+    PALETTE,
     SKY,
     VERMILION,
     Sheet,
@@ -56,16 +54,12 @@ from .style import (
     write_along,
 )
 
-#: Colours of branches, in their order; doubled cycles have the colour of the original ones.
-COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
-
-
 #: Markers of bifurcations of cycles.
 MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
 
 
 def _sliding() -> Parameters:
-    """The article's parameters with the friction μ(V) in place of μ₀."""
+    """The article's parameters with μ₀ replaced by the friction μ(V) at the speed of the belt."""
     p = Parameters.article()
     return p.replace(mu0=float(p.model.friction(p)))
 
@@ -77,46 +71,30 @@ def figure_cycles() -> Sheet:
     """
     figure, ax = single(DOUBLE, 4.2)
     rest = branches(_sliding(), "theta0", between={"theta0": (np.radians(1.0), np.radians(179.0))})
+    for curve in rest:  # the root mean square is |x|
+        style: dict[str, Any] = {"color": BLACK, "linestyle": LINES[curve.kind], "linewidth": 1.0}
+        ax.plot(curve.shown("theta0"), np.abs(curve.x), **style)
     # Branches found by ``python -m validation.cycle_search``, with data of the search.
     found = json.loads(shipped_text("spragsym.figures", "cycles.json"))
-    for curve in rest:  # the root mean square is |x|
-        ax.plot(
-            curve.shown("theta0"),
-            np.abs(curve.x),
-            color=BLACK,
-            linestyle=LINES[curve.kind],
-            linewidth=1.0,
-        )
-    colours: dict[str, str] = {}
+    colours = dict[str, str]()
     columns, events = list[Table](), list[tuple[Any, ...]]()
     titles = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
     for line in found["branches"]:
-        name = line["name"]
-        family, _, doubled = name.partition(",")
-        colour = colours.setdefault(family, COLOURS[len(colours) % len(COLOURS)])
-        theta0, periods, heights, is_stable = (
-            np.array(line[name]) for name in ("theta0", "period", "rms", "stable")
-        )
-        angles, stable = np.degrees(theta0), is_stable == 1
-        draw_stretches(ax, angles, heights, stable, colour, 0.9 if doubled else 1.4)
-        value, period, *_ = line["at"]
-        # Doubled cycles are labelled if they are stable over more than 10 degrees.
-        if not doubled or np.ptp(angles[stable]) > 10.0:
-            nearest = np.argmin(np.abs(theta0 - value) + np.abs(periods - period))
-            position = np.degrees(value), heights[nearest] + 0.035
-            write_along(ax, f"{period:.0f}", *position, color=colour, ha="center", fontsize=7)
+        # Doubled cycles have the colour of the original ones.
+        family, _, doubled = line["name"].partition(",")
+        colour = colours.setdefault(family, PALETTE[len(colours) % len(PALETTE)])
+        columns.append(_draw_found(ax, line, colour, bool(doubled)))
         for kind, at, length, rms, how in line["events"]:
             angle = np.degrees(at)
-            events.append((name, kind, angle, length, rms, how))
+            events.append((line["name"], kind, angle, length, rms, how))
             if kind in MARKERS:
                 _mark(ax, (angle, rms), MARKERS[kind], color=colour, markersize=3)
-        course: Table = {"theta0_deg": angles, "period": periods, "rms_x": heights}
-        columns.append({"branch": name, **course, "stable": is_stable})
     p = Parameters.article()
     fate = fate_boundary(p, "theta0", between={"theta0": (np.radians(41.0), np.radians(42.0))})
     places = np.degrees(fate.value), first_fold(p), first_fold(_sliding())
-    for place, colour, style in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
-        line_at(ax, place, colour, 0.8, style=style, zorder=0.5)
+    line_at(ax, places[0], BLACK, 0.8, style="--", zorder=0.5)
+    line_at(ax, places[1], GREY, 0.8, style=":", zorder=0.5)
+    line_at(ax, places[2], GREY, 0.8, style="-", zorder=0.5)
     # Larger unstable cycles are in the table only.
     angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, 2.15))
     return figure.describe(
@@ -138,6 +116,23 @@ def figure_cycles() -> Sheet:
     )
 
 
+def _draw_found(ax: Axes, line: Mapping[str, Any], colour: str, doubled: bool) -> Table:
+    """Draw a branch of ``cycles.json`` and label it by a period; returns its table."""
+    theta0, periods, heights, is_stable = (
+        np.array(line[name]) for name in ("theta0", "period", "rms", "stable")
+    )
+    angles, stable = np.degrees(theta0), is_stable == 1
+    draw_stretches(ax, angles, heights, stable, colour, 0.9 if doubled else 1.4)
+    # Doubled cycles are labelled if they are stable over more than 10 degrees.
+    if not doubled or np.ptp(angles[stable]) > 10.0:
+        value, period, *_ = line["at"]
+        nearest = np.argmin(np.abs(theta0 - value) + np.abs(periods - period))
+        position = np.degrees(value), heights[nearest] + 0.035
+        write_along(ax, f"{period:.0f}", *position, color=colour, ha="center", fontsize=7)
+    course = {"theta0_deg": angles, "period": periods, "rms_x": heights, "stable": is_stable}
+    return {"branch": line["name"], **course}
+
+
 def _mark(ax: Axes, place: tuple[float, float], marker: str, **style: Any) -> None:
     """Draw a hollow marker, by default black."""
     ax.plot(*place, marker, **{"color": BLACK, "markersize": 4, **style}, markerfacecolor="white")
@@ -146,7 +141,7 @@ def _mark(ax: Axes, place: tuple[float, float], marker: str, **style: Any) -> No
 def draw_stretches(
     ax: Axes, values: FloatArray, heights: FloatArray, stable: BoolArray, colour: str, width: float
 ) -> None:
-    """Draw a branch: solid lines for stable parts, dashed ones for unstable parts, without gaps."""
+    """Draw a branch, solid where stable and dashed where not, without gaps between the parts."""
     for part in runs(stable):
         style = "-" if stable[part][0] else (0, (3, 1.5))
         ax.plot(values[part], heights[part], color=colour, linestyle=style, linewidth=width)
@@ -160,23 +155,17 @@ def draw_cycles(
     height_of: Callable[[Cycle], float],
     colour: str,
 ) -> None:
-    """Draw a branch of cycles: ``heights`` over the parameter, with ``height_of`` for the cycles at
-    changes of stability; solid lines for stable parts.
+    """Draw ``heights`` of a branch of cycles over the parameter, solid where stable.
 
-    ``units`` are factors from the parameter and the heights to the units of the axes.
+    ``height_of`` gives the height of a cycle; it is asked for those at changes of stability, which
+    are inserted. ``units`` are factors from the parameter and the heights to the units of the axes.
     """
     changes = dict(branch.changes())
     at = [*changes]
     values = np.insert(branch.values, at, [event.value for event in changes.values()])
     curve = np.insert(heights, at, [height_of(event.cycle) for event in changes.values()])
-    draw_stretches(
-        ax,
-        units[0] * values,
-        units[1] * curve,
-        np.insert(branch.stable, at, branch.stable[at]),
-        colour,
-        1.3,
-    )
+    stable = np.insert(branch.stable, at, branch.stable[at])
+    draw_stretches(ax, units[0] * values, units[1] * curve, stable, colour, 1.3)
 
 
 @styled
@@ -207,9 +196,11 @@ def draw_branch(branch: CycleBranch, ax: Axes, quantity: str = "rms") -> None:
     one_of("quantity", quantity, ("rms", "period"))
     field, height_of = branch.cycles[0].field, attrgetter(quantity)
     varied, height = (field.column(name) for name in (branch.vary, field.coordinates[0]))
-    unit, heights, size, title = varied.size, branch.rms, height.size, f"RMS of {label(height)}"
+    unit = varied.size
     if quantity == "period":
         heights, size, title = branch.periods, 1.0, "period"
+    else:
+        heights, size, title = branch.rms, height.size, f"RMS of {label(height)}"
     draw_cycles(ax, branch, (unit, size), heights, height_of, BLUE)
     ax.set(xlabel=label(varied), ylabel=title)
     for kind, marker in {**MARKERS, **dict.fromkeys(("grazing", *SLIDING), "|")}.items():
@@ -229,7 +220,7 @@ CURVES: dict[str, tuple[str, str, float, int, str, tuple[float, float]]] = {
 
 
 def _along(vary: str) -> CycleBranch:
-    """The branch over a parameter of the cycle of period 34 at 42 degrees and friction 0.5."""
+    """The branch over a parameter of the cycle of period 34, from 42° and friction 0.5 on."""
     first = cycle(Parameters.article(theta0=np.radians(42.0)), near=ON_CYCLE, patient=False)
     if vary == "theta0":
         return cycle_branch(first, vary, between={vary: (np.radians(41.0), np.radians(72.0))})
@@ -265,12 +256,12 @@ def figure_cycles_plane(
             "mu0": friction,
             "period": found.periods,
         }
-    still = [
-        {"theta0_deg": np.degrees(one.theta0), "mu0": one.mu0}
-        for one in ss.bifurcation_set(Parameters.article()).curves
+    folds = [
+        {"theta0_deg": np.degrees(curve.theta0), "mu0": curve.mu0}
+        for curve in ss.bifurcation_set(Parameters.article()).curves
     ]
-    for folds in still:
-        ax.plot(*folds.values(), color=GREY, linewidth=0.9)
+    for table in folds:
+        ax.plot(*table.values(), color=GREY, linewidth=0.9)
     fates = {"theta0_deg": list[float](), "mu0": list[float]()}
     for mu0 in frictions:
         p = Parameters.article(mu0=mu0)
@@ -290,7 +281,7 @@ def figure_cycles_plane(
         for 0.096 < μ₀ < 0.320 and above 0.491. Dots: where the motion from rest at x = y = 0
         changes its fate, about 3° before the fold of the equilibria at every friction. Other
         cycles have curves of their own.""",
-        a_statics=stacked(still),
+        a_statics=stacked(folds),
         a_fates=fates,
     )
 
@@ -301,15 +292,15 @@ def fate_map_figure(found: FateMap) -> Sheet:
     chaos, lift-off; undecided ones are marked by crosses.
     """
     figure, ax = single(DOUBLE, 3.2)
-    every = draw_fate_map(found, ax)
+    axes = draw_fate_map(found, ax)
     counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
     return figure.describe(
-        f"""What the motion comes to by τ = {found.t_end:g}, over {" and ".join(every)}: {counts}.
+        f"""What the motion comes to by τ = {found.t_end:g}, over {" and ".join(axes)}: {counts}.
         Cycles, by their colour the period, and rest are found by Newton's method and attract by
         their multipliers or eigenvalues; chaos is told by the 95 % intervals of Lyapunov
         exponents, as far as the motion was followed; crosses are undecided, upright ones in colour
         with an exponent above its 95 % interval: irregular so far.""",
-        a={found.model.column(name).heading: values for name, values in every.items()}
+        a={found.model.column(name).heading: values for name, values in axes.items()}
         | {"kind": found.kind.ravel(), "period": found.period.ravel()},
     )
 
@@ -327,12 +318,12 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
             f"a map over {', '.join(varied) or 'nothing'}, of the shape {shape}, is not one "
             "over two parameters"
         )
-    every = {
-        name: model.column(name).size * np.broadcast_to(found.inputs[name], shape).ravel()
+    x, y = (
+        model.column(name).size * np.broadcast_to(found.inputs[name], shape).ravel()
         for name in varied
-    }
-    across, up = map(np.unique, every.values())
-    order = np.lexsort([*every.values()]).reshape(up.size, across.size)
+    )
+    across, up = np.unique(x), np.unique(y)
+    order = np.lexsort([x, y]).reshape(up.size, across.size)
     kind, period = found.kind.ravel()[order], found.period.ravel()[order]
     patches = []
     # Colour and name of each fate except cycles.
@@ -342,25 +333,24 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
         FateKind.LIFT_OFF: (SKY, "lift-off"),
         FateKind.UNDECIDED: ("white", "undecided"),
     }
-    for code, (colour, word) in plain.items():
+    for code, (colour, name) in plain.items():
         if (kind == code).any():
-            patches.append(Patch(facecolor=colour, edgecolor=GREY, label=word))
-        ax.pcolormesh(
-            across, up, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour])
-        )
-    image = ax.pcolormesh(
-        across, up, np.where(kind == FateKind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm()
-    )
-    irregular = found.exponent > found.exponent_error
-    for marker, colour, size, of in (("x", GREY, 3, ~irregular), ("+", VERMILION, 5, irregular)):
-        here = (of & (found.kind == FateKind.UNDECIDED)).ravel()
-        marked = (values[here] for values in every.values())
-        ax.plot(*marked, marker, color=colour, markersize=size)
+            patches.append(Patch(facecolor=colour, edgecolor=GREY, label=name))
+        cells = np.where(kind == code, 1.0, np.nan)
+        ax.pcolormesh(across, up, cells, cmap=ListedColormap([colour]))
+    cells = np.where(kind == FateKind.CYCLE, period, np.nan)
+    image = ax.pcolormesh(across, up, cells, cmap="viridis", norm=LogNorm())
+    undecided = (found.kind == FateKind.UNDECIDED).ravel()
+    irregular = (found.exponent > found.exponent_error).ravel()
+    regular = undecided & ~irregular
+    ax.plot(x[regular], y[regular], "x", color=GREY, markersize=3)
+    irregular &= undecided
+    ax.plot(x[irregular], y[irregular], "+", color=VERMILION, markersize=5)
     if (kind == FateKind.CYCLE).any():
         ax.figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))
     ax.set(xlabel=label(model.column(varied[0])), ylabel=label(model.column(varied[1])))
-    return every
+    return dict(zip(varied, (x, y), strict=True))
 
 
 def diagram_figure(found: Diagram) -> Sheet:
@@ -388,23 +378,21 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
     """Draw :func:`diagram_figure` on given axes; returns tables of the drawn data."""
     require_kind("found", found, Diagram, "one of ss.diagram(...)")
     tables = dict[str, Table]()
-    varied, first = map(found.model.column, (found.vary, found.name))
-    units = unit, one = varied.size, first.size
-    for i, rest in enumerate(found.equilibria):
-        colour = BLACK if rest.mode == "contact" else GREY
-        draw_stretches(ax, unit * rest.values, one * rest.states[:, 0], rest.stable, colour, 1.1)
-        tables[f"equilibria_{i + 1}"] = {
+    varied, height = map(found.model.column, (found.vary, found.name))
+    for i, rest in enumerate(found.equilibria, 1):
+        colour, states = BLACK if rest.mode == "contact" else GREY, rest.states[:, 0]
+        x, y = varied.size * rest.values, height.size * states
+        draw_stretches(ax, x, y, rest.stable, colour, 1.1)
+        tables[f"equilibria_{i}"] = {
             found.vary: rest.values,
-            found.name: rest.states[:, 0],
+            found.name: states,
             "stable": rest.stable,
         }
+    units = varied.size, height.size
     for i, branch in enumerate(found.cycles):
-        colour = COLOURS[i % len(COLOURS)]
-        for heights, height_of in (
-            (branch.highest, lambda cycle: cycle.state[0]),
-            (branch.lowest, lambda cycle: cycle.state[0] - 2 * cycle.amplitude),
-        ):
-            draw_cycles(ax, branch, units, heights, height_of, colour)
+        colour = PALETTE[i % len(PALETTE)]
+        draw_cycles(ax, branch, units, branch.highest, _maximum, colour)
+        draw_cycles(ax, branch, units, branch.lowest, _minimum, colour)
         tables[f"cycles_{i + 1}"] = {
             found.vary: branch.values,
             "period": branch.periods,
@@ -413,36 +401,54 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
             "stable": branch.stable,
         }
     shade(ax, found.model, found.vary, np.array(found.undecided).reshape(-1, 2))
-    limits, up = [unit * end for end in found.to], label(first)
-    ax.set(xlim=limits, xlabel=label(varied), ylabel=f"{up}: rest, cycles from least to largest")
+    ax.set(
+        xlim=[varied.size * end for end in found.to],
+        xlabel=label(varied),
+        ylabel=f"{label(height)}: rest, cycles from least to largest",
+    )
     ax.margins(y=0.12)
     ax.autoscale_view()
-    inside = Affine2D(ax.transLimits.get_matrix())
-    named = dict[str, list[tuple[float, float]]]()
-    # Markers of labels; other labels are in the table only.
-    label_markers = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}
-    for one_label in found.labels:
-        name, at = one_label.label, (unit * one_label.value, one * one_label.height)
-        if name not in label_markers:
-            continue
-        _mark(ax, at, label_markers[name], zorder=4)
-        x, y = inside.transform(at)
-        # A label is left out if one of the same kind is within this share of the frame.
-        near = (abs(x - left) + abs(y - low) < 0.04 for left, low in named.setdefault(name, []))
-        if not any(near):
-            named[name].append((x, y))
-            aside = _aside(one_label, (x, y))
-            ax.annotate(name, at, aside, textcoords="offset points", fontsize=7)
+    _draw_labels(ax, found.labels, units)
     if not (found.equilibria or found.cycles):
         say(ax, "no equilibria and no cycles found here")
     return tables
 
 
-def _aside(label: Label, position: tuple[float, float]) -> tuple[float, float]:
-    """Offset of the text of a label in points, so that it stays inside the frame."""
+def _maximum(cycle: Cycle) -> float:
+    """Largest value of the first coordinate: a cycle begins there."""
+    return float(cycle.state[0])
+
+
+def _minimum(cycle: Cycle) -> float:
+    """Smallest value of the first coordinate."""
+    return float(cycle.state[0] - 2 * cycle.amplitude)
+
+
+def _draw_labels(ax: Axes, labels: Iterable[Label], units: tuple[float, float]) -> None:
+    """Mark the labels of a diagram, and write each unless one of the same kind is near."""
+    to_axes = Affine2D(ax.transLimits.get_matrix())
+    written = dict[str, list[tuple[float, float]]]()
+    # Other labels are in the table only.
+    markers = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}
+    for one in labels:
+        name, at = one.label, (units[0] * one.value, units[1] * one.height)
+        if name not in markers:
+            continue
+        _mark(ax, at, markers[name], zorder=4)
+        x, y = to_axes.transform(at)
+        same_kind = written.setdefault(name, [])
+        # Distance as a share of the axes.
+        if any(abs(x - left) + abs(y - low) < 0.04 for left, low in same_kind):
+            continue
+        same_kind.append((x, y))
+        offset = _offset(one, (x, y))
+        ax.annotate(name, at, offset, textcoords="offset points", fontsize=7)
+
+
+def _offset(label: Label, position: tuple[float, float]) -> tuple[float, float]:
+    """Offset of the text of a label in points, so that it stays inside the axes."""
     if label.label == "H":
         return (-11.0, 5.0)
-    return (
-        -16.0 if position[0] > 0.93 else 4.0,
-        -10.0 if position[1] > 0.93 or label.of == "equilibria" else 4.0,
-    )
+    x = -16.0 if position[0] > 0.93 else 4.0
+    y = -10.0 if position[1] > 0.93 or label.of == "equilibria" else 4.0
+    return x, y

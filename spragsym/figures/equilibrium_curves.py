@@ -1,5 +1,5 @@
-"""The article's Figures 4 to 6, 8 to 10 and 13: curves of equilibria over the inclination, and
-paths along them.
+"""The article's Figures 4 to 6, 8 to 10 and 13: curves of equilibria over the inclination θ₀ or the
+friction μ₀, and quasi-static paths along them.
 """
 
 from __future__ import annotations
@@ -59,12 +59,11 @@ def figure_4() -> Sheet:
     figure, axes = panels(2, 2, DOUBLE, 4.4)
     p = Parameters.article()
     contact, lifted = branches(p), branches(p, contact=False)
-    for index, ax in enumerate(axes.flat):
-        name, above = "xy"[index % 2], index < 2
-        curves = contact if above else lifted
-        draw_panel(ax, p if above else None, curves, name)
-        figure.tables["abcd"[index]] = table_of(curves)
-        remark(ax, "contact" if above else "lift-off")
+    for row, (curves, title) in enumerate(((contact, "contact"), (lifted, "lift-off"))):
+        for ax, name, letter in zip(axes[row], "xy", ("ab", "cd")[row], strict=True):
+            draw_panel(ax, p if curves is contact else None, curves, name)
+            figure.tables[letter] = table_of(curves)
+            remark(ax, title)
     for text, x, y in (("stable", 62, 1.2), ("divergent", 27, 0.88), ("stable", 6, 0.25)):
         write_along(axes[0, 0], text, x, y)
     write_along(axes[0, 0], "divergent", 158, -0.95, ha="right")
@@ -80,18 +79,16 @@ def figure_4() -> Sheet:
 
 @styled
 def figure_5() -> Sheet:
-    """The linear model against the nonlinear one, below and above the linear model's critical
-    friction.
+    """Equilibria of the linear and the nonlinear model, below and above the critical friction of
+    the linear one.
     """
     figure, axes = panels(2, 2, DOUBLE, 4.4)
-    for row, (mu0, lowest) in enumerate(((0.5, (-0.1, 0.01)), (0.7, (-0.23, 0.08)))):
+    for row, (mu0, range_of_y) in enumerate(((0.5, (-0.1, 0.01)), (0.7, (-0.23, 0.08)))):
         p = Parameters.article(mu0=mu0)
-        curves = branches(p)
-        for ax, name, letter, ylim in zip(
-            axes[row], "xy", ("ab", "cd")[row], ((-2.2, 3.2), lowest), strict=True
-        ):
+        curves, limits = branches(p), ((-2.2, 3.2), range_of_y)
+        for ax, name, letter, ylim in zip(axes[row], "xy", ("ab", "cd")[row], limits, strict=True):
             figure.tables[letter] = table_of(curves)
-            (figure.tables[f"{letter}_linear"], _) = draw_linear(ax, p, name)
+            figure.tables[f"{letter}_linear"], _ = draw_linear(ax, p, name)
             draw_panel(ax, p, curves, name, ylim=ylim)
             remark(ax, rf"$\mu_0 = {mu0}$")
     for ax, angle in zip(axes[:, 0], (86, 92), strict=True):
@@ -106,12 +103,13 @@ def figure_5() -> Sheet:
 
 
 def draw_linear(ax: Axes, p: Parameters, name: str) -> tuple[Table, FloatArray]:
-    """Curves of the linear model, broken at its poles, which are marked; a table of them, and the
-    poles in degrees.
+    """Draw the curves of the linear model between its poles, and the poles; returns the curves as a
+    table, and the poles in degrees.
     """
     poles = np.degrees(ss.kang_nam.linear_sprag(p.replace(theta0=1.0)).poles)
     poles = np.sort(poles[np.isfinite(poles)])
-    angles = denser_at_ends([0.05, *poles], [*poles, 179.95], 2e-3, 400)  # a column a piece
+    # One column for each curve.
+    angles = denser_at_ends([0.05, *poles], [*poles, 179.95], 2e-3, 400)
     model = ss.kang_nam.linear_sprag(p.replace(theta0=np.radians(angles)))
     ax.plot(angles, getattr(model, name), color=BLUE, linewidth=1.0)
     for pole in poles:
@@ -131,14 +129,14 @@ def draw_panel(
     color: str = BLACK,
     **limits: Any,
 ) -> None:
-    """Curves over the inclination, and the folds of a set of parameters."""
+    """Draw curves over the inclination, and the folds for ``p``, if given."""
     draw_branches(curves, name, ax=ax, color=color)
     if p is not None:
         mark_folds(ss.folds(p), name, ax=ax, color=color)
     angle_axis(ax, ylabel=LABELS[name], **limits)
 
 
-#: Where a direct label stands, and the point of the curve that a thin line leads to.
+#: Position of a label, and the point of the curve to which a thin line leads.
 _Label: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
 
 _FAMILY_COLORS = (BLUE, VERMILION, BLACK)
@@ -188,9 +186,7 @@ def figure_10() -> Sheet:
 def _family(
     number: int, name: str, values: tuple[float, ...], labels: Sequence[_Label]
 ) -> tuple[Sheet, Axes]:
-    """Equilibrium curves in contact for three values of a parameter, labelled at the given
-    places.
-    """
+    """Figure of equilibrium curves in contact for three values of a parameter, and its axes."""
     figure, ax = single(SINGLE, 2.9)
     tables = []
     for value, color, (position, target) in zip(values, _FAMILY_COLORS, labels, strict=True):
@@ -199,13 +195,12 @@ def _family(
         draw_panel(ax, p, curves, color=color, ylim=(-2.2, 2.4))
         _point_at(ax, rf"$\{name} = {value:g}$", target, position, color)
         tables.append({name: value, **table_of(curves)})
-    others = ", ".join(
-        part for part in f"μ₀ = 0.5, {BASE_TEXT}".split(", ") if not part.startswith(LETTERS[name])
-    )
+    fixed = f"μ₀ = 0.5, {BASE_TEXT}".split(", ")
+    others = ", ".join(part for part in fixed if not part.startswith(LETTERS[name]))
+    varied = f"{LETTERS[name]} = {', '.join(f'{value:g}' for value in values)}"
     sheet = figure.describe(
-        f"""Figure {number}. Equilibria in contact over the inclination for {LETTERS[name]} = {
-            ", ".join(f"{value:g}" for value in values)
-        }; {others}. {LINES_TEXT} x over L₀. {RANGE_TEXT}""",
+        f"""Figure {number}. Equilibria in contact over the inclination for {varied}; {others}.
+        {LINES_TEXT} x over L₀. {RANGE_TEXT}""",
         a=stacked(tables),
     )
     return sheet, ax
@@ -218,17 +213,13 @@ def _point_at(
     position: tuple[float, float],
     color: str = BLACK,
 ) -> None:
-    """A label with a thin line from it to a point of a curve; the line starts beside the text or
-    above it.
-    """
+    """Write a label with a thin line to a point of a curve."""
     leader = {"arrowstyle": "-", "linewidth": 0.5, "color": color, "shrinkA": 1, "shrinkB": 2}
     ax.annotate(text, target, position, color=color, fontsize=8, va="center", arrowprops=leader)
 
 
 def _magnified(ax: Axes, values: tuple[float, ...]) -> Axes:
-    """Axes within others that show small deformation only, where the curves of the outer ones
-    coincide.
-    """
+    """Draw inset axes that magnify small deformation, where the curves of ``ax`` coincide."""
     inset = ax.inset_axes((0.2, 0.13, 0.5, 0.26))
     for value, color in zip(values, _FAMILY_COLORS, strict=True):
         draw_branches(
@@ -243,7 +234,7 @@ def _magnified(ax: Axes, values: tuple[float, ...]) -> Axes:
 
 
 def _flutter(ax: Axes, low: float, high: float, level: float, fontsize: int) -> None:
-    """A bracket below a curve from one θ₀ in degrees to another, between which it flutters."""
+    """Draw a bracket "flutter" below a curve, between two values of θ₀ in degrees."""
     ax.annotate(
         "",
         (low, level),
@@ -268,7 +259,9 @@ def _flutter(ax: Axes, low: float, high: float, level: float, fontsize: int) -> 
 
 @styled
 def figure_6() -> Sheet:
-    """The trajectory of equilibria as θ₀ rises and falls."""
+    """Quasi-static paths of the nonlinear model as θ₀ rises and falls, and equilibria of the linear
+    one.
+    """
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.7)
     p = Parameters.article(mu0=0.7)
     curves = branches(p)
@@ -296,16 +289,15 @@ def figure_6() -> Sheet:
 
 @styled
 def figure_13() -> Sheet:
-    """The paths a–a′ and b–b′: hysteresis, and a jump without return."""
+    """The paths a–a′ and b–b′ over the friction: hysteresis, and a jump without return."""
     figure, (axes,) = panels(1, 2, DOUBLE, 2.7)
     places = [(0.3, 0.45), (0.3, 0.98)], [(0.3, 0.22), (0.2, 1.55)]
+    values, heights = np.linspace(*MU0_RANGE, 401), {"a": 1.1, "b": 1.7}
     for ax, (letter, angle), at in zip(axes, PATHS_DEG.items(), places, strict=True):
         p = Parameters.article(theta0=np.radians(angle))
         curves = branches(p, "mu0", between={"mu0": MU0_RANGE})
-        rising, falling = _both_ways(ax, p, curves, np.linspace(*MU0_RANGE, 401), [(0.5,)] * 2, at)
-        ax.set(
-            xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1)
-        )
+        rising, falling = _both_ways(ax, p, curves, values, [(0.5,)] * 2, at)
+        ax.set(xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, heights[letter]))
         remark(ax, rf"$\theta_0 = {angle:g}^\circ$")
         figure.tables |= {
             letter: table_of(curves),
@@ -327,26 +319,26 @@ def _both_ways(
     arrows: Sequence[tuple[float, ...]],
     places: Sequence[tuple[float, float]],
 ) -> list[Table]:
-    """All equilibria, and the reference state followed up, and where that ends back; tables of both
-    ways.
+    """Draw all equilibria, the path of the reference state as a parameter rises, and the path back
+    from its end; returns tables of both paths.
 
-    The way back is a broad line and the way up a thin one on it: both are seen where they coincide.
+    ``values`` are those of the parameter, ``arrows`` and ``places`` the arrow heads and labels of
+    the two paths. The path back is broad and the other one thin, so that both are seen where they
+    coincide.
     """
-    vary, tables = curves[0].vary, []
+    vary = curves[0].vary
     draw_branches(curves, ax=ax, color=GREY, linewidth=0.8)
-    up = ss.quasi_static_path(p, vary, values)
-    back = ss.quasi_static_path(p.following(x=float(up.x[-1])), vary, values[::-1])
-    draw_path(back, ax=ax, color=BLUE, arrows=arrows[1], linewidth=3.2, alpha=0.45, zorder=2.1)
-    draw_path(up, ax=ax, color=VERMILION, arrows=arrows[0])
-    for word, path, color, position in zip(
-        ("rising", "falling"), (up, back), (VERMILION, BLUE), places, strict=True
-    ):
-        write_along(ax, f"${symbol(vary)}$ {word}", *position, color=color)
-        tables.append(table_of_path(path))
+    rising = ss.quasi_static_path(p, vary, values)
+    falling = ss.quasi_static_path(p.following(x=float(rising.x[-1])), vary, values[::-1])
+    draw_path(falling, ax=ax, color=BLUE, arrows=arrows[1], linewidth=3.2, alpha=0.45, zorder=2.1)
+    draw_path(rising, ax=ax, color=VERMILION, arrows=arrows[0])
+    write_along(ax, f"${symbol(vary)}$ rising", *places[0], color=VERMILION)
+    write_along(ax, f"${symbol(vary)}$ falling", *places[1], color=BLUE)
     mark_folds(ss.folds(p, vary), ax=ax, between={vary: (values[0], values[-1])})
-    return tables
+    return [table_of_path(rising), table_of_path(falling)]
 
 
 def table_of_path(path: Path) -> Table:
+    """The pieces of a path between jumps as a table."""
     title = path.parameters.model.column(path.vary).heading
     return stacked([{title: value, "x": state} for value, state in passages(path)], "piece")

@@ -1,4 +1,4 @@
-"""The figures by name, and every kind of result drawn."""
+"""Figures by name, and :func:`plot`, which draws any result by its type."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from .style import BLACK, Sheet, own_axes, places, styled
 if TYPE_CHECKING:
     from matplotlib.lines import Line2D
 
-#: Name → the function that draws it, which is called after it: the article's numbers first.
+#: Functions that draw the figures, by the name of the figure; the article's figures come first.
 FIGURES: dict[str, Callable[..., Sheet]] = {
     name: getattr(ss.figures, f"figure_{name.replace('-', '_')}") for name in DRAWN
 }
@@ -41,24 +41,27 @@ FIGURES: dict[str, Callable[..., Sheet]] = {
 
 @styled
 def plot(result: Result, ax: Axes | None = None, **options: Any) -> Any:
-    """Draw a result as its kind is drawn elsewhere; of others the first column over the first that
-    varies.
+    """Draw a result in the way that fits its type.
+
+    A result of a type that is not drawn elsewhere is drawn as points: its second column of numbers
+    over the first, or its only one over the row.
 
     Parameters
     ----------
     result : a result of this package
     ax : matplotlib.axes.Axes, optional
-        Where to draw; by default pyplot's current axes. Diagrams, branches of cycles and maps of
-        fates are figures of their own without it; of a branch the root mean square is drawn on it.
+        Where to draw; by default pyplot's current axes. Without it, diagrams, branches of cycles
+        and maps of fates become figures of their own. On given axes, the root mean square of a
+        branch is drawn.
     **options
         For the drawing function.
 
     Raises
     ------
     ParameterTypeError
-        For what is no result.
+        If ``result`` is no result.
     ParameterError
-        For a result without columns: there is nothing to draw.
+        If the result has no columns of numbers.
 
     Examples
     --------
@@ -71,20 +74,20 @@ def plot(result: Result, ax: Axes | None = None, **options: Any) -> Any:
     1
     """
     require_kind("result", result, Result, "what a question gives, as ss.folds(p)")
-    whole: dict[type, Callable[..., Sheet]] = {
+    figures: dict[type, Callable[..., Sheet]] = {
         Diagram: diagram_figure,
         CycleBranch: branch_figure,
         FateMap: fate_map_figure,
     }
-    if ax is None and type(result) in whole:
-        return whole[type(result)](result, **options)
+    if ax is None and type(result) in figures:
+        return figures[type(result)](result, **options)
     return _drawn(result, ax=ax, **options)
 
 
 @singledispatch
 def _drawn(result: Result, ax: Axes | None, **options: Any) -> object:
-    """A result on axes; of one that no function is registered for, the first column of numbers over
-    another that varies, or over the row.
+    """Draw a result on axes. This is the fallback for types without a function of their own: the
+    second column of numbers over the first, or the only one over the row.
     """
     columns = [
         (name, np.ravel(column))
@@ -98,9 +101,9 @@ def _drawn(result: Result, ax: Axes | None, **options: Any) -> object:
         )
     if len(columns) == 1:
         columns.insert(0, ("row", np.arange(columns[0][1].size)))
-    (across, x), (up, y), *_ = columns
+    (x_name, x), (y_name, y), *_ = columns
     ax = own_axes(ax)
-    ax.set(xlabel=across, ylabel=up)
+    ax.set(xlabel=x_name, ylabel=y_name)
     return ax.plot(x, y, ".", **options)
 
 
@@ -108,47 +111,41 @@ def _drawn(result: Result, ax: Axes | None, **options: Any) -> object:
 def _points(
     points: Points, ax: Axes | None, quantity: str | None = None, **options: Any
 ) -> list[Line2D]:
+    """Draw points over the first parameter that varies: the second one, or a coordinate."""
     ax, model = own_axes(ax), points.parameters.model
-    across, up = (
-        points.vary if len(points.vary) == 2 else (points.vary[0], quantity or model.coordinates[0])
-    )
-    name_axes(ax, model, across, up)
-    return mark_folds(points, up, ax=ax, **options)
+    y_name = points.vary[1] if len(points.vary) == 2 else quantity or model.coordinates[0]
+    name_axes(ax, model, points.vary[0], y_name)
+    return mark_folds(points, y_name, ax=ax, **options)
 
 
 @_drawn.register(Equilibria)
 def _equilibria(
     eq: Equilibria, ax: Axes | None, quantity: str | None = None, **options: Any
 ) -> list[Line2D]:
-    """States over the first parameter that varies, or by their number, marked by stability.
+    """Draw states over the first parameter that varies, or over their number, with markers by
+    stability.
 
-    Where a point is undecided there is a hatched line."""
+    Undecided points are hatched.
+    """
     ax, model, rows = own_axes(ax), eq.parameters.model, eq.data()
-    up = quantity or model.coordinates[0]
-    across = next((name for name in rows if name in model.parameters), None)
-    (height,), along = places(model, (up,), rows), np.arange(eq.count.sum())
-    if across is None:
+    y_name = quantity or model.coordinates[0]
+    (y,) = places(model, (y_name,), rows)
+    x_name = next((name for name in rows if name in model.parameters), None)
+    if x_name is None:
+        x = np.arange(eq.count.sum())
         ax.set_xlabel("state")
     else:
-        (along,) = places(model, (across,), rows)
-        given = np.broadcast_to(eq.parameters[across], eq.count.shape)[~eq.decided]
-        shade(ax, model, across, np.stack([given, given], axis=1))
-    name_axes(ax, model, across or up, up)
-    lines = []
-    # Marks of equilibria by their stability.
-    marks = {"stable": "o", "neutral": "d", "unstable": "x"}
-    for kind, mark in marks.items():
-        here = rows["stability"] == kind
-        if here.any():
-            style = {
-                "linestyle": "none",
-                "marker": mark,
-                "color": BLACK,
-                "markersize": 3,
-                "label": kind,
-                **options,
-            }
-            lines += ax.plot(along[here], height[here], **style)
+        (x,) = places(model, (x_name,), rows)
+        undecided = np.broadcast_to(eq.parameters[x_name], eq.count.shape)[~eq.decided]
+        shade(ax, model, x_name, np.stack([undecided, undecided], axis=1))
+    name_axes(ax, model, x_name or y_name, y_name)
+    lines, style = [], {"linestyle": "none", "color": BLACK, "markersize": 3}
+    for kind, marker in {"stable": "o", "neutral": "d", "unstable": "x"}.items():
+        mask = rows["stability"] == kind
+        if mask.any():
+            lines += ax.plot(
+                x[mask], y[mask], **{**style, "marker": marker, "label": kind, **options}
+            )
     return lines
 
 
@@ -156,10 +153,11 @@ def _equilibria(
 def _motion(
     motion: Trajectory, ax: Axes | None, *, transient: float = 0.0, **options: Any
 ) -> Line2D:
+    """Draw a motion after its transient."""
     return draw_motion(motion.after(transient), ax=ax, **options)
 
 
-for _kind, _on_axes in (
+for _type, _draw in (
     (Path, draw_path),
     (BifurcationSet, draw_bifurcation_set),
     (OnsetCurves, draw_onset_curves),
@@ -167,4 +165,4 @@ for _kind, _on_axes in (
     (CycleBranch, draw_branch),
     (FateMap, draw_fate_map),
 ):
-    _drawn.register(_kind, _on_axes)
+    _drawn.register(_type, _draw)

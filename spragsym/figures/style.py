@@ -43,10 +43,10 @@ BLACK = "#000000"
 BLUE = "#0072B2"
 VERMILION = "#D55E00"
 GREEN = "#009E73"
-PURPLE = "#CC79A7"
 SKY = "#56B4E9"
-ORANGE = "#E69F00"
 GREY = "#6b6b6b"
+#: Colours of curves that are alike, in their order: the others are purple and orange.
+PALETTE = (BLUE, VERMILION, GREEN, "#CC79A7", "#E69F00", SKY)
 
 #: Line style for each type of equilibrium.
 LINES: Mapping[EquilibriumType, Any] = {

@@ -625,6 +625,8 @@ class Onsets(Points):
         return tuple(criticality_of(form)[1] for form in self.normal_forms)
 
     def _normal_form(self, row: int) -> NormalForm | str:
+        if self.kind[row] == "detected":
+            return "floats see it, and it is not proved: nothing bounds a coefficient there"
         if self.kind[row] != "hopf":
             return (
                 "without damping two frequencies meet there, and all eigenvalues stay on the "

@@ -31,11 +31,11 @@ class Jet(Arithmetic):
     (12.0, 6.0)
     """
 
-    __slots__ = ("order", "terms")
+    __slots__ = ("like", "order", "terms")
     __array_ufunc__ = None
 
-    def __init__(self, terms: Mapping[Term, Any], order: int) -> None:
-        self.terms, self.order = dict(terms), order
+    def __init__(self, terms: Mapping[Term, Any], order: int, like: Any = 0) -> None:
+        self.terms, self.order, self.like = dict(terms), order, like
 
     @classmethod
     def variable(cls, value: Number, number: int, order: int) -> Jet:
@@ -46,6 +46,11 @@ class Jet(Arithmetic):
     def value(self) -> Any:
         """The constant term."""
         return self.terms.get((), 0)
+
+    @property
+    def kind(self) -> Any:
+        """A number of the type that coefficients have: of a product with 0, that of its factor."""
+        return self.like if isinstance(self.value, int) else self.value
 
     def derivative(self, *variables: int) -> Number:
         """The derivative by these variables; the integer 0 if there is no such term."""
@@ -72,7 +77,9 @@ class Jet(Arithmetic):
     def __add__(self, other: Number) -> Jet:
         if not isinstance(other, Jet):
             return (
-                self if is_zero(other) else Jet({**self.terms, (): self.value + other}, self.order)
+                self
+                if is_zero(other)
+                else Jet({**self.terms, (): self.value + other}, self.order, self.like)
             )
         order = min(self.order, other.order)
         terms = {term: value for term, value in self.terms.items() if len(term) <= order}
@@ -86,12 +93,10 @@ class Jet(Arithmetic):
             return self**2
         if not isinstance(other, Jet):
             if is_zero(other):
-                return Jet({}, self.order)
-            return Jet(
-                {term: coefficient * other for term, coefficient in self.terms.items()}, self.order
-            )
-        order = min(self.order, other.order)
-        terms: dict[Term, Any] = {}
+                return Jet({}, self.order, self.kind)
+            terms = {term: coefficient * other for term, coefficient in self.terms.items()}
+            return Jet(terms, self.order, self.like)
+        order, terms = min(self.order, other.order), {}
         for one, a in self.terms.items():
             for two, b in other.terms.items():
                 if len(one) + len(two) <= order:
@@ -102,9 +107,8 @@ class Jet(Arithmetic):
     def __truediv__(self, other: Number) -> Jet:
         if isinstance(other, Jet):
             return self.__mul__(other.reciprocal())
-        return Jet(
-            {term: coefficient / other for term, coefficient in self.terms.items()}, self.order
-        )
+        terms = {term: _quotient(a, other, self.kind) for term, a in self.terms.items()}
+        return Jet(terms, self.order, self.like)
 
     def __rtruediv__(self, other: Number) -> Jet:
         return self.reciprocal().__mul__(other)
@@ -152,6 +156,12 @@ class Jet(Arithmetic):
         "cos" and "sin" the pair of both.
         """
         return self.composed(_SERIES[name](self.value, value, self.order))
+
+
+def _quotient(a: Any, by: Any, kind: object) -> Any:
+    """a/by, of integers as a number of a ``kind``: a float of 43/10 is not enclosed."""
+    inexact = isinstance(a, int) and isinstance(by, int) and a % by
+    return (kind * 0 + a if inexact and isinstance(kind, Arithmetic) else a) / by
 
 
 def _sqrt(_: object, y: Number, order: int) -> list[Any]:

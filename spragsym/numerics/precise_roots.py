@@ -256,12 +256,13 @@ class _Task:
         return [values[row] for row in self.equations]
 
     def _slopes(self, unknowns: Sequence[Any]) -> list[list[Any]]:
-        """The Jacobian of F."""
+        """The Jacobian of F, of balls: a quotient of integers would be a float."""
         rows = [
             gradient(row, len(unknowns))
             for row in self.evaluate(variables(self._ordered(unknowns), 1))
         ]
-        return [[rows[row][index] for index in self.unknowns] for row in self.equations]
+        zero = unknowns[0] * 0
+        return [[rows[row][index] + zero for index in self.unknowns] for row in self.equations]
 
     def _coefficients(self, series: Matrix, order: int) -> list[Any]:
         """Taylor coefficients of F of an order, for unknowns that are power series known to one

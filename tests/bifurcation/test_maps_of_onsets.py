@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 import spragsym as ss
 from tests.bifurcation.test_tails_of_laws import CHANGES
-from tests.oracles.user_pages import model_of, shipped_page
+from tests.oracles.user_pages import model_of, replaced, shipped_page
 
 #: Ziegler's column with a damper in each joint (Herrmann and Jong 1965).
 ZIEGLER = '''"""A column of two links under a load that follows the upper one."""
@@ -151,3 +151,16 @@ def test_curves_that_cross_at_a_double_hopf_point_keep_their_frequencies() -> No
     assert found.changes["s"] == pytest.approx(
         [brentq(lambda s: _first_mode(s)[2], 0.6, 0.7)], abs=1e-8
     )
+
+
+@pytest.mark.thorough
+def test_an_onset_that_floats_see_where_all_damping_ends_says_that_it_is_not_proved() -> None:
+    """Where the law is steepest no more, at N/(10 √(k m)), the bow damps neither mode."""
+    text = replaced(
+        BOW, ("page.damper(0.1", "page.damper(0.0"), ("page.damper(0.2", "page.damper(0.0")
+    )
+    p = model_of(text, "bow_alone").Parameters()
+    found = ss.flutter_onsets(p, "V", between={"V": (0.01, 1.0)})
+    assert found.V == pytest.approx([0.1, 0.1], abs=1e-5)
+    assert not found.complete
+    assert all("floats see it" in why for why in found.why)

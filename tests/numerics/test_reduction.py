@@ -8,7 +8,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from spragsym.numerics.balls import Ball
+from spragsym.numerics.balls import Ball, ends
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.numerics.jets import variables
 from spragsym.numerics.precise_roots import reduced_roots
@@ -112,6 +112,32 @@ def test_jets_have_the_derivatives_of_their_functions():
             enclosure = got.derivative(*[0] * order[0], *[1] * order[1])
             assert enclosure.low[0] <= want <= enclosure.high[0], order
             assert enclosure.width[0] < 1e-11
+
+
+@pytest.mark.parametrize("number", [Ball(1, 0, -1, 80), Intervals.point(np.full(1, 0.5))])
+def test_quotients_of_integers_among_coefficients_are_enclosed(number):
+    """Also of a 1 that has the shape of what it is made of, as in generated code."""
+    (x,) = variables([number], 2)
+    for quotient in ((43 * x / 10).derivative(0), (43 * (0 * x + 1) / 10).value):
+        low, high = (
+            ends(quotient)
+            if isinstance(quotient, Ball)
+            else map(Fraction, (quotient.low.item(), quotient.high.item()))
+        )
+        assert low < Fraction(43, 10) < high
+        assert high - low < Fraction(1, 10**14)
+
+
+def test_a_double_root_by_a_slope_that_is_no_float_is_left():
+    """x = 1/3 of (9 y − 1) (3 x − 1) = 0 with y = x/3."""
+    found = reduced_roots(
+        lambda q: [3 * q[1] - q[0], (9 * q[1] - 1) * (3 * q[0] - 1)],
+        [(0.3, 0.4), (0.1, 0.14)],
+        np.array([[-1.0, 3.0], [0.0, 0.0]]),
+        200,
+    )
+    assert found.roots == []
+    assert any(low <= Fraction(1, 3) <= high for (low, high), _ in found.undecided)
 
 
 def test_roots_of_jets_have_all_of_their_terms():

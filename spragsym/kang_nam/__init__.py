@@ -1,6 +1,4 @@
-"""The article's model: what only it has, and its closed forms, each by the name of the public
-function that it answers.
-"""
+"""The article's model: functions that only it has, and closed forms of public questions."""
 
 import lazy_loader as _lazy
 
@@ -8,7 +6,7 @@ from .parameters import Parameters as Parameters
 
 __getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
 
-#: Question → module of its closed form.
+#: The module of each question's closed form, a function of the same name.
 CLOSED_FORMS = {
     name: module
     for module, names in {

@@ -1,14 +1,14 @@
-"""Every fold curve in the plane of θ₀ and μ₀ with the cusps on them.
+"""All curves of folds in the plane of θ₀ and μ₀, with the cusps on them.
 
-At a given direction θ friction is eliminated from the conditions of a fold, or of an onset of
-flutter, and what is left is a polynomial in tan(θ₀/2), whose positive roots are all points of the
-curves there. Between two neighbouring θ with the same number of roots the k-th belongs to the k-th.
-Where their number changes, or one enters at θ₀ = 0 or π, more θ are put in between until the place
-is known to rounding. Directions are t = tan(θ/2), which is precise at both ends.
+At a direction θ, friction is eliminated from the conditions of a fold, or of an onset of flutter.
+The positive roots of the remaining polynomial in tan(θ₀/2) are all points of the curves at that θ.
+Between neighbouring directions with the same number of roots the k-th root continues the k-th one.
+Where the number changes, or a root enters at θ₀ = 0 or π, the interval of θ is bisected to
+rounding. Directions are given by t = tan(θ/2), which has full precision at both ends.
 
-The number of folds changes, or the friction of one is 0, at roots of polynomials in sin θ (derived:
-``fold_events``), hence in t, which Descartes' rule isolates exactly in 0 < θ < π/2. Between two of
-them the number is that at one rational t, where it is counted exactly.
+The events at which the number of folds changes, or the friction of one is 0, are roots of
+polynomials in sin θ (derived: ``fold_events``), hence in t. They are isolated exactly in 0 < θ <
+π/2 by Descartes' rule. Between two events the number is counted exactly at one rational t.
 """
 
 from __future__ import annotations
@@ -72,42 +72,41 @@ def bifurcation_set(
         raise NotInClosedForm
     between = between or {}
     ranges(p, ("theta0", "mu0"), between)  # an error where they make no sense
-    # Fewest directions.
-    least = 2000
-    n = max(least, as_count("n", least if n is None else n, 2))
+    fewest = 2000  # directions
+    n = max(fewest, as_count("n", fewest if n is None else n, 2))
     fixed = Fixed(*p.scalars(*Fixed._fields))
     preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
-    # Where κ over the larger of σ and 1 + β is below this, float64 loses curves: they are
-    # refused.
-    if preload < 1e-8:
+    if preload < 1e-8:  # float64 loses curves
         raise _indistinct(fixed.kappa, "they all but coincide")
-    on_them = cusps(p)
-    ahead = (on_them.theta0 > 0) & (on_them.theta0 < math.pi) & (on_them.mu0 >= 0)
-    on_them = on_them.select(ahead)
-    found, begin = [], directions(fixed)
-    places = np.concatenate([on_them.theta, *_on_borders(p, between)])
-    # Logarithm of the largest t = tan(θ/2) in which folds are looked for.
-    far = 17.0
+    cusp_points = cusps(p)
+    ahead = (cusp_points.theta0 > 0) & (cusp_points.theta0 < math.pi) & (cusp_points.mu0 >= 0)
+    cusp_points = cusp_points.select(ahead)
+    fold_curves, start_directions = [], directions(fixed)
+    exact_directions = np.concatenate([cusp_points.theta, *_on_borders(p, between)])
+    far = 17.0  # logarithm of the largest t
     t = np.concatenate(
-        [np.exp(np.linspace(-far, far, n // 4)), begin.t, np.abs(np.tan(places / 2))]
+        [
+            np.exp(np.linspace(-far, far, n // 4)),
+            start_directions.t,
+            np.abs(np.tan(exact_directions / 2)),
+        ]
     )
     for points in curves(
-        CurveCondition(fold_polynomial, _friction, begin.folds_at), fixed, t, 3 / n
+        CurveCondition(fold_polynomial, _friction, start_directions.folds_at), fixed, t, 3 / n
     ):
         curve = _curve(points, fixed)
-        # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point
-        # tells for the whole curve.
+        # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py): one point
+        # decides for the whole curve.
         if curve.y[len(curve) // 2] < 0:
-            found.append(curve)
-    # Where it is below this, float64 may lose curves: they are compared with proved folds.
-    if preload < 1e-4:
-        _compare(found, p)
-    on_them = on_them.select(_within(between, on_them))
-    return BifurcationSet(("theta0", "mu0"), tuple(_cut(found, between)), on_them, True)
+            fold_curves.append(curve)
+    if preload < 1e-4:  # float64 may lose curves
+        _compare(fold_curves, p)
+    cusp_points = cusp_points.select(_within(between, cusp_points))
+    return BifurcationSet(("theta0", "mu0"), tuple(_cut(fold_curves, between)), cusp_points, True)
 
 
 def _on_borders(p: Parameters, between: Ranges) -> Iterator[FloatArray]:
-    """θ of all folds on the ends of the ranges, proved."""
+    """θ of all folds at the ends of the ranges, proved."""
     for name, ends in between.items():
         other = "mu0" if name == "theta0" else "theta0"
         for end in ends:
@@ -116,9 +115,9 @@ def _on_borders(p: Parameters, between: Ranges) -> Iterator[FloatArray]:
 
 
 def _within(between: Ranges, found: Curve | Points) -> BoolArray:
+    """A mask of the points within ranges."""
     inside = np.ones(len(found), dtype=bool)
-    # What a fold on the end of a range may lie beyond it by rounding.
-    on_border = 1e-11
+    on_border = 1e-11  # by which rounding may move a fold beyond the end of a range
     for name, (low, high) in between.items():
         column = getattr(found, name)
         inside &= (low - on_border <= column) & (column <= high + on_border)
@@ -126,7 +125,7 @@ def _within(between: Ranges, found: Curve | Points) -> BoolArray:
 
 
 def _cut(curves: Sequence[Curve], between: Ranges) -> Iterator[Curve]:
-    """The parts of curves within ranges."""
+    """The parts of the curves within ranges."""
     for curve in curves:
         inside = _within(between, curve)
         for begin, end in np.flatnonzero(np.diff(inside, prepend=False, append=False)).reshape(
@@ -137,14 +136,15 @@ def _cut(curves: Sequence[Curve], between: Ranges) -> Iterator[Curve]:
 
 
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
-    """From the relation that does not lose it: the first has the factor cos θ."""
+    """The friction of folds, from the better conditioned of two relations: the first has the factor
+    cos θ.
+    """
     u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, s, *kernel.cos_sin(theta0), *fixed)
     return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)
 
 
 def _compare(curves: list[Curve], p: Parameters) -> None:
-    """Refuse curves that do not cross some frictions as often as folds are proved to be there."""
-    # Frictions at which curves are compared with proved folds.
+    """Raise unless the curves cross some frictions as often as there are proved folds."""
     for mu0 in (0.11, 1.3, 7.1):
         crossings = sum(int(np.count_nonzero(np.diff(curve.mu0 > mu0))) for curve in curves)
         proved = folds(p.replace(mu0=mu0)).theta0.size
@@ -163,7 +163,7 @@ def _indistinct(kappa: float, reason: str) -> ConvergenceError:
 
 
 def _curve(points: FloatArray, fixed: Fixed) -> Curve:
-    """A curve with what ends on it, and where that jumps to."""
+    """A curve of folds, with the state that ends at each and the state that is jumped to."""
     t, theta0, mu0 = points
     c, s, _ = on_circle(t)
     c0, s0 = kernel.cos_sin(theta0)
@@ -196,11 +196,11 @@ def _curve(points: FloatArray, fixed: Fixed) -> Curve:
 
 
 class CurveCondition(NamedTuple):
-    """Condition that holds on a curve: coefficients in tan(θ₀/2), lowest power first, at cos θ, sin
-    θ, and friction at θ₀ there.
+    """The condition on a curve: ``polynomial`` gives its coefficients in tan(θ₀/2), lowest power
+    first, at (cos θ, sin θ), and ``friction`` the friction at θ₀.
 
-    ``number`` is how many positive roots there are at tan(θ/2), where that is known; else those
-    count that are real to rounding.
+    ``number`` gives the number of positive roots at tan(θ/2); without it the roots that are real to
+    rounding are counted.
     """
 
     polynomial: Callable[[FloatArray, FloatArray, Fixed], tuple[FloatArray, ...]]
@@ -210,7 +210,7 @@ class CurveCondition(NamedTuple):
 
 @dataclass(frozen=True)
 class _Columns(ByColumn):
-    """All points at each t: θ₀ ascending, NaN where there are no more, and friction."""
+    """All points at each t: θ₀ ascending, padded with NaN, and friction."""
 
     t: FloatArray
     theta0: FloatArray
@@ -227,8 +227,8 @@ class _Columns(ByColumn):
         return cls(t, theta0, condition.friction(c, s, theta0, fixed))
 
     def goes_on(self, other: _Columns, step: float) -> BoolArray:
-        """Whether there are as many points, and with μ₀ ≥ 0 none is farther than a step in θ₀/π or
-        μ₀/(1 + μ₀).
+        """Whether both have as many points, and those with μ₀ ≥ 0 differ by at most a step in θ₀/π
+        and μ₀/(1 + μ₀).
         """
         one, two = (np.stack([it.theta0 / np.pi, 1 / (1 + np.abs(it.mu0))]) for it in (self, other))
         far = (np.abs(one - two) > step).any(axis=0) & ((self.mu0 >= 0) | (other.mu0 >= 0))
@@ -236,19 +236,16 @@ class _Columns(ByColumn):
 
 
 def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatArray:
-    """Positive roots of each polynomial, ascending, to rounding, as many as there are; NaN behind
-    them.
-    """
+    """The positive roots of each polynomial, ascending, padded with NaN."""
     roots = eigenvalues(coefficients)
     if number is None:
-        # tan(θ₀/2) that is taken for 0.
-        near = 1e-12
-        # LAPACK gives the complex ones in pairs, and those that are real with the imaginary part 0.
+        near = 1e-12  # tan(θ₀/2) that counts as 0
+        # LAPACK gives real eigenvalues with the imaginary part 0.
         inside = (roots.imag == 0) & (roots.real > near) & (roots.real < 1 / near)
     else:
-        # Rounding moves roots off the real axis, and below 0: those that lie closest to where they
-        # must are the ones. It also moves two that are all but one onto it: of those that lie there
-        # the ones that are farthest from others are.
+        # The roots closest to the positive real axis are taken, since rounding moves roots off it.
+        # Rounding may also move a nearly double complex pair onto the axis: of roots on the axis
+        # those farthest from others are taken first.
         off = np.hypot(roots.imag, np.minimum(roots.real, 0.0)) / (1e-300 + np.abs(roots))
         gap = np.partition(np.abs(roots[..., None] - roots[:, None]), 1, axis=-1)[..., 1]
         inside = np.lexsort((-gap, off)).argsort(axis=-1) < number[:, None]
@@ -258,24 +255,22 @@ def _positive_roots(coefficients: FloatArray, number: IntArray | None) -> FloatA
     residual = np.abs(evaluate(by_power(coefficients), real)) / evaluate(
         by_power(np.abs(coefficients)), real
     )
-    # Largest residual of a root that rounding alone can leave, over the polynomial with
-    # every term made positive.
-    return np.sort(np.where(residual < 1e-13, real, np.nan), axis=-1)
+    by_rounding = 1e-13  # largest residual of a root, over the sum of the terms' sizes
+    return np.sort(np.where(residual < by_rounding, real, np.nan), axis=-1)
 
 
 def curves(
     condition: CurveCondition, fixed: Fixed, t: FloatArray, step: float
 ) -> Iterator[FloatArray]:
-    """Curves with μ₀ ≥ 0, each of shape (3, points): t, θ₀ and μ₀ in order along it; no step is
-    longer than ``step``.
+    """All curves with μ₀ ≥ 0, in or out of contact: t, θ₀ and μ₀ along each, of shape (3, points).
 
-    Those out of contact are included, and what is sought at ``t`` first.
+    The directions ``t`` are refined until no step along a curve is longer than ``step``.
     """
     with quiet():
         columns = _Columns.at(np.unique(t), condition, fixed)
         while True:
             before, after = columns[:-1], columns[1:]
-            # Relative width of a cell of t that is not halved any more.
+            # Cells of a relative width of 1e-10 are not halved any more.
             open_ = ~before.goes_on(after, step) & (after.t > before.t * (1 + 1e-10))
             if not open_.any():
                 break
@@ -283,7 +278,7 @@ def curves(
                 _Columns.at(np.sqrt(before.t * after.t)[open_], condition, fixed)
             )
             columns = columns[np.argsort(columns.t)]
-        # Friction that is taken for 0.
+        # Friction above −1e-11 counts as 0.
         there = np.isfinite(columns.mu0) & (columns.mu0 >= -1e-11)
     number = np.where(there, np.cumsum(there).reshape(there.shape) - 1, -1)
     points = np.stack(
@@ -295,44 +290,42 @@ def curves(
 
 
 def _links(columns: _Columns, number: IntArray, step: float) -> list[set[int]]:
-    """Neighbours of each point: in the next θ, and two that vanish or are born together."""
+    """Neighbours of each point on its curve: at the next θ, or the point with which it vanishes."""
     links: list[set[int]] = [set() for _ in range(number.max(initial=-1) + 1)]
-    on = columns[:-1].goes_on(columns[1:], step)
-    same = (number[:, :-1] >= 0) & (number[:, 1:] >= 0) & on
+    continues = columns[:-1].goes_on(columns[1:], step)
+    same = (number[:, :-1] >= 0) & (number[:, 1:] >= 0) & continues
     link(links, zip(number[:, :-1][same].tolist(), number[:, 1:][same].tolist(), strict=True))
-    for index in np.flatnonzero(~on):
+    for index in np.flatnonzero(~continues):
         both = slice(index, index + 2)
-        some = number[:, both] >= 0
-        who = number[:, both][some].tolist()
-        pairs = _pairs(columns.theta0[:, both][some], np.nonzero(some)[1])
-        link(links, ((who[one], who[other]) for one, other in pairs))
+        present = number[:, both] >= 0
+        numbers = number[:, both][present].tolist()
+        pairs = _pairs(columns.theta0[:, both][present], np.nonzero(present)[1])
+        link(links, ((numbers[one], numbers[other]) for one, other in pairs))
     return links
 
 
 def _pairs(theta0: FloatArray, side: IntArray) -> Iterator[tuple[int, int]]:
-    """Pairs of roots that lie on one curve, where the number of roots changes between two
-    neighbouring directions.
+    """Pairs of roots on the same curve, between two directions with different numbers of roots.
 
-    Roots of one ``side`` go on as those of the other, the nearest first; of those that are left,
-    neighbours of one side that are near meet in between, and others end at θ₀ = 0 or π.
+    Roots of the two sides are paired first, the nearest first; then remaining roots of one side,
+    which meet in between. Other roots end at θ₀ = 0 or π.
     """
     free, every = set(range(side.size)), itertools.combinations(range(side.size), 2)
     for _, far, *pair in sorted(
         (side[i] == side[j], abs(theta0[i] - theta0[j]), i, j) for i, j in every
     ):
-        # A step in θ₀, radians, over which neighbours are not joined where their number
-        # changes.
-        if far < 0.05 and free.issuperset(pair):
+        longest = 0.05  # radians
+        if far < longest and free.issuperset(pair):
             free.difference_update(pair)
             yield pair[0], pair[1]
 
 
 class Directions(NamedTuple):
-    """t = tan(θ/2) in 0 < θ < π on both sides of each event, of θ = π/2, and between two
-    neighbours.
+    """Directions t = tan(θ/2) in 0 < θ < π on both sides of each event and of θ = π/2, and between
+    neighbouring events.
 
-    ``number`` is how many folds there are with 0 < θ₀ < π, of either sign of μ₀, before, between
-    and after the ``events``.
+    ``number`` has the number of folds with 0 < θ₀ < π and μ₀ of either sign, before, between and
+    after the ``events``.
     """
 
     t: FloatArray
@@ -340,7 +333,7 @@ class Directions(NamedTuple):
     number: IntArray
 
     def folds_at(self, t: FloatArray) -> IntArray:
-        """Number of folds in directions between the events."""
+        """The number of folds in each direction."""
         return self.number[np.searchsorted(self.events, t)]
 
 
@@ -353,33 +346,33 @@ def fold_polynomial(c: Number, s: Number, fixed: Fixed) -> tuple[Any, ...]:
 
 
 def directions(fixed: Fixed) -> Directions:
-    """Directions in which folds are looked for first. (θ, θ₀, μ) → (π − θ, π − θ₀, −μ) gives the
-    events beyond π/2.
+    """The first directions in which folds are sought. The events beyond π/2 follow from the
+    symmetry (θ, θ₀, μ) → (π − θ, π − θ₀, −μ).
     """
-    # floats taken as the rationals that they are
     exact = Fixed(*map(Fraction, fixed))  # type: ignore[arg-type]
-    found = _events(exact)
-    ends = [Fraction(0), *itertools.chain(*found), Fraction(1)]
+    events = _events(exact)
+    ends = [Fraction(0), *itertools.chain(*events), Fraction(1)]
     inside = [(low + high) / 2 for low, high in zip(ends[::2], ends[1::2], strict=True)]
     number = [_number(t, exact) for t in inside]
-    at = np.array([float((root.low + root.high) / 2) for root in found])
-    beside = np.append(at, 1.0)
-    # How far beside an event directions are taken, over t.
-    offset = 4e-14
-    low = np.concatenate([beside * (1 - offset), beside * (1 + offset), list(map(float, inside))])
+    event_t = np.array([float((root.low + root.high) / 2) for root in events])
+    beside = np.append(event_t, 1.0)
+    offset = 4e-14  # of directions beside an event, relative to t
+    t = np.concatenate([beside * (1 - offset), beside * (1 + offset), list(map(float, inside))])
     return Directions(
-        np.append(low, 1 / low), np.append(at, 1 / at[::-1]), np.array(number + number[-2::-1])
+        np.append(t, 1 / t),
+        np.append(event_t, 1 / event_t[::-1]),
+        np.array(number + number[-2::-1]),
     )
 
 
 def _number(t: Fraction, exact: Fixed) -> int:
+    """The exact number of folds in a direction."""
     condition = polynomials.primitive(fold_polynomial(*on_circle(t)[:2], exact))
     return len(real_roots(condition, Fraction(0), polynomials.root_bound(condition), 0))
 
 
 def _events(exact: Fixed) -> list[IsolatedRoot]:
-    """All events by t = tan(θ/2) in 0 < t < 1, ascending, in intervals without a common point."""
-    # Bits of t at an event, at first.
+    """All events in 0 < t < 1, ascending, in disjoint intervals."""
     conditions, bits = _conditions(exact), 64
     while True:
         found = sorted(
@@ -394,11 +387,9 @@ def _events(exact: Fixed) -> list[IsolatedRoot]:
 
 
 def _conditions(exact: Fixed) -> list[Polynomial]:
-    """Polynomials in t that are 0 at the events, and not at t = 0 and 1; each root once, and of one
-    of them only.
-    """
+    """Polynomials in t whose roots are the events, all simple and different, and not 0 or 1."""
 
-    @cache  # the three have nodes in common
+    @cache  # the three polynomials are interpolated at common nodes
     def values(s: Fraction) -> tuple[Fraction, ...]:
         if exact.alpha:
             return tuple(_catastrophe.fold_events(s, *exact))
@@ -410,10 +401,9 @@ def _conditions(exact: Fixed) -> list[Polynomial]:
         return values(s)[index]
 
     found: list[Polynomial] = []
-    # Degrees in sin θ of what is 0 at an event, at most.
-    for index, degree in enumerate((15, 6, 6)):
+    for index, degree in enumerate((15, 6, 6)):  # largest degrees in sin θ
         in_sine = polynomials.interpolate(partial(one, index), degree)
-        if in_sine:  # else the same at every θ
+        if in_sine:  # else it vanishes at every θ
             condition = polynomials.squarefree(of_sine_in_t(in_sine))
             for other in [(-1, 1), *found]:
                 condition = polynomials.without(

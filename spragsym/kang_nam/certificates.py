@@ -144,9 +144,9 @@ def _no_jump(boxes: ParameterBoxes) -> Proved:
     # state moves within the box: the wide one leaves room for terms of second order, the
     # narrow one is for boxes near a fold.
     for margin in (0.7, 0.25):
-        left = np.flatnonzero(~result)
-        if left.size:
-            result[left], weight[:, left] = _followed_with(boxes[left], margin)
+        open_ = np.flatnonzero(~result)
+        if open_.size:
+            result[open_], weight[:, open_] = _followed_with(boxes[open_], margin)
     return result, weight
 
 
@@ -164,10 +164,10 @@ def _followed_with(boxes: ParameterBoxes, margin: float) -> Proved:
         result &= (lowest.value - lowest.reach() > 0) & (highest.value + highest.reach() < math.pi)
     weight = np.zeros_like(boxes.low)
     for check in (_ends_hold, _friction_rises, _is_small):
-        some = np.flatnonzero(result)
-        if some.size:
-            result[some], weight[:, some] = check(
-                boxes[some], lowest[some], start[some], highest[some]
+        proved = np.flatnonzero(result)
+        if proved.size:
+            result[proved], weight[:, proved] = check(
+                boxes[proved], lowest[proved], start[proved], highest[proved]
             )
     return result, weight
 
@@ -258,13 +258,13 @@ def _is_small(
     above, side = ground.balance()[0].sign() > 0, ground.c0.sign()
     ground = at(boxes, lowest.where(side > 0, start))
     reach = 2 * ground.c0 - ground.length() * ground.c
-    far = at(boxes, start.where(side > 0, lowest)).c.sign() * side > 0
-    result = above & far & (side != 0) & (reach.sign() * side > 0)
-    left = np.flatnonzero(above & ~result)
-    if left.size:
-        some = boxes[left]
-        below = _alone(some, constant(0.0, some), lowest[left])
-        result[left] = below & _alone(some, start[left], constant(HALF_TURN, some))
+    is_opposite = at(boxes, start.where(side > 0, lowest)).c.sign() * side > 0
+    result = above & is_opposite & (side != 0) & (reach.sign() * side > 0)
+    open_ = np.flatnonzero(above & ~result)
+    if open_.size:
+        open_boxes = boxes[open_]
+        below = _alone(open_boxes, constant(0.0, open_boxes), lowest[open_])
+        result[open_] = below & _alone(open_boxes, start[open_], constant(HALF_TURN, open_boxes))
     return result, np.abs(reach.terms[:-1])
 
 
@@ -280,11 +280,11 @@ def _alone(boxes: ParameterBoxes, low: LinearDirection, high: LinearDirection) -
 
 def _jumps(p: Parameters) -> BoolArray:
     """The first of some points whose state jumps below its friction, by its path too."""
-    out = np.zeros(p.shape, dtype=bool)
+    found = np.zeros(p.shape, dtype=bool)
     for i in np.flatnonzero(first_jumps(p, "mu0", sides=True).value < p.mu0 * (1 - 1e-11))[:1]:
         point = Parameters(**point_at({name: p[name] for name in NAMES}, i))
-        out[i] = first_end(point, "mu0", (0.0, float(point.mu0))) is not None
-    return out
+        found[i] = first_end(point, "mu0", (0.0, float(point.mu0))) is not None
+    return found
 
 
 #: For each claim, of which boxes it is proved; and at which points it is false.
@@ -428,15 +428,15 @@ def covered(
         if not box.size:
             break
         with quiet():
-            done, decisive = test(over(boxes[box], low[box], high[box], begin, end))
-        parts = [np.abs(np.nan_to_num(quantity.terms[:, ~done])) for quantity in decisive]
+            decided, decisive = test(over(boxes[box], low[box], high[box], begin, end))
+        parts = [np.abs(np.nan_to_num(quantity.terms[:, ~decided])) for quantity in decisive]
         # A box is given up where the spread of an open quantity comes from its own
         # sides: the direction adds less than this share.
         useful = [part[-1] > 0.25 * part[:-1].sum(axis=0) for part in parts]
         # Cells are halved so often in any case.
         useless = ~np.logical_or.reduce(useful) & (halving >= 4)
         abandoned = useless | (halving == halvings)
-        box, begin, end = box[~done], begin[~done], end[~done]
+        box, begin, end = box[~decided], begin[~decided], end[~decided]
         for part in parts:
             sizes = part[:-1, abandoned]
             np.maximum.at(

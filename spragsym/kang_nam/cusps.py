@@ -1,4 +1,6 @@
-"""All cusps, proved complete: ``cusp_polynomial`` in sin θ has them as roots."""
+"""All cusps, proved complete: they are roots of a polynomial in sin θ (derived:
+``cusp_polynomial``).
+"""
 
 from __future__ import annotations
 
@@ -87,9 +89,9 @@ def _cusp(point: SurfacePoint, digits: int) -> PreciseCusp:
 def cusp_sines(
     kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, *, bits: int
 ) -> tuple[tuple[Fraction, ...], list[polynomials.IsolatedRoot]]:
-    """The polynomial of the cusps, and an interval around each of its roots in [−1, 1]. α ≠ 1 + β.
+    """The polynomial of the cusps for α ≠ 1 + β, and isolating intervals of its roots in [−1, 1].
 
-    For α = 0 none is an end, where the cubic is ±3 κ (1 + β + σ).
+    For α = 0 neither end is a root: there the cubic is ±3 κ (1 + β + σ).
     """
     coefficients = (
         _catastrophe.cusp_polynomial(kappa, alpha, sigma, beta)
@@ -105,8 +107,8 @@ def cusp_sines(
 
 
 def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[SurfacePoint]:
-    """Every cusp in contact with L > 0, for exact κ, α, σ, β; both mirror images, θ₀ in (−π, π], μ₀
-    of either sign.
+    """Every cusp in contact with L > 0, for exact κ, α, σ, β, with θ₀ in (−π, π] and μ₀ of either
+    sign, so that mirror images are included.
     """
     _, alpha, _, beta = exact
     if alpha == 1 + beta:
@@ -122,8 +124,8 @@ def proved_cusps(exact: tuple[Fraction, ...], bits: int) -> Iterator[SurfacePoin
 
 
 def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoint]:
-    """The cusps of one sin θ. What is 0 exactly, as cos θ₀ or y may be at a coincidence of
-    parameters, is known to be.
+    """The cusps at one value of sin θ. Quantities that are exactly 0 for special parameters, as cos
+    θ₀ or y, are recognized by exact algebra.
     """
     alpha = exact[1]
     values = tuple(map(balls.exact, exact))
@@ -132,7 +134,7 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoin
     L = _cusp_length(s, *values)
 
     def sign_of(value: Interval, exactly: Callable[[Fraction], Fraction], what: str) -> int:
-        # Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².
+        # The quantities times (3 sin² θ − 2)² are polynomials of degree at most 10 in sin θ.
         return sine.sign_of(value, lambda s: exactly(s) * (3 * s * s - 2) ** 2, 10, what)
 
     sides = (
@@ -167,22 +169,22 @@ def _cusps_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoin
 
 
 def _angle_or_level(cosine: Interval, sine: Interval, level: bool) -> Interval:
-    """The angle in (−π, π], 0 or π where the sine is known to be 0."""
+    """The angle in (−π, π]; exactly 0 or π if ``level`` says that the sine is 0."""
     if not level:
         return atan2(sine, cosine)
     return balls.exact(Fraction(0)) if decided(cosine, "cos θ = 0") > 0 else balls.pi()
 
 
 def _cusp_length(s: Number, kappa: Number, alpha: Number, sigma: Number, beta: Number) -> Any:
-    """L on a cusp: (σ s + B s₀ + κ)/(q s) with −b/p for B s₀ + κ, which is a s³ + m s² c over p
-    there.
-    """
+    """L on a cusp: (σ s + B s₀ + κ)/(q s), where B s₀ + κ = −b/p = (a s³ + m s² c)/p."""
     p, B = alpha + sigma, 1 + beta
     return sigma * (1 + (B - alpha) * s * s / (p * (3 * s * s - 2))) / (B + sigma)
 
 
 def _cusps_without_a(values: tuple[Interval, ...], bits: int) -> Iterator[SurfacePoint]:
-    """α = 1 + β: a = 0, and f″ = 0 on a fold means 3 sin² θ = 2, whatever the friction."""
+    """The cusps for α = 1 + β: there a = 0, and f″ = 0 on a fold is 3 sin² θ = 2 at any
+    friction.
+    """
     third = balls.exact(Fraction(1, 3))
     for s_sign in (1, -1):
         s = s_sign * balls.sqrt(2 * third)
@@ -196,11 +198,10 @@ def _cusps_without_a(values: tuple[Interval, ...], bits: int) -> Iterator[Surfac
 
 
 def is_versal(point: SurfacePoint) -> bool:
-    """Whether (θ₀, μ₀) unfold f fully there: then the cusp is one in the sense of catastrophe
-    theory.
+    """Whether (θ₀, μ₀) unfold a cusp versally, as catastrophe theory requires.
 
-    f‴ ≠ 0 on every cusp: of the four roots of f in t, whose product is −1, three are equal, and the
-    other has the other sign.
+    f‴ ≠ 0 on every cusp: f has four roots in t with the product −1, of which three are equal, so
+    that the fourth has the other sign.
     """
     theta0, *values = point.parameters
     return sign(unfolded(Angles(*balls.cos_sin(point.theta), *balls.cos_sin(theta0)), *values)) != 0

@@ -1,8 +1,9 @@
-"""All folds along one parameter, proved complete: real-root counting, no starting points.
+"""All folds along one parameter, proved complete by isolation of real roots.
 
-On a fold f and f′ are 0, which are linear in every parameter but θ₀, so that eliminating the one
-that varies leaves a polynomial in t = tan(θ/2) (derived: ``fold_sextic``). Descartes' rule isolates
-its real roots, exactly over rationals, and with intervals where cos θ₀ and sin θ₀ enter.
+A fold satisfies f = f′ = 0. Both are linear in every parameter except θ₀, so that the parameter
+that varies can be eliminated: a polynomial in t = tan(θ/2) remains (derived: ``fold_sextic``). Its
+real roots are isolated by Descartes' rule, exactly over rationals, or in interval arithmetic where
+cos θ₀ and sin θ₀ enter.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ from .parameters import NAMES, RANGES, Parameters
 
 PointsT = TypeVar("PointsT", bound=Points)
 
-#: Names of what says where a state is.
+#: Names of the columns of a state.
 STATE = ("theta", "L", "x", "y")
 
 
@@ -50,10 +51,10 @@ def folds(
     *,
     between: Ranges | None = None,
 ) -> Points:
-    """The closed form of :func:`spragsym.folds`: proved complete, to 1e-12 and better.
+    """The closed form of :func:`spragsym.folds`: proved complete, with errors below 1e-12.
 
-    All kinds but ``"fold"`` need a coincidence of the parameters that are fixed: ``"pitchfork"`` μ₀
-    = α = 0.
+    Kinds other than ``"fold"`` occur only for special values of the fixed parameters, a
+    ``"pitchfork"`` for μ₀ = α = 0.
 
     Notes
     -----
@@ -81,15 +82,14 @@ def folds(
                 after, error = as_floats(fold.after) if fold.after else ([math.nan] * 4, 0.0)
                 found.append((low, high, fold, (*row[:-1], max(row[-1], error)), after))
         found.sort(key=lambda one: one[0])
-        # No two folds share a value: f has at most three positive roots, too few for two double
-        # roots.
+        # Folds have different values: f has at most three positive roots, so not two double ones.
         if any(high >= low for (_, high, *_), (low, *_) in itertools.pairwise(found)):
             raise UndecidedSign("the order of two folds")
         return found
 
     found = with_enough_bits(20, attempt, "folds")
-    _, _, every, rows, after = zip(*found, strict=True) if found else [()] * 5
-    kind, ends, when = np.array(list(map(_words, every)), dtype=str).reshape(-1, 3).T.copy()
+    _, _, proved, rows, after = zip(*found, strict=True) if found else [()] * 5
+    kind, ends, when = np.array(list(map(_words, proved)), dtype=str).reshape(-1, 3).T.copy()
     ended = Ended(
         ends,
         when,
@@ -99,7 +99,7 @@ def folds(
 
 
 def _words(fold: Fold) -> tuple[str, str, str]:
-    """Kind of a fold, the state that ends there and the way the parameter goes then."""
+    """The columns kind, ends and when of a fold."""
     if fold.kind != "fold":
         return fold.kind, "", ""
     return fold.kind, "upper" if fold.upper else "lower", "up" if fold.side < 0 else "down"
@@ -114,7 +114,9 @@ def listed(
     ended: Ended | Callable[[Points], Ended] = nothing_ends,
     spans: Sequence[Span] | None = None,
 ) -> Points:
-    """All points in the ranges of what varies, or in ``spans``, of rows of :meth:`Point.row`."""
+    """The result with points from rows of :meth:`SurfacePoint.row`; ``spans`` are the ranges that
+    were searched, by default those of the parameters.
+    """
     names = *vary, *STATE
     *columns, error = np.array(rows, dtype=float).reshape(-1, len(names) + 1).T.copy()
     values = dict(zip(names, columns, strict=True))
@@ -125,37 +127,37 @@ def listed(
 
 
 def within(points: PointsT, between: Ranges | None) -> PointsT:
-    """Those of some points that lie in ranges of what varies, if these are given."""
+    """The points within ranges of the parameters that vary; all if no ranges are given."""
     if between is None:
         return points
-    from ..bifurcation.defining_systems import ranges  # which loads the search
+    from ..bifurcation.defining_systems import ranges  # imported late: it loads the search
 
     return points.between(ranges(points.parameters, points.vary, between))
 
 
 @dataclass(frozen=True)
 class Fold:
-    """A point at which equilibria meet along one parameter, and what the signs of f's derivatives
-    say there, proved.
+    """A point at which equilibria meet along one parameter, classified by proved signs of f's
+    derivatives.
 
     f is negative at the lower end of the directions in contact and positive at the upper one (the
-    theorem of one or three), so that at a double root the sign of f″ tells on which side the third
-    root lies.
+    theorem of one or three equilibria). At a double root the sign of f″ therefore says on which
+    side the third root lies.
     """
 
     point: SurfacePoint
     kind: str  #: "fold", "pitchfork", "cusp" or "touch"
-    # 1 where there are three equilibria above the value of the parameter and one below it, −1 the
-    # reverse, else 0
+    #: 1 if there are three equilibria above the parameter's value and one below, −1 for the
+    #: reverse, else 0
     side: int
-    upper: bool  #: those that meet are the upper two of three in θ
-    after: tuple[Interval, ...] = ()  #: of a "fold", θ, L, x and y of the equilibrium that is left
+    upper: bool  #: whether the upper two of three in θ meet
+    after: tuple[Interval, ...] = ()  #: at a "fold", θ, L, x and y of the remaining equilibrium
 
 
 @dataclass(frozen=True)
 class _Direction:
-    """t = tan(θ/2), a root of the eliminated polynomial: its multiplicity, 3 for more, and whether
-    f″ = 0 there.
+    """A root t = tan(θ/2) of the eliminated polynomial, with its multiplicity, at most 3, and
+    whether f″ = 0 there (``flat``).
     """
 
     root: RootOf
@@ -164,13 +166,14 @@ class _Direction:
 
     @cached_property
     def t(self) -> Interval:
-        """An interval that holds it."""
+        """An interval that contains the root."""
         return self.root.interval()
 
 
 def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
-    """Every fold in contact with L > 0 along one parameter, the others given exactly; 0 < θ, θ₀ <
-    π, where contact is.
+    """Every fold along one parameter in contact with L > 0, for exact values of the others.
+
+    Contact requires 0 < θ < π, for 0 < θ₀ < π.
     """
     if vary == "theta0":
         yield from _folds_in_theta0(exact, bits)
@@ -190,7 +193,7 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
     for direction in directions:
         c, s, _ = on_circle(direction.t)
         angles = Angles(c, s, c0, s0)
-        # f and f′ are lines in the parameter that varies.
+        # f and f′ are linear in the parameter that varies.
         line = kernel.f if sign(kernel.f(c, s, *change)) else kernel.f_slope
         value = -line(c, s, *without) / line(c, s, *change)
         found = {**fixed, vary: value}
@@ -204,10 +207,8 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
 def lines_and_sextic(
     vary: str, c0: Number, s0: Number, others: Sequence[Any]
 ) -> tuple[Any, Any, polynomials.Polynomial]:
-    """a, b, d and m of f = f(0) + λ f_λ without the parameter λ that varies, and of f_λ; and f′ f_λ
-    − f f_λ′ times (1 + t²)³.
-
-    That is zero at the folds, and a polynomial in t.
+    """The coefficients (a, b, d, m) of f(0) and f_λ in f = f(0) + λ f_λ, for the parameter λ that
+    varies; and (1 + t²)³ (f′ f_λ − f f_λ′) as a polynomial in t, which is 0 at the folds.
     """
     values = list(others)
     values.insert(NAMES.index(vary) - 1, 0 * others[0])
@@ -216,24 +217,22 @@ def lines_and_sextic(
 
 
 def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials.Polynomial | None:
-    """The eliminated polynomial is g(θ₀) P(t): P, exactly, and () where there is no fold; nothing
-    where it is not of that form.
+    """The exact factor P(t) if the eliminated polynomial is g(θ₀) P(t), () if it is 0 and there is
+    no fold; None if it has no such form.
 
-    This is the form that it takes where it has multiple roots whatever θ₀ is, as for μ₀ = α = 0 and
-    for μ₀ = 0, α = 1 + β. Its coefficients are of degree 4 in v = tan(θ₀/2), so that five values of
-    v prove the form, or that all of it is 0. g(θ₀) ≠ 0, since v is transcendental for a rational θ₀
-    (Lindemann).
+    It has this form if it has multiple roots for every θ₀, as for μ₀ = α = 0 and for μ₀ = 0, α = 1
+    + β. Its coefficients are of degree 4 in v = tan(θ₀/2), so that five values of v prove the form,
+    or that the polynomial is 0. g(θ₀) ≠ 0, since v is transcendental for a rational θ₀ (Lindemann).
 
-    All of it is 0 where the six products of ``fold_sextic`` are. With B = 1 + β that is along σ
-    only, for μ₀ = 0 and either α = 0 or α = B. For: along μ₀, (b m_v − b_v m) has a sign; along α
-    and β, (a b_v − a_v b) has one; and along κ they need μ₀ = α = 0 and a = 0, which is α = B > 0.
-    In both cases along σ there is f = (α + σ) f_σ, so that a fold has f_σ = f_σ′ = 0, and there is
-    none: with α = 0 it needs cos θ = 0 and sin θ₀ = 1 − κ/B, which is rational, as sin θ₀ is not;
-    with α = B it needs B sin θ₀ = −κ < 0.
+    The polynomial is 0 if the six products of ``fold_sextic`` are. With B = 1 + β that happens
+    along σ only, for μ₀ = 0 and either α = 0 or α = B: along μ₀, (b m_v − b_v m) has one sign;
+    along α and β, (a b_v − a_v b) has one sign; and along κ all products are 0 only for μ₀ = α = 0
+    and a = 0, that is α = B > 0, a contradiction. In both cases along σ, f = (α + σ) f_σ, so that a
+    fold has f_σ = f_σ′ = 0. There is none: with α = 0 it needs cos θ = 0 and sin θ₀ = 1 − κ/B,
+    which is rational, while sin θ₀ is not; with α = B it needs B sin θ₀ = −κ < 0.
     """
     others = [exact[name] for name in LINEAR if name != vary]
     common: polynomials.Polynomial = ()
-    # Five different values of v, none of them special.
     samples = tuple(Fraction(number, 7) for number in range(1, 6))
     for v in samples:
         c0, s0, _ = on_circle(v)
@@ -245,11 +244,11 @@ def _independent_of_theta0(vary: str, exact: dict[str, Fraction]) -> polynomials
 
 
 def _curvature(vary: str, exact: dict[str, Fraction]) -> list[polynomials.Polynomial]:
-    """Polynomials in t, all zero where f″ = 0 on a fold: μ₀ (3 sin² θ − 2) = 3 (1 + β − α) sin θ
-    cos θ, times (1 + t²)².
+    """Polynomials in t that are all 0 if and only if f″ = 0 on a fold: (1 + t²)² times both sides
+    of μ₀ (3 sin² θ − 2) = 3 (1 + β − α) sin θ cos θ, or their difference.
     """
     even, odd = tuple(map(Fraction, (-2, 0, 8, 0, -2))), tuple(map(Fraction, (0, 2, 0, -2, 0)))
-    if vary in ("alpha", "beta"):  # 1 + β − α is no rational there
+    if vary in ("alpha", "beta"):  # then 1 + β − α need not be rational: both sides vanish
         return [tuple(exact["mu0"] * value for value in even), odd]
     gap = 1 + exact["beta"] - exact["alpha"]
     return [
@@ -273,13 +272,14 @@ def with_multiplicity(
 
 
 def _classified(vary: str, point: SurfacePoint, angles: Angles, direction: _Direction) -> Fold:
-    """The kind of a fold, from signs of the derivatives of f by θ and by the parameter λ that
+    """The fold of a root, classified by signs of derivatives of f by θ and by the parameter λ that
     varies.
 
-    The multiplicity of its root is the number of times that f = 0 and f′ = 0 meet there. Once: then
-    f_λ f″ ≠ 0, a fold. More often: f_λ = 0 ("touch": two equilibria meet, and their number is the
-    same on both sides) or f″ = 0. With f″ = 0 it is 2 where f_λ ≠ 0 ("cusp": three meet in one, and
-    one is on both sides), since f‴ ≠ 0 for a quartic in t with a negative root; 3 is a pitchfork.
+    The multiplicity of the root is that of the solution of f = f′ = 0. If it is 1, then f_λ f″ ≠ 0:
+    a fold. Otherwise f_λ = 0 or f″ = 0. With f″ ≠ 0 it is a "touch": two equilibria meet, and there
+    are as many on both sides. With f″ = 0, f‴ ≠ 0 since the quartic in t has a negative root;
+    multiplicity 2 is then a "cusp", where three equilibria meet and one is left on both sides, and
+    multiplicity 3 a "pitchfork".
     """
     trig = kernel.f_coefficients(angles.c0, angles.s0, *point.parameters[1:], 1)
     if direction.flat and direction.multiplicity == 2:
@@ -300,11 +300,11 @@ def _classified(vary: str, point: SurfacePoint, angles: Angles, direction: _Dire
 
 
 def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
-    """s₀² + c₀² = 1 on the fold is exact in rationals; with α = 0, where cos θ₀ is free, it is the
-    second relation.
+    """The folds along θ₀. The eliminated condition is s₀² + c₀² = 1 with both angles on the fold;
+    for α = 0, where cos θ₀ is free, it is the second fold relation.
 
-    It holds at every θ for μ₀ = 0 and α = κ = 1 + β only, as θ = 0, π and ±π/2 show: there f = b
-    cos θ + d sin θ with b < 0 has no fold.
+    It is satisfied by every θ only for μ₀ = 0 and α = κ = 1 + β, as θ = 0, π and ±π/2 show. Then f
+    = b cos θ + d sin θ with b < 0 has no fold.
     """
     given = tuple(exact[name] for name in LINEAR)
     mu0, kappa, alpha, sigma, beta = given
@@ -319,10 +319,8 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
     def sine(c: Number, s: Number) -> Number:
         return _catastrophe.fold_sine(c, s, *given)
 
-    # Degree in t of the fold condition that is eliminated where θ₀ varies.
-    degree = 12
-    # Its degree in cos θ, sin θ, two cubics.
-    half = 6
+    degree = 12  # of the eliminated condition in t
+    half = 6  # its degree in cos θ and sin θ: the square of cubics
     polynomial = polynomials.interpolate(in_t(eliminated, half), degree)
     values = tuple(map(balls.exact, given))
     for direction in with_multiplicity(polynomial, _curvature("theta0", exact), bits):
@@ -346,7 +344,7 @@ def _folds_in_theta0(exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:
 
 
 def cosines_of(sine: Interval, inside: int) -> list[Interval]:
-    """Cosines of the angles with that sine, of which the sign of 1 − sin² is known."""
+    """Cosines of the angles with a sine, for the sign ``inside`` of 1 − sin²."""
     if inside <= 0:
         return [balls.exact(Fraction(0))] if inside == 0 else []
     cosine = balls.sqrt(1 - sine * sine)
@@ -364,8 +362,8 @@ class Angles(NamedTuple):
 
 @dataclass(frozen=True)
 class SurfacePoint:
-    """A point of the surface with f = f′ = 0, in intervals: parameters in the order of ``NAMES``,
-    direction and state.
+    """A point with f = f′ = 0 in interval arithmetic: parameters in the order of ``NAMES``, and
+    state.
     """
 
     parameters: tuple[Interval, ...]
@@ -375,8 +373,8 @@ class SurfacePoint:
     y: Interval
 
     def row(self, *vary: str) -> tuple[float, ...]:
-        """Middles as floats, of these parameters and of the state, and the largest error, the
-        rounding to float included.
+        """Midpoints of some parameters and of the state as floats, and the largest error with
+        rounding.
         """
         moving = (self.parameters[NAMES.index(name)] for name in vary)
         values, error = as_floats((*moving, self.theta, self.L, self.x, self.y))
@@ -384,7 +382,7 @@ class SurfacePoint:
 
 
 def unfolded(angles: Angles, *values: Interval) -> Interval:
-    """f_θ₀ f′_μ₀ − f_μ₀ f′_θ₀: not 0 on a cusp that (θ₀, μ₀) unfold fully."""
+    """f_θ₀ f′_μ₀ − f_μ₀ f′_θ₀, which is not 0 on a cusp if (θ₀, μ₀) unfold it versally."""
     (by_angle, slope_by_angle), (by_friction, slope_by_friction), *_ = _catastrophe.unfolding(
         *angles, *values
     )
@@ -392,7 +390,7 @@ def unfolded(angles: Angles, *values: Interval) -> Interval:
 
 
 def in_contact(angles: Angles, *values: Interval) -> Iterator[SurfacePoint]:
-    """The point at μ₀, κ, α, σ, β with its state, if it is in contact with L > 0."""
+    """The point for angles and μ₀, κ, α, σ, β, if its state is in contact with L > 0."""
     L, x, y = kernel.state_of(*angles, *values[1:])
     if decided(L, "L = 0") > 0 and decided(y, "y = 0") < 0:
         yield SurfacePoint(

@@ -1,16 +1,16 @@
-"""First jump of the reference state as one parameter moves, and whether it has jumped, for many
-points at once.
+"""The first jump of the reference state along one parameter, and whether it has jumped, for arrays
+of points.
 
 All folds along the parameter are found with proof (:mod:`spragsym.kang_nam.fold_arrays`). Between
-two folds the equilibria keep their order in θ, and each fold says which two of them meet and on
-which side: so the state followed is a rank, and it jumps at the first fold at which it is one of
-the two that vanish. Points that float64 can't decide go the same way in exact arithmetic.
+two folds the equilibria keep their order in θ, and of each fold it is known which two of them meet
+and on which side. So the state that is followed is given by its rank, and it jumps at the first
+fold at which it is one of the two that vanish. Points that float64 can't decide are treated in the
+same way in exact arithmetic.
 
-Whether it has jumped at its friction is known without the place of the jump. Along the surface f =
-0 is μ₀ a function of θ, since f is linear in it, and a fold is where that has no slope. Let θ₁ be
-the first equilibrium at μ₀ beyond the state without friction. If nothing has jumped, μ₀(θ) rises
-all the way between the two; and if it rises all the way, nothing has. So one polynomial's signs
-between two directions decide, and no fold need be found.
+Whether the state has jumped at a friction is decided without finding the jump. On the surface f = 0
+μ₀ is a function of θ, since f is linear in μ₀, and folds are its stationary points. Let θ₁ be the
+first equilibrium at μ₀ beyond the state without friction. The state has not jumped if and only if
+μ₀(θ) rises all the way between the two, which the signs of one polynomial decide.
 """
 
 import math
@@ -35,8 +35,8 @@ from .folds import folds
 from .parameters import NAMES, RANGES, Parameters
 from .quartic.solver import equilibria
 
-#: Parameters that rise from their lower end; the others move from the value that they have. Folds
-#: below that of θ₀ are looked for exactly.
+#: Beginnings of the parameters that rise from their lower end; others move from their value. Folds
+#: below the beginning of θ₀ are found in exact arithmetic.
 FROM_LOWER_END = {"theta0": 2.0**-40, "mu0": 0.0}
 
 
@@ -59,8 +59,8 @@ def first_limit_points(
 
 
 def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) -> None:
-    """Closed forms follow the reference state, as a parameter rises from its lower end, or from the
-    value in the set.
+    """Raise NotInClosedForm unless the reference state is followed, from the lower end of the
+    parameter or from its value in the set.
     """
     usual = begin is None or (
         vary in FROM_LOWER_END and bool(np.all(np.asarray(begin) <= FROM_LOWER_END[vary]))
@@ -72,57 +72,57 @@ def require_usual(p: Parameters, vary: str, begin: FloatArray | float | None) ->
 def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool = False) -> Ends:
     """First jumps of the reference state.
 
-    With ``sides`` a value need only be known well enough to say on which side of that of its own
-    point in ``p`` it lies.
+    With ``sides`` a value is refined only until it is known whether it lies above or below the
+    point's own value in ``p``.
     """
     p.require(*(name for name in ("theta0", "mu0") if name != vary))
-    own, whole = p[vary], p.shape
+    own_value, full_shape = p[vary], p.shape
     if vary in FROM_LOWER_END:
         p = p.replace(**{vary: None})
     forward, shape, size = 1 if direction == "up" else -1, p.shape, math.prod(p.shape)
-    # Points that differ in ``vary`` alone share one jump, to be told from the values of all: it is
-    # sharpened anyway.
-    apart_from = np.broadcast_to(own, shape).reshape(-1) if sides and shape == whole else None
+    # Points that differ in ``vary`` only share one jump, which is refined in any case.
+    own_values = (
+        np.broadcast_to(own_value, shape).reshape(-1) if sides and shape == full_shape else None
+    )
     value, state, failures = np.empty(size), np.empty((2, size)), dict[int, str]()
-    for here, given in _blocks(p):
-        marks = None if apart_from is None else apart_from[here]
-        value[here], theta, reasons = _block(given, vary, forward, marks)
-        failures |= {here.start + i: reason for i, reason in reasons.items()}
-        at = given | {vary: value[here]}
+    for part, given in _blocks(p):
+        marks = None if own_values is None else own_values[part]
+        value[part], theta, reasons = _block(given, vary, forward, marks)
+        failures |= {part.start + i: reason for i, reason in reasons.items()}
+        at = given | {vary: value[part]}
         with np.errstate(invalid="ignore"):
             angles = *kernel.cos_sin(theta), *kernel.cos_sin(at["theta0"])
             fixed = (at[name] for name in kernel.Fixed._fields)
-            state[:, here] = kernel.state_of(*angles, *fixed)[1:]
+            state[:, part] = kernel.state_of(*angles, *fixed)[1:]
     end = RANGES[vary].high if forward > 0 else RANGES[vary].low
     errors, until = np.full(shape, fold_arrays.LARGEST_ERROR), np.full(shape, end)
     return Ends(value.reshape(shape), errors, state.reshape(2, *shape), failures, until)
 
 
 def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
-    """Some of the points at a time: where they stand, and the parameters that are given, an array
-    of each.
-    """
+    """Blocks of points: their slice, and arrays of the given parameters."""
     columns = ((name, p[name]) for name in NAMES)
     given = {
         name: np.broadcast_to(column, p.shape).reshape(-1)
         for name, column in columns
         if column is not None
     }
-    # Points at a time: enough to forget the calls' overhead, few enough for the arrays in
-    # between to stay in cache.
-    block = 1 << 13
+    block = 1 << 13  # large beside the overhead of calls, small enough for the cache
     for begin in range(0, math.prod(p.shape), block):
-        here = slice(begin, begin + block)
-        yield here, selected_rows(given, here)
+        part = slice(begin, begin + block)
+        yield part, selected_rows(given, part)
 
 
 def _block(
     given: dict[str, FloatArray], vary: str, forward: int, marks: FloatArray | None
 ) -> tuple[FloatArray, FloatArray, dict[int, str]]:
+    """Values and θ of the first jumps of a block of points, NaN without a jump, and the reasons of
+    points without an answer, by index.
+    """
     size = next(iter(given.values())).size
     start = np.full(size, FROM_LOWER_END[vary]) if vary in FROM_LOWER_END else given[vary]
     eq = equilibria(Parameters(**given | {vary: start}))
-    # What all points share is one number, of which the polynomials' coefficients are computed once.
+    # A parameter with one value is passed as a number: coefficients are then computed once.
     others = {
         name: column[0] if (column == column[0]).all() else column
         for name, column in given.items()
@@ -133,15 +133,17 @@ def _block(
     jumped = _walk(found, start, forward, small(eq), undecided)
     value, theta = np.full(size, np.nan), np.full(size, np.nan)
     points = np.flatnonzero((jumped >= 0) & ~undecided)
-    there = found.rows(jumped[points])
-    value[points], theta[points] = there.value.value, 2 * np.arctan(there.t.value)
+    at_jump = found.rows(jumped[points])
+    value[points], theta[points] = at_jump.value.value, 2 * np.arctan(at_jump.t.value)
     if marks is not None:
-        near = np.flatnonzero(~(np.abs(value[points] - marks[points]) > 1.01 * there.value.error))
-        points, there = points[near], there.rows(near)
-    theirs = {name: column[points] if column.ndim else column for name, column in others.items()}
-    t, best, left = fold_arrays.sharpened(vary, theirs, there)
+        near = np.flatnonzero(~(np.abs(value[points] - marks[points]) > 1.01 * at_jump.value.error))
+        points, at_jump = points[near], at_jump.rows(near)
+    others_there = {
+        name: column[points] if column.ndim else column for name, column in others.items()
+    }
+    t, best, remaining = fold_arrays.sharpened(vary, others_there, at_jump)
     value[points] = best.value
-    for k in left:
+    for k in remaining:
         point = point_at(given, points[k])
         try:
             value[points[k]] = fold_arrays.with_more_digits(vary, point, t.rows(k), best.rows(k))
@@ -158,8 +160,8 @@ def _block(
 
 
 def small(eq: Equilibria) -> IndexArray:
-    """The slot of the stable equilibrium of smallest \\|x\\|, or of the smallest if none is stable,
-    of each of many points.
+    """For each point the slot of the stable equilibrium of smallest \\|x\\|; of any equilibrium if
+    none is stable.
     """
     size = np.where(np.isnan(eq.x), np.inf, np.abs(eq.x))
     stable = np.where(eq.undamped == EquilibriumType.STABLE, size, np.inf)
@@ -175,10 +177,10 @@ def _walk(
     rank: IndexArray,
     undecided: BoolArray,
 ) -> IndexArray:
-    """The fold at which each point jumps, −1 for none: ranks are carried over the folds in their
-    order.
+    """The index of the fold at which each point jumps, −1 without a jump.
 
-    Points whose order is not certain are added to ``undecided``.
+    The rank of the state is updated over the folds in their order. Points whose folds have no
+    certain order are added to ``undecided``.
     """
     ahead = forward * (found.value.value - start[found.row])
     near = np.abs(ahead) <= found.value.error * 1.01 + 1e-300
@@ -188,10 +190,10 @@ def _walk(
     kept = found.rows(keep)
     row, value = kept.row, kept.value
     same = row[1:] == row[:-1]
-    apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (
+    ordered = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (
         value.error[1:] + value.error[:-1]
     )
-    undecided[row[1:][same & ~apart]] = True
+    undecided[row[1:][same & ~ordered]] = True
     rank, jumped = rank.astype(int), np.full(start.size, -1)
     number = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
     for k in range(int(number.max(initial=-1)) + 1):
@@ -206,13 +208,13 @@ def _walk(
 
 
 def point_at(given: Mapping[str, FloatArray], i: int | np.intp) -> dict[str, float]:
-    """One of many points."""
+    """The parameters of one point."""
     return {name: float(column[i]) for name, column in given.items()}
 
 
 def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
-    """The value of one point and the direction of the spring there, by exact arithmetic
-    throughout.
+    """The value of the first jump of one point, and θ there, by exact arithmetic; NaN without a
+    jump.
     """
     found = folds(p, vary)
     values: FloatArray = getattr(found, vary)
@@ -221,7 +223,8 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     if not ahead.size:
         return math.nan, math.nan
     last, high = forward * float((forward * ahead).max()), RANGES[vary].high
-    end = last / 2 if forward < 0 else 2 * last + 1 if math.isinf(high) else (last + high) / 2
+    above = 2 * last + 1 if math.isinf(high) else (last + high) / 2
+    end = last / 2 if forward < 0 else above
     jump = first_end(p, vary, (float(start), end))
     if jump is None:
         return math.nan, math.nan
@@ -252,18 +255,16 @@ def limit_point_passed(
     if vary == "theta0":
         return _at_or_below(p, vary)
     out = np.zeros(math.prod(p.shape))
-    for here, given in _blocks(p):
-        yes = out[here]
-        yes[:], left = _decided(given)
-        if left.size:
-            yes[left] = _at_or_below(Parameters(**selected_rows(given, left)), vary)
+    for part, given in _blocks(p):
+        jumped = out[part]
+        jumped[:], open_ = _decided(given)
+        if open_.size:
+            jumped[open_] = _at_or_below(Parameters(**selected_rows(given, open_)), vary)
     return out.reshape(p.shape)
 
 
 def _at_or_below(p: Parameters, vary: str) -> FloatArray:
-    """1 where the jump of a point is at or below its own value, else 0; NaN where that is not
-    known.
-    """
+    """1 for points that jump at or below their own value, else 0; NaN if that is not known."""
     found = first_jumps(p, vary, sides=True)
     unknown = np.zeros(found.value.size)
     unknown[list(found.reasons)] = np.nan
@@ -273,8 +274,9 @@ def _at_or_below(p: Parameters, vary: str) -> FloatArray:
 def with_and_without_friction(
     given: dict[str, FloatArray],
 ) -> tuple[Equilibria, Equilibria, IndexArray, FloatArray, FloatArray, BoolArray]:
-    """Equilibria of points without friction and with theirs; the slot and θ of the state that
-    begins, the first θ from there on among those with friction, and where all this is known.
+    """Equilibria without friction and at the points' friction; the slot and θ of the reference
+    state without friction; the first θ from there on among those with friction; and a mask of the
+    points for which all are known.
     """
     bare, full = (
         equilibria(Parameters(**given | {"mu0": share * given["mu0"]})) for share in (0.0, 1.0)
@@ -286,32 +288,31 @@ def with_and_without_friction(
 
 
 def _decided(given: dict[str, FloatArray]) -> tuple[FloatArray, IndexArray]:
-    """1 for points that have jumped, else 0, and those of which the signs do not tell."""
-    bare, full, slot, first, later, clear = with_and_without_friction(given)
+    """1 for points that have jumped, else 0; and the indices of those that signs do not decide."""
+    bare, full, slot, first, later, decided = with_and_without_friction(given)
     error, kind = (np.take_along_axis(one, slot, axis=-1) for one in (bare.error, bare.undamped))
-    # Radians between an equilibrium and the state without friction below which float64 does
-    # not say which comes first.
+    # Closer than 1e-9 rad, float64 does not decide which equilibrium comes first.
     near = (np.abs(full.theta - first) <= 1e-9).any(axis=-1)
-    clear &= ~near & (kind[:, 0] == EquilibriumType.STABLE) & ~bare.fold & ~full.fold
-    ends = [_place(np.where(clear, angle, 1.0)) for angle in (first[:, 0], later)]
+    decided &= ~near & (kind[:, 0] == EquilibriumType.STABLE) & ~bare.fold & ~full.fold
+    ends = [_place(np.where(decided, angle, 1.0)) for angle in (first[:, 0], later)]
     # An error is one over max(1, θ), and dw/dθ is less than 1; a few units in the last place are
     # the rounding of w.
-    off = (
+    uncertainty = (
         np.where(
-            clear,
+            decided,
             4.0 * np.maximum(error[:, 0], np.nan_to_num(full.error, nan=0.0).max(axis=-1)),
             0.0,
         )
         + 8 * UNIT
     )
-    signs = bernstein.signs_between(friction_sextic(given), ends[0], np.maximum(*ends), off)
-    # Where it falls at the beginning the state moves the other way as the friction rises.
-    clear &= signs.at_low < 0
-    left = ~(clear & (signs.negative | signs.positive)) & (given["mu0"] > 0)
-    return np.where(clear & signs.positive, 1.0, 0.0), np.flatnonzero(left)
+    signs = bernstein.signs_between(friction_sextic(given), ends[0], np.maximum(*ends), uncertainty)
+    # If μ₀(θ) falls at the beginning, the state moves to smaller θ as friction rises.
+    decided &= signs.at_low < 0
+    open_ = ~(decided & (signs.negative | signs.positive)) & (given["mu0"] > 0)
+    return np.where(decided & signs.positive, 1.0, 0.0), np.flatnonzero(open_)
 
 
 def _place(theta: FloatArray) -> FloatArray:
-    """w = t/(t + τ) with t = tan(θ/2)."""
+    """The variable w = t/(t + τ) of the Bernstein form, with t = tan(θ/2)."""
     s, c = np.sin(0.5 * theta), np.cos(0.5 * theta)
     return s / (s + bernstein.SCALE * c)

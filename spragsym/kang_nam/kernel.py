@@ -1,4 +1,6 @@
-"""The generated algebra without the wrapper that restores shapes: of any number type."""
+"""The generated algebra of the article's model for any number type: without the wrapper that
+broadcasts arrays.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,7 @@ from ..numerics.arithmetic import Number
 from ..numerics.interval_arrays import FloatArray
 from .parameters import NAMES
 
-#: Parameters in which f is linear: all but θ₀.
+#: The parameters in which f is linear: all except θ₀.
 LINEAR = NAMES[1:]
 
 f_coefficients = unwrap(_equilibrium.f_coefficients)
@@ -38,8 +40,8 @@ _invariants = unwrap(_stability.invariants)
 
 
 def f_along(vary: str, cos0: Number, sin0: Number, *values: Any) -> tuple[Any, Any]:
-    """a, b, d and m of f and of its slope by a parameter but θ₀, in which f is linear; ``values``
-    have 0 for that one.
+    """The coefficients (a, b, d, m) of f and of its derivative by a parameter other than θ₀;
+    ``values`` have 0 for that parameter.
     """
     return f_coefficients(cos0, sin0, *values, 1), f_changes(cos0, sin0, *values)[NAMES.index(vary)]
 
@@ -62,11 +64,11 @@ def cos_sin(angle: float | FloatArray) -> tuple[Any, Any]:
 
 
 def landing(t: Number, trig: tuple[Any, ...], sqrt: Callable[[Any], Any]) -> Number:
-    """tan(θ/2) of the third equilibrium where t = tan(θ/2) is a double root of the quartic in t,
-    for any kind of numbers.
+    """tan(θ/2) of the third equilibrium at a fold, where t is a double root of the quartic.
 
-    The roots multiply to −1 and their sum stands in the quartic, so the two others solve τ² + g τ −
-    1/t² = 0, and one of them is positive. ``trig`` is a, b, d, m of f.
+    The product of the roots is −1, and their sum is a coefficient of the quartic; so the other two
+    solve τ² + g τ − 1/t² = 0, and one of them is positive. ``trig`` is (a, b, d, m) of f, in any
+    number type.
     """
     *_, e3, e4 = t_quartic(*trig)
     g = 2 * t + e3 / e4

@@ -1,4 +1,4 @@
-"""The lowest fold: the friction below which the reference state jumps at no inclination."""
+"""The lowest fold: the least friction at which the reference state jumps, over all inclinations."""
 
 import math
 from collections.abc import Iterator
@@ -46,7 +46,7 @@ def critical_friction(
 
 
 def _lowest(*values: float) -> tuple[float, float, str, float]:
-    """Friction, angle, kind and error of one point."""
+    """The lowest fold of one set of parameters: friction, angle, kind and error."""
     exact = tuple(map(Fraction, values))
 
     def attempt(bits: int) -> tuple[float, float, str, float]:
@@ -64,9 +64,10 @@ def _lowest(*values: float) -> tuple[float, float, str, float]:
 
 
 def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[SurfacePoint, str]]:
+    """All points among which the lowest fold is, with their kinds."""
     for point in proved_cusps(exact, bits):
         theta0, mu0, *_ = point.parameters
-        # Exactly 0 are θ₀ of a level cusp, and the friction of an upright one with α = 0.
+        # θ₀ of a level cusp, and the friction of an upright one with α = 0, are exactly 0.
         inclined = any(balls.ends(theta0)) and decided(theta0, "θ₀ = 0 on a cusp") > 0
         leans_forward = inclined and decided(balls.pi() - 2 * theta0, "θ₀ = π/2 on a cusp") > 0
         if leans_forward and not (any(balls.ends(mu0)) and decided(mu0, "μ₀ = 0 on a cusp") < 0):
@@ -77,9 +78,10 @@ def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[Surfac
 
 def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[SurfacePoint]:
     """Every point with f = f′ = f_θ₀ = 0, f″ < 0, 0 < θ₀ < π/2 and μ₀ > 0, for exact κ, α, σ, β;
-    without α there is none.
+    none for α = 0.
 
-    f″ < 0: of three states the lower two in θ meet, and friction that rises ends the lowest.
+    f″ < 0 means that the lower two of three states meet in θ, so that rising friction ends the
+    lowest one.
     """
     if not exact[1]:
         return
@@ -89,6 +91,7 @@ def turning_points(exact: tuple[Fraction, ...], bits: int) -> Iterator[SurfacePo
 
 
 def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePoint]:
+    """The turning point at a value of sin θ, if it satisfies the inequalities."""
     values = tuple(map(balls.exact, exact))
     s = sine.interval()
     numerator, denominator = _catastrophe.turning_sine(s, *values)
@@ -97,8 +100,7 @@ def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePo
     def ratio(s: Fraction) -> tuple[Fraction, Fraction]:
         return _catastrophe.turning_sine(s, *exact)
 
-    # Degree of sin θ₀ in sin θ.
-    degree = 6
+    degree = 6  # of sin θ₀ in sin θ
     if sine.sign_of(s0, lambda s: ratio(s)[0], degree, "sin θ₀ = 0 at a turn") <= 0:
         return
     if (
@@ -116,7 +118,7 @@ def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePo
         return (above - below * Fraction(_catastrophe.cusp_sine(s, *exact)[0])) * (3 * s * s - 2)
 
     curvature = kernel.f_curvature(angles.c, s, *trig)
-    # Degree of f″ in sin θ, times the denominator of sin θ₀.
+    # f″ times the denominator of sin θ₀ has degree 9 in sin θ.
     if sine.sign_of(curvature, cusp, 9, "f″ = 0 at a turn") < 0:
         for point in in_contact(angles, mu0, *values):
             if decided(mu0, "μ₀ = 0 at a turn") > 0:
@@ -124,8 +126,8 @@ def _turning_at(exact: tuple[Fraction, ...], sine: RootOf) -> Iterator[SurfacePo
 
 
 def level_folds(exact: tuple[Fraction, ...], bits: int) -> Iterator[SurfacePoint]:
-    """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there that folds with θ₀ > 0
-    leave.
+    """Every fold at θ₀ = 0 with f″ < 0 and μ₀ > 0, and every cusp there from which folds with θ₀ >
+    0 start.
     """
     level = Fraction(1), Fraction(0)
     polynomial = polynomials.primitive(lines_and_sextic("mu0", *level, exact)[2])

@@ -1,4 +1,4 @@
-"""Functions that are there for the article's model only."""
+"""Decorator of functions that exist for the article's model only."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from .parameters import Parameters
 
 
 def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
-    """A function that is there for the article's model only: another model's set is an error that
-    says what to ask instead.
+    """Decorate a function of the article's model: for another model it raises a ModelError that
+    says what to ask ``instead``.
     """
 
     def only(own: Callable[P, R]) -> Callable[P, R]:

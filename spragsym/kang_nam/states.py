@@ -1,11 +1,10 @@
-"""What motions and paths ask about equilibria: which are linked, at which a motion rests, which
-lift-off is for good.
+"""Closed forms that motions and paths ask for: linked equilibria, the equilibrium at which a motion
+rests, and permanent lift-off.
 
-Permanent lift-off: without contact nothing changes the energy U + kinetic. About a stable
-equilibrium in lift-off the region of less energy than any higher stationary value of U, its brim,
-has no way out and does not reach the belt: such values are at the other equilibria in lift-off,
-along the belt's surface y = 0, and at the spring's anchor. Weak preload has no such well, and
-brings the mass back.
+Permanent lift-off: without contact the energy is constant. About a stable equilibrium in lift-off,
+a motion below the lowest higher stationary value of the potential U, the brim, can't leave the well
+and does not reach the belt. Stationary values are those at the other equilibria in lift-off, on the
+belt's surface y = 0, and at the spring's anchor. With a weak preload there is no such well.
 """
 
 from __future__ import annotations
@@ -26,12 +25,12 @@ from ..numerics.polynomials import eigenvalues
 from ..results import Equilibria, Points
 from .parameters import Parameters
 
-#: Energy of numbers without checks.
+#: The energy, without broadcasting.
 _energy: Any = unwrap(algebra.energy)
 
 
 def airborne(constants: tuple[float, ...], state: FloatArray) -> bool:
-    """Whether a state is in a well of the energy above the belt that it can't leave."""
+    """Whether a state is in a potential well above the belt that it can't leave."""
     from ..results import EquilibriumType
     from .quartic.solver import equilibria
 
@@ -49,25 +48,25 @@ def airborne(constants: tuple[float, ...], state: FloatArray) -> bool:
     energy = _potential(x, y, *arguments, xp=math) + (vx * vx + vy * vy) / 2
     for slot in np.flatnonzero(found.undamped == EquilibriumType.STABLE):
         brim = float(np.min(values[values > values[slot] + 1e-12], initial=np.inf))
-        # Points between which the energy is bounded on the straight way to the well's bottom.
-        way = np.linspace([x, y], [found.x[slot], found.y[slot]], 201).T
-        if energy < brim and _highest_on(way, arguments) < brim:
+        # The energy is bounded between 201 points of the straight path to the bottom of the well.
+        path = np.linspace([x, y], [found.x[slot], found.y[slot]], 201).T
+        if energy < brim and _highest_on(path, arguments) < brim:
             return True
     return False
 
 
 def _potential(x: Number, y: Number, *constants: float, xp: object = np) -> Any:
-    """Energy at rest, without contact: friction, V and d are nothing to it."""
+    """The energy at rest without contact; it does not depend on friction, V and d."""
     cos0, sin0, *rest = constants
     return _energy(x, y, 0.0, 0.0, cos0, sin0, 0.0, *rest, 0.0, 0.0, 0, xp=xp)
 
 
 def _stationary_on_the_surface(cos0: float, sin0: float, alpha: float, sigma: float) -> FloatArray:
-    """All x where the potential energy at y = 0 is stationary, five.
+    """Five values of x that include all stationary points of the potential energy at y = 0.
 
     With u = cos θ₀ − x its slope is 0 where (α cos θ₀ − (α + σ) u) L = −σ u; squared, a quartic in
-    u. A value too many only lowers the brim, so that complex roots, which may be double ones, stay
-    by their real parts.
+    u. Complex roots, which may be double ones, are included by their real parts: an additional
+    value can only lower the brim.
     """
     a, b, s2 = alpha * cos0, alpha + sigma, sin0**2
     quartic = np.array(
@@ -76,13 +75,13 @@ def _stationary_on_the_surface(cos0: float, sin0: float, alpha: float, sigma: fl
     return cos0 - np.append(eigenvalues(quartic).real, 0.0)
 
 
-def _highest_on(way: FloatArray, constants: tuple[float, ...]) -> float:
-    """A bound on the potential energy along a straight way: values on it, and the steepest slope
-    between them.
+def _highest_on(path: FloatArray, constants: tuple[float, ...]) -> float:
+    """An upper bound on the potential energy along a straight path, from values at its points and a
+    bound on the slope.
     """
     cos0, sin0, kappa, alpha, sigma, beta = constants
-    x, y = way
-    length = float(np.hypot(*(way[:, -1] - way[:, 0])))
+    x, y = path
+    length = float(np.hypot(*(path[:, -1] - path[:, 0])))
     stretch = np.abs(np.hypot(cos0 - x[[0, -1]], sin0 - y[[0, -1]]) - 1).max()
     slope = alpha * np.abs(x).max() + beta * np.abs(y).max() + kappa + sigma * max(1.0, stretch)
     return float(_potential(x, y, *constants).max() + slope * length / (2 * (x.size - 1)))
@@ -97,8 +96,8 @@ def linked(
     only: int | None = None,
     options: object = None,
 ) -> list[dict[int, int]]:
-    """For each step and each slot at its beginning, the slot at its end on the same branch; none
-    over several folds at once.
+    """For each step, a map from slots at its beginning to slots on the same branches at its end;
+    empty if a step passes several folds.
 
     Notes
     -----
@@ -117,33 +116,35 @@ def linked(
 def _over(
     begin: tuple[float, int], end: tuple[float, int], vary: str, turns: Points | None
 ) -> dict[int, int]:
-    """One step, between values and numbers of equilibria there."""
-    (one, before), (two, after) = begin, end
+    """The map of one step, between two values with their numbers of equilibria."""
+    (begin_value, before), (end_value, after) = begin, end
     if before == after or turns is None:
         return {slot: slot for slot in range(before)} if before == after else {}
-    at = turns[vary]
+    fold_values = turns[vary]
     passed = np.flatnonzero(
-        (min(one, two) <= at) & (at <= max(one, two)) & np.isin(turns.kind, ("fold", "pitchfork"))
+        (min(begin_value, end_value) <= fold_values)
+        & (fold_values <= max(begin_value, end_value))
+        & np.isin(turns.kind, ("fold", "pitchfork"))
     )
     if passed.size != 1:
         return {}
     (fold,) = passed
     if turns.kind[fold] == "pitchfork":
         return dict.fromkeys(range(before), 0) if before > after else {0: 2}
-    left = 0 if turns.ends[fold] == "upper" else 2
-    return {left: 0} if before > after else {0: left}
+    remaining = 0 if turns.ends[fold] == "upper" else 2
+    return {remaining: 0} if before > after else {0: remaining}
 
 
 def border_ends(_p: Parameters, _vary: str, _span: Span, _turns: Points) -> list[Points]:
-    """None: no equilibrium has y = 0 (derive/kang_nam/theorem.py), and one or three are always
-    there.
+    """No ends: no equilibrium has y = 0, and there are always one or three
+    (derive/kang_nam/theorem.py).
     """
     return []
 
 
 def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
-    """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y, shape (2, …); −1
-    where there is none.
+    """Indices of the equilibria, at the friction μ(V) of (10), that lie at places x, y of shape (2,
+    …); −1 where there is none.
     """
     from .quartic.solver import equilibria
     from .steady_sliding import sliding_friction
@@ -155,7 +156,7 @@ def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
         given["mu0"] = sliding_friction(*(given[name] for name in ("mu0", "V", "d")))
         found = equilibria(Parameters(**given))
         away = np.hypot(found.x - x[:, None], found.y - y[:, None])
-        # Empty slots are far away: all of them are where the equilibria are undecided.
+        # NaN are empty slots, and all slots of undecided points.
         away = np.where(np.isnan(away), np.inf, away)
         index[rows] = np.where(
             away.min(axis=-1) <= SETTLED_SHARE * (1 + np.hypot(x, y)), away.argmin(axis=-1), -1
@@ -164,8 +165,8 @@ def rest_index(p: Parameters, places: FloatArray) -> Int8Array:
 
 
 def cases() -> tuple[tuple[str, Parameters], ...]:
-    """Named points of all parameters."""
-    # Name, θ₀ in degrees, and what differs from the base values.
+    """Named points of the article."""
+    # Name, θ₀ in degrees, and the parameters that differ from the base values.
     given: tuple[tuple[str, float, dict[str, float]], ...] = (
         ("Article, base values, before the fold: θ₀ = 30°", 30.0, {}),
         ("Article, past the fold: θ₀ = 49°", 49.0, {}),

@@ -131,9 +131,9 @@ def _some(
     root = kernel.Root(*(value[None] for value in root)) if alone else root
     candidates = _columns(t, root)
     # An equilibrium that has its digits, |error| ≤ 1e-12 · max(1, |value|), or certainly none.
-    sure = root.member & root.known & (candidates["error"] <= 1e-12) | root.outsider
+    settled_roots = root.member & root.known & (candidates["error"] <= 1e-12) | root.outsider
     # Two proved roots are different when the intervals that hold them are.
-    settled: BoolArray = sure.all(axis=0) & kernel.apart(
+    settled: BoolArray = settled_roots.all(axis=0) & kernel.apart(
         t[:-1], root.radius[:-1], t[1:], root.radius[1:]
     ).all(axis=0)
     count, packed = gathered(root.member, candidates)

@@ -118,8 +118,8 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
         1 << (15 if backend is compiled else 16),
         lambda values, begin, size: begin + backend.solve(values, contact, out, begin, size),
     )
-    left = np.concatenate([np.empty(0, dtype=int), *unsettled])
-    fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
+    escalated = np.concatenate([np.empty(0, dtype=int), *unsettled])
+    fold, reasons = _escalate(p, contact, out, escalated) if escalated.size else (escalated, {})
     if reasons and not p.shape:
         raise ConvergenceError(reasons[0])
     decided = np.ones(p.shape, dtype=bool)
@@ -137,7 +137,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
         f"{len(reasons)} of {decided.size} points have no answer; the first: {one.reason}"
         for one in undecided[:1]
     )
-    source = _Closed(p, contact, out, left, fold)
+    source = _Closed(p, contact, out, escalated, fold)
     return Equilibria(
         p, contact, out.count.reshape(p.shape), decided, undecided, tuple(remarks), source
     )
@@ -162,8 +162,8 @@ def count(p: Parameters) -> Int8Array:
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
     if open_ones.size:
-        some = Parameters(*(column.flat[open_ones] for column in p.broadcast(*NAMES)))
-        counts[open_ones] = equilibria(some).require_decided().count
+        open_points = Parameters(*(column.flat[open_ones] for column in p.broadcast(*NAMES)))
+        counts[open_ones] = equilibria(open_points).require_decided().count
     return counts.reshape(p.shape)
 
 
@@ -223,13 +223,13 @@ def _escalate(
     Returns which of them are folds, and why points are left without an answer, by row.
     """
     given = [column.flat[rows] for column in p.broadcast(*NAMES)]
-    left = _solve_widely(given, contact, out, rows)
+    remaining = _solve_widely(given, contact, out, rows)
     folds: list[int] = []
     reasons: dict[int, str] = {}
-    if left.size:
+    if remaining.size:
         from . import adaptive_precision
 
-        for row in left:
+        for row in remaining:
             point = [float(value[row]) for value in given]
             try:
                 found = adaptive_precision.equilibria(*point, contact=contact)
@@ -249,14 +249,14 @@ def _solve_widely(given: list[FloatArray], contact: bool, out: Slots, rows: IntA
     """
     backend = chosen()
     again = Slots(rows.size, out.slots)
-    left = []
+    open_ = []
     # Points solved at a time in double-double arithmetic, which has more in between.
     wide_block = 1 << 12
     for begin in range(0, rows.size, wide_block):
         values = [value[begin : begin + wide_block] for value in given]
-        left.append(begin + backend.solve_widely(values, contact, again, begin, values[0].size))
+        open_.append(begin + backend.solve_widely(values, contact, again, begin, values[0].size))
     out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
-    return np.concatenate(left)
+    return np.concatenate(open_)
 
 
 def _columns(found: Sequence[Any], point: str) -> dict[str, NDArray[Any]]:

@@ -220,7 +220,7 @@ def _vocabulary(
         renamed = dict.fromkeys(("t", "tau")[: 1 + derivation.scaled], phase) | renamed
     return Vocabulary(
         frozenset(names),
-        tuple(map(str, derivation.model.coordinates)),
+        tuple(str(it) for it in derivation.model.coordinates if it != derivation.model.clock),
         renamed,
         shapes | book.shapes,
         frozenset(map(str, (*derivation.normals, *derivation.coefficients))),

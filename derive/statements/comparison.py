@@ -6,8 +6,9 @@ constant in an energy, a factor of parameters in an equation of motion.
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
@@ -162,10 +163,13 @@ class Comparison:
                 if slope != 0 and not slope.has(symbol):  # solved for it
                     meanings[entry / slope] = ""
             if factors and not is_entry and subject.factor in ("parameters", "monomial"):
-                meanings |= dict.fromkeys(self._multiples(tree, entry), "")
+                own = self.exactly(tree)
+                meanings |= dict.fromkeys(self._multiples(own, entry), "")
                 for divisor, rest in self._quotients(entry):
-                    divided = (rest, -rest, *self._multiples(tree, rest))
+                    divided = (rest, -rest, *self._multiples(own, rest))
                     meanings |= dict.fromkeys(divided, f"divided by {divisor}")
+                if subject.law == "covector":
+                    meanings |= self._combined(own, print_values, [*meanings], place)
             found.append(self._component(tree, "", meanings, sampled))
         return found
 
@@ -176,6 +180,21 @@ class Comparison:
         values = self.item.values
         targets = ((sampled[it] if it in sampled else numeric(it, values), it) for it in meanings)
         return Component(tree, tuple(targets), left, meanings)
+
+    def _combined(
+        self, own: Expr, own_values: Values, bases: Sequence[Expr], place: int
+    ) -> dict[Expr, str]:
+        """A derived equation with a multiple of another one, as of the one for N, which the print
+        is; none of a print that is no such sum.
+        """
+        model = self.item.derivation.model
+        rows = zip(model.coordinates, self.item.subject.entries, strict=True)
+        others = [row for number, row in enumerate(rows) if number != place]
+        for base, (name, other) in itertools.product(bases, others):
+            for multiple in self._multiples(own - base, other):
+                if same(own_values, numeric(base + multiple, self.item.values)):
+                    return {base + multiple: f"with a multiple of the equation of {name}"}
+        return {}
 
     def _constant(self, energy: Expr) -> Expr:
         """The terms of an energy that do not depend on the state."""
@@ -207,7 +226,7 @@ class Comparison:
             case _:
                 return 1
 
-    def _multiples(self, tree: Node, entry: Expr) -> list[Expr]:
+    def _multiples(self, own: Expr, entry: Expr) -> list[Expr]:
         """The derived entry times factors of parameters that may bring it to the printed form.
 
         Terms of both that are equal apart from parameters vote for the ratio of their factors; the
@@ -225,7 +244,7 @@ class Comparison:
 
         ours = apart(derivation.expanded(entry))
         votes: dict[Expr, int] = {}
-        for factor, state in apart(self.exactly(tree)):
+        for factor, state in apart(derivation.expanded(own)):
             for factor_of_ours, same_state in ours:
                 if state == same_state and factor_of_ours != 0:
                     votes[factor / factor_of_ours] = votes.get(factor / factor_of_ours, 0) + 1

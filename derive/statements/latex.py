@@ -398,9 +398,11 @@ class _LatexReader:
         if known is None and self.has_roots and name.spelled in ("i", "j", "imath", "jmath"):
             return Factor(leaf(IMAGINARY, at))
         node = self.names.of(name, at)
-        if not isinstance(matrix := self.matrix(node), Node):
-            return Factor(self.matrix_power(matrix, power or (), at[0]))
         bracketed = _bracket(here.item) is not None
+        if not isinstance(matrix := self.matrix(node), Node):
+            if bracketed and self.is_time(_bracket(here.item) or ()):
+                here.take()
+            return Factor(self.matrix_power(matrix, power or (), at[0]))
         node = self.applied(node, here, power is not None)
         if power is not None:
             return Factor(_power(node, self.number(power), (at[0], here.end)))

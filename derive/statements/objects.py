@@ -323,7 +323,7 @@ class Derivation:
         return {}
 
     def places(self, name: str) -> tuple[int, ...]:
-        """The index of a coordinate; the indices of all if the name is empty.
+        """The index of a coordinate; the indices of all but a clock's if the name is empty.
 
         Raises
         ------
@@ -332,7 +332,7 @@ class Derivation:
         """
         names = [str(symbol) for symbol in self.model.coordinates]
         if not name:
-            return tuple(range(len(names)))
+            return tuple(range(len(names) - (self.model.clock is not None)))
         if name not in names:
             raise NoObject(f"{name} is no coordinate of the page; these are {', '.join(names)}")
         return (names.index(name),)
@@ -470,7 +470,8 @@ def _entries(
 
     def derived(derivation: Derivation, name: str, side: str) -> Object:
         matrix = of(derivation)
-        n = matrix.rows
+        n = matrix.rows - (derivation.model.clock is not None)
+        matrix = matrix[:n, :n]
         places = [int(part) - 1 for part in name.split() if part.isdigit()]
         if places and (len(places) != 2 or not all(0 <= place < n for place in places)):
             raise NoObject(f"{letter} has rows and columns 1 to {n}; give two of them, or none")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -68,10 +70,13 @@ def read_paper(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdic
     for statement in paper.statements:
         bind(statement, book)
     found: dict[str, Item | Verdict] = {}
-    for first in (True, False):
-        for statement in paper.statements:
-            if (statement.word == "definition") is first:
-                found[statement.id] = read_statement(statement, book)
+    pending = [it for it in paper.statements if it.word == "definition"]
+    while pending:  # also those of names that are defined behind them
+        found |= {it.id: read_statement(it, book) for it in pending}
+        unread = [it for it in pending if getattr(found[it.id], "status", "") == "unread"]
+        pending = unread if len(unread) < len(pending) else []
+    others = (it for it in paper.statements if it.word != "definition")
+    found |= {it.id: read_statement(it, book) for it in others}
     return book, [found[statement.id] for statement in paper.statements]
 
 
@@ -211,6 +216,31 @@ def _check_conditions(conditions: tuple[Node, ...], known: Mapping[str, Values])
             )
 
 
+def _in_order(equations: list[Equation], subject: Object, derivation: Derivation) -> list[Equation]:
+    """Equations of values in the order of the entries that their names say, as K_12 or x″.
+
+    Raises
+    ------
+    Unread
+        If an entry stands twice, or another one than those that the statement is about.
+    """
+    model, lefts = derivation.model, [it.left.value for it in equations]
+    places: dict[str, int] = {}
+    if subject.law == "vector":
+        rows = zip(model.coordinates, derivation.accelerations, strict=True)
+        for place, (name, second) in enumerate(rows):
+            places |= dict.fromkeys((str(name), f"{name}_0", str(second)), place)
+    if subject.law == "form":
+        size = math.isqrt(len(subject.entries))
+        for left in lefts:
+            if (mark := re.search(r"([1-9])([1-9])$", left)) and max(map(int, mark[0])) <= size:
+                places[left] = (int(mark[1]) - 1) * size + int(mark[2]) - 1
+    found = [places.get(*pair) for pair in zip(lefts, subject.index, strict=True)]
+    if sorted(found) != [*subject.index]:
+        raise Unread(f"left of = stand {', '.join(lefts)}; each entry has to stand there once")
+    return [equations[found.index(place)] for place in subject.index]
+
+
 def _item(
     statement: Statement,
     derivation: Derivation,
@@ -240,6 +270,8 @@ def _item(
     bound, defined = named(equations, subject, values, derivation, book)
     known = with_defined(values, defined)
     before, equations = equations[:-count], equations[-count:]
+    if subject.is_value:
+        equations = _in_order(equations, subject, derivation)
     claims = [one for one in before if not _says_nothing(one, subject, known)]
     if claims:
         if count > 1:

@@ -474,18 +474,49 @@ def test_a_reversed_equation_may_be_divided_by_a_parameter() -> None:
     assert found.conventions == ("x of the print is -x of the page",)
 
 
+@pytest.mark.parametrize(("sign", "status"), [("-", "confirmed"), ("+", "misprint")])
+def test_an_equilibrium_may_hold_the_other_one(sign: str, status: str) -> None:
+    """N is written as the forces across that it balances: right where the other equation holds."""
+    across = "F_L + k_y*y + k/2*(y - x)"
+    text = f"(k_x + k/2)*x - k/2*y {sign} mu0*({across})"
+    row = _judged("equilibrium x", text, "units", COUPLING)
+    assert row.status == status
+    assert status == "misprint" or "with a multiple of the equation of y" in row.evidence
+
+
+SWAPPED = "K_21 = -k/2; K_11 = k_x + k/2; K_22 = k_y + k_c + k/2; K_12 = mu0*k_c - k/2"
+SOLVED = "ay = -(k_y*y + k_c*y + k/2*(y - x) + F_L)/m; ax = (mu*N - k_x*x - k/2*(x - y))/m"
+
+
+@pytest.mark.parametrize(
+    ("about", "text", "status"),
+    [
+        ("stiffness", SWAPPED, "confirmed"),
+        ("stiffness", SWAPPED.replace("K_21", "K_12", 1), "unread"),
+        ("acceleration", SOLVED, "confirmed"),
+        ("acceleration", SOLVED.replace("ay", "ax"), "unread"),
+    ],
+)
+def test_entries_are_those_that_their_names_say(about: str, text: str, status: str) -> None:
+    """In any order; a name that stands twice is no other entry."""
+    row = _judged(about, text, "units", COUPLING)
+    assert row.status == status
+    assert status == "confirmed" or "each entry" in row.evidence
+
+
 def test_definitions_of_one_row_and_of_each_other() -> None:
     """Several names in a row, one value of two names, and a name before its own definition."""
     found = rows(
         COUPLING,
         ("definition", r"p_1 = k_x + k_y, \quad p_2 = p_3 = k/2"),
         ("definition", "p_4 = p_5"),
-        ("definition", "p_5 = p_1 - k_y"),
+        ("definition", "2 p_5 = p_1 + 2p_6 - p_1"),
+        ("definition", "p_6 = p_1 - k_y"),
         ("motion x", r"m\ddot x + p_4 x + p_2 (x - y) - (p_3 - k/2) y = \mu N"),
         ("motion x", r"m\ddot x + p_4 x + p_2 (x + y) - (p_3 - k/2) y = \mu N"),
         form="units",
     )
-    assert [row.status for row in found] == [*["definition"] * 3, "confirmed", "misprint"]
+    assert [row.status for row in found] == [*["definition"] * 4, "confirmed", "misprint"]
 
 
 def test_a_frequency_of_the_page_is_its_own() -> None:

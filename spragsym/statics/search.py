@@ -325,7 +325,7 @@ KINDS = {
     ),
     "wide": (
         "left from a search that ended before it was small enough to be decided: a smaller range "
-        "or a smaller box helps"
+        "or a smaller box helps, or in Python a larger budget of ss.SearchOptions"
     ),
 }
 

@@ -1,8 +1,8 @@
-"""Claims about every point of a box of parameters, and of units of measure that have tolerances
-too, by closed forms.
+"""Claims about all points of a box of parameters, and of units of measure with tolerances, proved
+by closed forms.
 
-For each claim there is a proof for many boxes, over every direction of the spring, which are cut
-into cells until decided; and a search for counterexamples.
+For each claim there is a proof for many boxes at once, by branch and bound over the directions of
+the spring in affine arithmetic, and a search for counterexamples.
 """
 
 from __future__ import annotations
@@ -61,17 +61,16 @@ def claims(
     return ClosedClaim(low, high, claim, measures)
 
 
-#: Of which boxes something is proved, and how much each side matters for the others.
+#: For each box whether the claim is proved; and weights that say which side of another to cut.
 Proved: TypeAlias = tuple[BoolArray, FloatArray]
 
 
 class ClosedClaim(Claim):
-    """One of the claims of :data:`CLAIMS`."""
+    """A claim of :data:`CLAIMS` about a box."""
 
     batch, most, corners = 2048, 20_000, 512
     whole: ParameterBoxes
-    #: Of which model a counterexample is.
-    kind: type[ParameterSet] = Parameters
+    kind: type[ParameterSet] = Parameters  #: class of a counterexample
 
     def __init__(
         self, low: Parameters, high: Parameters, claim: str, units: Mapping[str, Unit]
@@ -80,15 +79,15 @@ class ClosedClaim(Claim):
         matter = {name: unit for name, unit in units.items() if set(unit.powers) & set(NAMES)}
         self.sides = (*NAMES, *matter)
         ends = corner_values(NAMES, low, high, matter)
-        if claim == "no jump":  # what goes on to the largest friction goes on to every other
-            ends[0][NAMES.index("mu0")] = ends[1][NAMES.index("mu0")]
+        if claim == "no jump":  # no jump up to the largest friction is none up to any other
+            ends[0][_MU0] = ends[1][_MU0]
         self.whole = ParameterBoxes(ends[0], ends[1], np.zeros(1, dtype=bool), matter)
 
     def settled(self, parts: ParameterBoxes) -> tuple[ParameterBoxes, FloatArray]:
         holds, weight = self.prove(parts)
         width = parts.high - parts.low
         matters = ((width > 0) & (weight > 0)).any(axis=0)
-        # The widest where none is known to matter.
+        # Without weights the relative widths decide.
         return replace(parts, holds=holds), np.where(
             matters, weight, width / np.maximum(parts.high, 1e-300)
         )
@@ -108,11 +107,11 @@ _MU0 = NAMES.index("mu0")
 
 
 def _at_all_states(boxes: ParameterBoxes, slope_sign: int) -> Proved:
-    """Every equilibrium in contact has f′ of a sign, or, where that is negative, a positive
-    discriminant of K in λ².
+    """Whether every equilibrium in contact has f′ > 0; or, for ``slope_sign`` −1, f′ < 0 or a
+    positive discriminant of (27) in λ².
 
-    All have f′ > 0: of three the middle one has not, and of two that meet neither has, so there is
-    one. All have f′ < 0, which is divergence, or a positive discriminant: there is no flutter.
+    If all have f′ > 0, there is one equilibrium: the middle one of three has f′ < 0, and at a fold
+    f′ = 0. If all have f′ < 0 (divergence) or a positive discriminant, there is no flutter.
     """
 
     def test(ground: Ground) -> Verdict:
@@ -124,7 +123,7 @@ def _at_all_states(boxes: ParameterBoxes, slope_sign: int) -> Proved:
         flutter = kernel.invariants(ground.c, ground.s, ground.length(), mu0, *springs, 1)[2]
         return done | (flutter.sign() > 0), (value, slope, flutter)
 
-    # Beyond π no direction is in contact.
+    # Directions in contact lie in (0, π).
     return covered(boxes, constant(0.0, boxes), constant(HALF_TURN, boxes), test)
 
 
@@ -133,16 +132,16 @@ def _at_all_states(boxes: ParameterBoxes, slope_sign: int) -> Proved:
 
 
 def _no_jump(boxes: ParameterBoxes) -> Proved:
-    """On the surface μ₀(θ) rises from below 0 at one direction to above the largest friction at
-    another, and is 0 once between, at the reference state: so that is followed without a fold.
+    """Whether the reference state does not jump.
 
-    Candidates for the two directions come from the middle of a box, and the proof does not depend
-    on how.
+    It is proved that μ₀(θ) on the surface rises monotonically from below 0 at one direction to
+    above the largest friction at another, and that the zero in between is the reference state: then
+    that is followed without a fold. Candidates for the two directions are estimated at the middle
+    of a box; the proof does not depend on the estimate.
     """
     result, weight = np.zeros(len(boxes), dtype=bool), np.zeros_like(boxes.low)
-    # How far a trial direction lies from the state it stands for, in units of how far that
-    # state moves within the box: the wide one leaves room for terms of second order, the
-    # narrow one is for boxes near a fold.
+    # Distance of a trial direction from its state, relative to the shift of the state over the box:
+    # the wide one leaves room for terms of second order, the narrow one is for boxes near a fold.
     for margin in (0.7, 0.25):
         open_ = np.flatnonzero(~result)
         if open_.size:
@@ -151,11 +150,11 @@ def _no_jump(boxes: ParameterBoxes) -> Proved:
 
 
 def _followed_with(boxes: ParameterBoxes, margin: float) -> Proved:
+    """The proof of :func:`_no_jump` with trial directions at a distance."""
     with quiet():
         middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
         *_, first, later, result = with_and_without_friction(middle)
-        # A direction below the state at μ₀ = 0, one above it, and one above the state at the
-        # largest friction.
+        # Directions below and above the state at μ₀ = 0, and above that at the largest friction.
         lowest, start = (
             _moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin)
             for side in (-1, 1)
@@ -175,8 +174,8 @@ def _followed_with(boxes: ParameterBoxes, margin: float) -> Proved:
 def _moved(
     boxes: ParameterBoxes, values: dict[str, FloatArray], theta: FloatArray, margin: float
 ) -> LinearDirection:
-    """Shift of an equilibrium of the middle over the box, to first order, and a little to one side
-    of that.
+    """A direction that follows an equilibrium over the box to first order, displaced to one side by
+    the margin.
     """
     slopes = _change(boxes, values, theta)
     line = LinearDirection(theta, slopes)
@@ -189,10 +188,10 @@ def _change(
     theta: FloatArray,
     term: Callable[[FloatArray], FloatArray] = np.positive,
 ) -> FloatArray:
-    """Shift of an equilibrium by half of each side but μ₀, to first order: a unit changes all
-    parameters that depend on it.
+    """The first-order shift of an equilibrium by half of each side except μ₀.
 
-    With ``np.abs`` for a ``term`` the value if nothing cancelled.
+    A unit changes all parameters that depend on it; with ``np.abs`` as ``term`` their contributions
+    are added by size.
     """
     c, s, c0, s0 = *kernel.cos_sin(theta), *kernel.cos_sin(values["theta0"])
     others = [values[name] for name in kernel.LINEAR]
@@ -212,8 +211,8 @@ def _change(
 def _ends_hold(
     boxes: ParameterBoxes, lowest: LinearDirection, start: LinearDirection, highest: LinearDirection
 ) -> Proved:
-    """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest;
-    both in contact.
+    """Whether f < 0 at the lowest direction without friction, f > 0 at the highest direction with
+    the largest friction, and both are in contact.
     """
     result, weight = np.ones(len(boxes), dtype=bool), np.zeros_like(boxes.low)
     for line, friction, wanted in ((lowest, 0.0, -1), (highest, boxes.high[_MU0], 1)):
@@ -221,8 +220,7 @@ def _ends_hold(
         value, inside = ground.balance()[0], ground.pressed()
         holds, presses = value.sign() == wanted, inside.sign() > 0
         result &= holds & presses
-        # A direction that follows the state leaves what is of second order, in each of the
-        # parameters that a side changes.
+        # Along a direction that follows the state, terms of second order remain.
         second = _change(boxes, boxes.middle() | {"mu0": friction}, line.value, np.abs)
         first = np.abs(inside.terms[:-1])
         straight = holds & ~presses & (first.sum(axis=0) > inside.error)
@@ -235,7 +233,7 @@ def _ends_hold(
 def _friction_rises(
     boxes: ParameterBoxes, lowest: LinearDirection, start: LinearDirection, highest: LinearDirection
 ) -> Proved:
-    """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""
+    """Whether μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, independent of μ₀."""
 
     def test(ground: Ground) -> Verdict:
         value, slope, change, change_slope = ground.with_friction(0.0).balance()
@@ -248,11 +246,11 @@ def _friction_rises(
 def _is_small(
     boxes: ParameterBoxes, lowest: LinearDirection, start: LinearDirection, highest: LinearDirection
 ) -> Proved:
-    """The state at μ₀ = 0 between ``lowest`` and ``start`` has the smallest \\|x\\|.
+    """Whether the state at μ₀ = 0 between ``lowest`` and ``start`` has the smallest \\|x\\|.
 
     Without friction at most one equilibrium has cos θ of the sign of cos θ₀, and any other has
     \\|x\\| ≥ \\|cos θ₀\\|: see ``smallest_without_friction`` in derive/kang_nam/theorem.py. So L
-    \\|cos θ\\| < 2 \\|cos θ₀\\| is enough, or that there is no other.
+    \\|cos θ\\| < 2 \\|cos θ₀\\| is sufficient, or that there is no other equilibrium.
     """
     ground = at(boxes, start).with_friction(0.0)
     above, side = ground.balance()[0].sign() > 0, ground.c0.sign()
@@ -269,7 +267,7 @@ def _is_small(
 
 
 def _alone(boxes: ParameterBoxes, low: LinearDirection, high: LinearDirection) -> BoolArray:
-    """No equilibrium in contact without friction between two directions."""
+    """Whether there is no equilibrium in contact, without friction, between two directions."""
 
     def test(ground: Ground) -> Verdict:
         value = ground.with_friction(0.0).balance()[0]
@@ -279,7 +277,7 @@ def _alone(boxes: ParameterBoxes, low: LinearDirection, high: LinearDirection) -
 
 
 def _jumps(p: Parameters) -> BoolArray:
-    """The first of some points whose state jumps below its friction, by its path too."""
+    """A mask of the first point whose state jumps below its friction, confirmed by its path."""
     found = np.zeros(p.shape, dtype=bool)
     for i in np.flatnonzero(first_jumps(p, "mu0", sides=True).value < p.mu0 * (1 - 1e-11))[:1]:
         point = Parameters(**point_at({name: p[name] for name in NAMES}, i))
@@ -287,7 +285,7 @@ def _jumps(p: Parameters) -> BoolArray:
     return found
 
 
-#: For each claim, of which boxes it is proved; and at which points it is false.
+#: For each claim its proof for boxes, and its counterexamples among points.
 CLAIMS: dict[str, tuple[Callable[[ParameterBoxes], Proved], Callable[[Parameters], BoolArray]]] = {
     "no jump": (_no_jump, _jumps),
     "one equilibrium": (partial(_at_all_states, slope_sign=1), lambda p: count(p) == 3),
@@ -300,14 +298,14 @@ CLAIMS: dict[str, tuple[Callable[[ParameterBoxes], Proved], Callable[[Parameters
 
 @dataclass(frozen=True)
 class ParameterBoxes(ProvedParts):
-    """Parts of a box of parameters, in the order of ``NAMES``, and then of units of measure over
-    their base values.
+    """Boxes of parameters, in the order of ``NAMES``, and of units of measure over their base
+    values.
     """
 
     units: Mapping[str, Unit]
 
     def parameters(self, sides: Iterable[Any]) -> dict[str, Any]:
-        """Parameters by name from one value of each side, of any number type."""
+        """Parameters by name from the values of all sides, in any number type."""
         found = dict(zip((*NAMES, *self.units), sides, strict=True))
         for unit in self.units:
             for name, power in self.units[unit].powers.items():
@@ -317,13 +315,13 @@ class ParameterBoxes(ProvedParts):
         return {name: found[name] for name in NAMES}
 
     def middle(self) -> dict[str, FloatArray]:
-        """Their middles, by parameter."""
+        """The midpoints, by parameter."""
         return self.parameters(0.5 * (self.low + self.high))
 
 
 class Ground(NamedTuple):
-    """Means by which a claim is tested: cos θ, sin θ, cos θ₀, sin θ₀ and the parameters, over cells
-    or at one θ of each box.
+    """cos θ, sin θ, cos θ₀, sin θ₀ and the parameters as affine forms, over cells or at one
+    direction of each box.
     """
 
     c: Affine
@@ -333,11 +331,11 @@ class Ground(NamedTuple):
     parameters: dict[str, Rounded]
 
     def others(self) -> list[Rounded]:
-        """The parameters but θ₀, in order."""
+        """The parameters except θ₀, in order."""
         return [self.parameters[name] for name in kernel.LINEAR]
 
     def with_friction(self, mu0: FloatArray | float) -> Ground:
-        """The same with another friction, or one for each box."""
+        """The same with another friction, a number or an array over the boxes."""
         return self._replace(parameters=self.parameters | {"mu0": Rounded(mu0)})
 
     def balance(self) -> tuple[Affine, Affine, Affine, Affine]:
@@ -345,41 +343,41 @@ class Ground(NamedTuple):
         return kernel.f_in_differences(*self[:4], *self.others())
 
     def pressed(self) -> Rounded:
-        """κ − σ (sin θ₀ − sin θ), which is positive where the state of a direction has y < 0."""
+        """κ − σ (sin θ₀ − sin θ), which is positive if the state in a direction has y < 0."""
         return self.parameters["kappa"] - self.parameters["sigma"] * (self.s0 - self.s)
 
     def length(self) -> Affine:
-        """L of the state of a direction."""
+        """L of the state in a direction."""
         return kernel.state_of(*self[:4], *self.others()[1:])[0]
 
 
 @dataclass(frozen=True)
 class LinearDirection(ByColumn):
-    """A direction of the spring for each box that changes linearly over it: ``value`` in its
-    middle, ``slopes`` to its sides.
+    """For each box a direction that is linear in the parameters: ``value`` at its middle, and
+    ``slopes``, the changes to the ends of its sides.
     """
 
     value: FloatArray
     slopes: FloatArray
 
     def reach(self) -> FloatArray:
-        """Largest distance from the value."""
+        """The largest distance from ``value`` within a box."""
         return np.abs(self.slopes).sum(axis=0)
 
     def where(self, mine: BoolArray, other: LinearDirection) -> LinearDirection:
-        """This one for some boxes, another for the rest."""
+        """This direction for boxes in the mask, another one for the rest."""
         return LinearDirection(
             np.where(mine, self.value, other.value), np.where(mine, self.slopes, other.slopes)
         )
 
 
 def constant(value: float, boxes: ParameterBoxes) -> LinearDirection:
-    """One direction for all boxes."""
+    """A constant direction for all boxes."""
     return LinearDirection(np.full(len(boxes), value), np.zeros_like(boxes.low))
 
 
 def at(boxes: ParameterBoxes, line: LinearDirection) -> Ground:
-    """One direction for each point of each box."""
+    """The ground at one direction of each box."""
     none = np.zeros(len(boxes))
     return over(boxes, line, line, none, none)
 
@@ -391,7 +389,9 @@ def over(
     begin: FloatArray,
     end: FloatArray,
 ) -> Ground:
-    """All directions between two, from one share of the way to another."""
+    """The ground over all directions between the shares ``begin`` and ``end`` of the way from
+    ``low`` to ``high``.
+    """
     none = np.zeros_like(begin)
     *own, share = sides(np.vstack([boxes.low, begin]), np.vstack([boxes.high, end]))
     base = Affine(low.value, np.vstack([low.slopes, none]), none)
@@ -400,8 +400,7 @@ def over(
     return Ground(*cosine_and_sine(theta), *cosine_and_sine(own[0]), boxes.parameters(own))
 
 
-#: Which cells are decided, and the quantities whose terms say which side of a box to cut where one
-#: is not.
+#: A mask of decided cells; and quantities whose affine terms say which side of a box to cut.
 Verdict: TypeAlias = tuple[BoolArray, tuple[Rounded, ...]]
 
 
@@ -411,29 +410,27 @@ def covered(
     high: LinearDirection,
     test: Callable[[Ground], Verdict],
 ) -> Proved:
-    """The boxes for which all directions between two pass a test, and how much each side matters
-    for the others.
+    """Whether all directions between two pass a test, for each box; and weights of its sides.
+
+    The directions of a box are halved until every cell passes, or the box is abandoned.
     """
     size = len(boxes)
     weight = np.zeros_like(boxes.low)
-    # Cells of a box to begin with.
-    cells = 4
+    cells = 4  # of each box to begin with
     box = np.tile(np.arange(size), cells)
     begin = np.repeat(np.arange(cells) / cells, size)
     end = begin + 1.0 / cells
     result = np.ones(size, dtype=bool)
-    # How often one is halved, at most.
-    halvings = 40
+    halvings = 40  # of a cell, at most
     for halving in range(halvings + 1):
         if not box.size:
             break
         with quiet():
             decided, decisive = test(over(boxes[box], low[box], high[box], begin, end))
         parts = [np.abs(np.nan_to_num(quantity.terms[:, ~decided])) for quantity in decisive]
-        # A box is given up where the spread of an open quantity comes from its own
-        # sides: the direction adds less than this share.
+        # After 4 halvings a box is abandoned if the widths of all quantities come from its sides
+        # rather than from the direction.
         useful = [part[-1] > 0.25 * part[:-1].sum(axis=0) for part in parts]
-        # Cells are halved so often in any case.
         useless = ~np.logical_or.reduce(useful) & (halving >= 4)
         abandoned = useless | (halving == halvings)
         box, begin, end = box[~decided], begin[~decided], end[~decided]
@@ -443,9 +440,7 @@ def covered(
                 weight.T, box[abandoned], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T
             )
         result[box[abandoned]] = False
-        # A box with many open cells fails on a stretch of directions, and not at one: no cut of it
-        # helps.
-        # Open cells with which a box is given up.
+        # A box with many open cells fails over a range of directions: no cut helps.
         result[np.bincount(box, minlength=size) > 64] = False
         keep = result[box]
         box, begin, end = box[keep], begin[keep], end[keep]

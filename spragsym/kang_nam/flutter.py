@@ -1,17 +1,17 @@
-"""Onsets of flutter: all onsets at one friction, proved complete, and the curves of onsets in the
-plane of θ₀ and μ₀.
+"""Onsets of flutter: all onsets at one friction, proved complete, and curves of onsets in the plane
+of θ₀ and μ₀.
 
-At given θ and μ₀ the two balances give sin θ₀ and α cos θ₀ as lines in the spring length L, and the
-discriminant of (27) times L² is a quadratic in L. So is cos² θ₀ + sin² θ₀ = 1, and the resultant of
-the two (derived: ``flutter_elimination``) is a polynomial of degree 16 in v = tan((θ − π/2)/2). A
-discriminant of 0 needs K₁₂ K₂₁ ≤ 0, hence π/2 ≤ θ < π where μ₀ > 0: all onsets are among its roots
-0 ≤ v < 1, which Descartes' rule isolates exactly. α = 0 leaves cos θ₀ free, and a polynomial of
-degree 8 (``flutter_without_alpha``). What decides whether a root is an onset is a sign; one that an
-interval leaves open is 0 only where exact algebra says so.
+At given θ and μ₀ the balance of forces gives sin θ₀ and α cos θ₀ as linear functions of the spring
+length L. The discriminant of (27) times L², and cos² θ₀ + sin² θ₀ = 1, are then quadratics in L.
+Their resultant (derived: ``flutter_elimination``) is a polynomial of degree 16 in v = tan((θ −
+π/2)/2). A discriminant of 0 needs K₁₂ K₂₁ ≤ 0, hence π/2 ≤ θ < π if μ₀ > 0: all onsets are among
+the roots 0 ≤ v < 1, which Descartes' rule isolates exactly. For α = 0, cos θ₀ is free, and the
+polynomial has degree 8 (``flutter_without_alpha``). Signs decide whether a root is an onset; if an
+interval contains 0, exact algebra decides whether the value is 0.
 
 An onset is never a fold, nor the middle one of three equilibria: in contact the trace of K is
-positive (derived: ``trace_identity``), and where its discriminant is 0 the determinant is a quarter
-of the square of that.
+positive (derived: ``trace_identity``), and where the discriminant is 0 the determinant is a quarter
+of the square of the trace.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def flutter_onsets(
         .T
     )
     theta, L = np.array([row[1:3] for row in rows]).reshape(-1, 2).T
-    # ω² of the two modes that meet is half the trace of K, which has no friction.
+    # ω² of the two modes that meet is half the trace of K, which does not depend on μ₀.
     trace, *_ = kernel.invariants(*kernel.cos_sin(theta), L, 0.0, *p.scalars(*Fixed._fields[1:]), 1)
     omega = np.sqrt(0.5 * trace)
     more = {"omega": omega, "branch": branch, "count": count, "side": side.astype(np.int8)}
@@ -154,9 +154,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     as_count("n", n, 2)
     fixed = Fixed(*p.scalars(*Fixed._fields))
     found = []
-    # Logarithm of how far from t = tan(θ/2) = 1 onsets are looked for, at most, and minus
-    # that at least.
-    far = 20.0
+    far = 20.0  # directions t have |log(t − 1)| up to this
     directions = 1 + np.exp(np.linspace(-far, far, n // 2))  # flutter needs π/2 < θ < π
     onset = CurveCondition(_polynomial, _friction)
     for number, (t, theta0, mu0) in enumerate(curves(onset, fixed, directions, 6 / n)):
@@ -173,7 +171,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
 
 
 def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray, ...]:
-    """Derived: ``flutter_cubic``."""
+    """The condition for an onset as a polynomial in tan(θ₀/2), from ``flutter_cubic``."""
     g0, g1, k0, k1, k2, k3 = _stability.flutter_cubic(c, s, *fixed)
     middle = 3 * k0 + 4 * k2
     return (
@@ -188,6 +186,7 @@ def _polynomial(c: FloatArray, s: FloatArray, fixed: Fixed) -> tuple[FloatArray,
 
 
 def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
+    """The friction of onsets."""
     L, _, _ = kernel.state_of(c, s, *kernel.cos_sin(theta0), *fixed)
     return _stability.flutter_friction(c, s, L, *fixed[1:])
 
@@ -195,10 +194,10 @@ def _friction(c: FloatArray, s: FloatArray, theta0: FloatArray, fixed: Fixed) ->
 def _rank(
     fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray
 ) -> tuple[IntArray, IntArray]:
-    """Rank of each point among the equilibria there, and their number.
+    """The rank of each point among the equilibria there, and their number.
 
-    From the roots alone: at a flutter onset the solver's stability code would ask for many digits
-    to say what is known.
+    The roots of the quartic are computed directly: the solver would spend many digits on the
+    stability at an onset, which is known.
     """
     c0, s0 = kernel.cos_sin(theta0)
     with quiet():
@@ -212,17 +211,16 @@ def _rank(
         ), np.isfinite(t).sum(axis=0)
 
 
-#: Largest degree of X and Y in L = X/Y over one denominator.
+#: Largest degree of X and Y in L = X/Y.
 _DEGREE_OF_LENGTH = 4
 
 
 @dataclass(frozen=True)
 class Onset(SurfacePoint):
-    """An onset in intervals; ``branch`` counts the equilibria from below in θ, of which there are
-    ``count``.
+    """An onset in interval arithmetic.
 
-    ``side`` is 1 if flutter is at larger θ₀, −1 if it is at smaller θ₀, and 0 where flutter is on
-    both sides or on none.
+    ``branch`` is its rank in θ, from 0, among the ``count`` equilibria. ``side`` is 1 if there is
+    flutter at larger θ₀, −1 if at smaller θ₀, and 0 if on both sides or on neither.
     """
 
     branch: int
@@ -231,14 +229,14 @@ class Onset(SurfacePoint):
 
 
 class Elimination:
-    """Exact parameters μ₀ > 0, κ, α, σ, β and what is left of the conditions for an onset."""
+    """The eliminated condition for an onset, for exact parameters μ₀ > 0, κ, α, σ and β."""
 
     def __init__(self, *values: Fraction) -> None:
         self.values, self.alpha = values, values[2]
 
     @cached_property
     def full(self) -> tuple[int, ...]:
-        """The polynomial in v, multiple roots included."""
+        """The polynomial in v, with multiple roots."""
         mu0, kappa, _, *springs = self.values
 
         def remaining(c: Fraction, s: Fraction) -> Fraction:
@@ -247,19 +245,16 @@ class Elimination:
             X, Y, Z = _stability.flutter_elimination(c, s, *self.values)
             return X * X - Y * Z
 
-        # Degree of the resultant in cos θ, sin θ, half of that in v.
-        highest = 8
-        # That degree where α = 0.
-        degree = highest if self.alpha else 4
+        degree = 8 if self.alpha else 4  # in cos θ and sin θ
         return polynomials.interpolate(in_v(remaining, degree), 2 * degree)
 
     @cached_property
     def simple(self) -> tuple[int, ...]:
-        """The roots, each once."""
+        """The square-free polynomial, with each root once."""
         return polynomials.squarefree(self.full)
 
     def roots(self, bits: int) -> list[RootOf]:
-        """All of them in 0 ≤ v < 1, to a width below 2^−bits."""
+        """All roots in 0 ≤ v < 1, in intervals narrower than 2^−bits."""
         zero, one = Fraction(0), Fraction(1)
         upright = [(zero, zero)] if self.simple[0] == 0 else []
         places = [*upright, *real_roots(self.simple, zero, one, bits)]
@@ -276,14 +271,14 @@ class Elimination:
     def sign_of(
         self, root: RootOf, value: Interval, function: Callable[..., Any], degree: int, what: str
     ) -> int:
-        """The sign of an interval at a root; 0 where ``function(c, s, X, Y)``, of that degree in
-        cos θ and sin θ, is 0 there.
+        """The sign of a value at a root; 0 if ``function(c, s, X, Y)``, of that degree in cos θ and
+        sin θ, is exactly 0 there.
         """
         exactly = in_v(lambda c, s: function(c, s, *self.length(c, s, self.values)), degree)
         return root.sign_of(value, exactly, 2 * degree, what)
 
     def multiplicity(self, root: RootOf) -> int:
-        """Number of the polynomial and its derivatives that vanish at a root, in turn."""
+        """The multiplicity of a root."""
         multiplicity, derivative = 0, self.full
         while root.is_of(polynomials.common_divisor(self.simple, derivative)):
             multiplicity, derivative = multiplicity + 1, polynomials.derivative(derivative)
@@ -291,17 +286,13 @@ class Elimination:
 
 
 def direction(v: Number) -> tuple[Any, Any]:
-    """cos θ and sin θ at v = tan((θ − π/2)/2): θ is a quarter turn more than the angle whose half
-    has the tangent v.
-    """
+    """cos θ and sin θ at v = tan((θ − π/2)/2)."""
     c, s, _ = on_circle(v)
     return -s, c
 
 
 def in_v(function: Callable[[Any, Any], Any], degree: int) -> Callable[[Fraction], Fraction]:
-    """(1 + v²)^degree times a function of that degree in cos θ and sin θ, which is a polynomial in
-    v.
-    """
+    """(1 + v²)^degree times a function of that degree in cos θ and sin θ: a polynomial in v."""
     return in_t(lambda c, s: function(-s, c), degree)
 
 
@@ -317,8 +308,8 @@ def onsets(elimination: Elimination, bits: int) -> Iterator[Onset]:
 def _lengths(
     elimination: Elimination, root: RootOf, values: tuple[Interval, ...]
 ) -> list[Interval]:
-    """The lengths L > 0 at which the two conditions hold together: one, but where they are the same
-    quadratic.
+    """The common roots L > 0 of the two quadratics: one, or two if the quadratics are
+    proportional.
     """
     c, s = direction(root.interval())
     X, Y = elimination.length(c, s, values)
@@ -342,11 +333,12 @@ def _at_length(
     *,
     alone: bool,
 ) -> Iterator[Onset]:
-    """The onsets with that spring length: the θ₀ in (0, π) that the balances give.
+    """The onsets with a spring length: those θ₀ in (0, π) that the balance of forces gives.
 
-    All of them are in contact, as cos θ ≤ 0 and μ₀ > 0 there. Were y ≥ 0, the balance across would
-    need L > 1, and the one along, α x = −μ₀ y + σ (L − 1) cos θ, that x ≤ 0, or y = cos θ = 0 where
-    α = 0. Hence sin θ₀ ≥ L sin θ and, but for cos θ = 0, −cos θ₀ ≥ −L cos θ, so that 1 ≥ L².
+    All are in contact, since cos θ ≤ 0 and μ₀ > 0. Proof: if y ≥ 0, the balance across the belt
+    needs L > 1, and the balance along it, α x = −μ₀ y + σ (L − 1) cos θ, needs x ≤ 0, or y = cos θ
+    = 0 if α = 0. Hence sin θ₀ ≥ L sin θ and, unless cos θ = 0, −cos θ₀ ≥ −L cos θ, so that 1 ≥ L²,
+    a contradiction.
     """
     v = root.interval()
     c, s = direction(v)
@@ -375,8 +367,8 @@ def _at_length(
         stationary = above == 0
     for c0 in cosines:
         L, x, y = kernel.state_of(c, s, c0, s0, kappa, *springs)
-        # N/J with J = f′ > 0 is the change of the discriminant with θ₀. N is 0 at a double root,
-        # where the boundary is touched.
+        # The discriminant changes with θ₀ by N/J, J = f′ > 0. N is 0 at a double root, where the
+        # boundary is touched.
         change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, *springs)
         touches = stationary or (
             alone and sign(change) == 0 and elimination.multiplicity(root) % 2 == 0
@@ -392,8 +384,9 @@ def _at_length(
 
 
 def rank(quartic: tuple[Interval, ...], t: Interval, edge: Interval, bits: int) -> tuple[int, int]:
-    """Place among the equilibria from below in θ of the root t of f's quartic, and their number;
-    contact is sin θ > ``edge``.
+    """The rank in θ of the root t of f's quartic among the equilibria, and their number.
+
+    Contact is sin θ > ``edge``.
     """
     roots = (root.interval() for root in roots_on_the_line(quartic, bits, positive=True))
     sides = [

@@ -1,5 +1,5 @@
-"""Steady sliding by explicit formulas: the equilibrium surface, the friction, the model in which
-the spring keeps its angle.
+"""Explicit formulas for steady sliding: the equilibrium surface, the regularized friction, and the
+linear model with a constant angle of the spring.
 """
 
 from __future__ import annotations
@@ -251,7 +251,7 @@ def linear_critical_friction(p: Parameters) -> FloatArray | float:
 
 
 def _twice_the_mean(e0: FloatArray, e2: FloatArray) -> FloatArray:
-    """2 √(e0 e2), by a root of each, so that it does not leave the range of float64: the −e1 at
-    which the two poles are one.
+    """2 √(e0 e2), the −e1 at which the two poles coincide; as a product of roots, which does not
+    overflow.
     """
     return 2 * np.sqrt(e0) * np.sqrt(e2)

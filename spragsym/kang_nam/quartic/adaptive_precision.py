@@ -1,10 +1,10 @@
-"""Adaptive precision at one point: interval arithmetic certifies the count and the digits of every
-equilibrium.
+"""All equilibria of one point in interval arithmetic of adaptive precision, with certified count
+and digits.
 
 Parameters are exact rationals. The sign of the discriminant gives the number of real roots of the
-quartic in t = tan(θ/2); each is then enclosed between two numbers where f has opposite signs. What
-an interval can't decide is tried again with twice the bits, up to :data:`MAXIMUM_BITS`; a
-discriminant that still holds 0 then is reported as a fold.
+quartic in t = tan(θ/2); each is enclosed between two numbers at which f has opposite signs. If an
+interval can't decide, the bits are doubled, up to :data:`MAXIMUM_BITS`; if the discriminant still
+contains 0 then, the point is reported as a fold.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
 from .. import kernel
 from ..parameters import NAMES, Parameters
 
-#: Bits at which a discriminant that holds 0 is taken for a fold.
+#: Bits at which a discriminant that contains 0 is taken for a fold.
 MAXIMUM_BITS = 4096
 
 
@@ -46,8 +46,7 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEq
     """
     theta0, rational = exact[0], [Fraction(value) for value in exact[1:]]
     spread = _spread(theta0, rational)
-    # Bits beside the spread of the parameters: where one is far below the others, so is what
-    # decides.
+    # A parameter far below the others makes the deciding quantities small: more bits are needed.
     bits = max(128, 96 + spread, int(3.4 * digits) + 64)
     # The discriminant is of the sixth degree in coefficients of the parameters.
     most = MAXIMUM_BITS + 8 * spread
@@ -65,12 +64,12 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEq
 
 
 def named(point: Iterable[Any]) -> str:
-    """A point as its parameters are written."""
+    """A point as text, for errors."""
     return ", ".join(f"{name}={value}" for name, value in zip(NAMES, point, strict=True))
 
 
 def _spread(theta0: Callable[[], Ball] | Fraction, rational: list[Fraction]) -> int:
-    """Powers of two between the parameters."""
+    """The base-2 logarithm of the ratio of the largest parameter to the smallest."""
     given = [Fraction(1), *rational, *([] if callable(theta0) else [Fraction(theta0)])]
     powers = [
         value.numerator.bit_length() - value.denominator.bit_length() for value in given if value
@@ -86,6 +85,7 @@ def _settle(
     bits: int,
     last: bool,
 ) -> PreciseEquilibria:
+    """One attempt with given bits; with ``last``, a discriminant that contains 0 is a fold."""
     angle = theta0() if callable(theta0) else balls.exact(Fraction(theta0))
     values = (*balls.cos_sin(angle), *map(balls.exact, rational), int(contact))
     trig = kernel.f_coefficients(*values)
@@ -176,8 +176,8 @@ def _state(
     fold: bool,
     shrunk: bool,
 ) -> list[PreciseEquilibrium]:
-    """The equilibrium at t, none if the root is not one; nor is it where the spring has the length
-    0, ``shrunk``.
+    """The equilibrium at a root t; none if the root is no equilibrium, or if ``shrunk`` and L
+    = 0.
     """
     cos0, sin0, _, kappa, _, *springs, nbar = values
     c, s, _ = on_circle(t)

@@ -1,9 +1,9 @@
-"""A block of points at once in NumPy, in float64 or in double-double arithmetic, and how equilibria
-are stored.
+"""The solver for a block of points in NumPy, in float64 or double-double arithmetic, and the
+storage of equilibria.
 
-Columns hold the first equilibrium of every point; further ones, of few points, stand apart. Memory
-that is touched for the first time costs as much as the solving: what most points do not have is not
-written. Padded arrays, of one more axis than the parameters, are made when they are asked for.
+Columns hold the first equilibrium of every point; further ones, which few points have, are stored
+apart: memory that is touched for the first time costs as much as the solution. Padded arrays with
+an axis of slots are made when they are asked for.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from ...numerics.interval_arrays import BoolArray, FloatArray, Int8Array, IntArr
 
 @quiet()
 def solve(values: list[FloatArray], contact: bool, out: Slots, begin: int, size: int) -> IntArray:
-    """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return
-    which of them are not.
+    """Solve ``size`` points, write settled ones to ``out`` from row ``begin`` on, and return the
+    indices of the others.
 
-    Settled: every root is an equilibrium with its digits or certainly none, all of them are
-    different, and in contact their number is odd. ``values`` are θ₀, μ₀, κ, α, σ and β, arrays of
-    length ``size`` or 1.
+    A point is settled if every root is certainly an equilibrium with 12 digits, or certainly none,
+    all are different, and in contact their number is odd. ``values`` are θ₀, μ₀, κ, α, σ and β,
+    arrays of length ``size`` or 1.
     """
     point = _point(values, contact)
     line = kernel.LineBalance(
@@ -58,8 +58,8 @@ def _simple_roots(
     begin: int,
     safe: BoolArray | np.bool_,
 ) -> IntArray:
-    """First the roots that every point has, one in contact and two in lift-off, then all of points
-    that have two more.
+    """Settle the roots that every point has, one in contact and two in lift-off; then all roots of
+    points with two more.
     """
     found, least = kernel.guesses(point, line, u), 1 if point.nbar else 2
     safe = safe & found.certain
@@ -79,6 +79,7 @@ def count(values: list[FloatArray], size: int) -> Int8Array:
 
 
 def _point(values: list[FloatArray], contact: bool) -> kernel.Point:
+    """The kernel's record of points; a parameter with one value is a number."""
     theta0, *others = (value if value.size > 1 else value[0] for value in values)
     return kernel.Point(*kernel.cosine_and_sine(theta0), *[*others, int(contact)])
 
@@ -92,15 +93,15 @@ def _stacked(values: Sequence[Any]) -> DoubleDouble | FloatArray:
 
 
 def rows_of(record: Any, rows: IntArray) -> Any:
-    """Some of the points of a record."""
+    """A record of the kernel for some of its points."""
     return type(record)(*(value[rows] if getattr(value, "ndim", 0) else value for value in record))
 
 
 def _columns(t: DoubleDouble | FloatArray, root: kernel.Root) -> dict[str, Any]:
+    """The columns of roots."""
     wide = isinstance(t, DoubleDouble)
-    # Roundings of a double that θ, L, x and y in double-double arithmetic are off by when
-    # they are stored: the arc tangent is within one unit in the last place, and its argument
-    # is rounded.
+    # Double-double results are rounded to doubles: the arc tangent is within one unit in the last
+    # place, and its argument is rounded.
     theta = 2.0 * (kernel.arctangent(t.high) if isinstance(t, DoubleDouble) else np.arctan(t))
     error = root.error + (4 * 2.0**-53) if wide else root.error
     return {
@@ -121,18 +122,17 @@ def _some(
     rows: IntArray | slice,
     u: np.floating[Any],
 ) -> BoolArray:
-    """Mask of the points that have all of these roots settled, one array of each in ascending
-    order; all are examined in one call.
+    """Examine roots of points, one array for each root in ascending order; store the equilibria,
+    and return a mask of the settled points.
     """
     t, alone = _stacked(roots), len(roots) == 1
-    # What depends on the point alone is computed once for all of its roots; arrays of one root are
-    # faster without an axis for it.
+    # Stacked roots share what depends on the point only; a single root is faster without the axis.
     root = kernel.at_root(roots[0] if alone else t, point, line, u)
     root = kernel.Root(*(value[None] for value in root)) if alone else root
     candidates = _columns(t, root)
-    # An equilibrium that has its digits, |error| ≤ 1e-12 · max(1, |value|), or certainly none.
+    # An equilibrium with |error| ≤ 1e-12 · max(1, |value|), or certainly none.
     settled_roots = root.member & root.known & (candidates["error"] <= 1e-12) | root.outsider
-    # Two proved roots are different when the intervals that hold them are.
+    # Roots are different if their intervals are disjoint.
     settled: BoolArray = settled_roots.all(axis=0) & kernel.apart(
         t[:-1], root.radius[:-1], t[1:], root.radius[1:]
     ).all(axis=0)
@@ -143,24 +143,23 @@ def _some(
     return settled
 
 
-#: What is known of an equilibrium, and what stands in an empty slot, of the column's type.
+#: The columns of an equilibrium, with the value in an empty slot, of the column's type.
 COLUMNS: dict[str, np.float64 | np.int8] = {
     **dict.fromkeys(("theta", "L", "x", "y", "error"), np.float64(np.nan)),
     "undamped": np.int8(0),
 }
 
-#: Columns by name; of one point each row, or of one point and slot.
+#: Columns by name, of shape (points,) or (slots, points).
 Columns = Mapping[str, NDArray[Any]]
 
 
 @dataclass
 class Slots:
-    """Equilibria of ``size`` points, up to ``slots`` of each; ``count`` says how many each point
-    has.
+    """Equilibria of ``size`` points, up to ``slots`` of each; ``count`` has their numbers.
 
-    ``first`` is the first equilibrium of every point that has one. ``further`` are rows and
-    columns: of some points the equilibria in slots 1 and up, of shape (further slots, len(rows)),
-    NaN and 0 beyond the count; slots behind these are empty. A later entry replaces an earlier one.
+    ``first`` has the first equilibrium of every point that has one. ``further`` has rows of points
+    with their equilibria in slots 1 and up, of shape (further slots, len(rows)), NaN or 0 beyond
+    the count; a later entry replaces an earlier one. Other slots are empty.
     """
 
     size: int
@@ -174,38 +173,35 @@ class Slots:
         self.first = {name: np.empty(self.size, dtype=it.dtype) for name, it in COLUMNS.items()}
 
     def put(self, rows: IntArray | slice, count: NDArray[Any] | int, columns: Columns) -> None:
-        """Store all equilibria of the points in ``rows``, columns of shape (some slots,
-        len(rows)).
-        """
+        """Store all equilibria of the points in ``rows``, columns of shape (slots, len(rows))."""
         self.count[rows] = count
         for name, values in columns.items():
             self.first[name][rows] = values[0]
         self.further.append((rows, {name: values[1:] for name, values in columns.items()}))
 
     def padded(self, name: str) -> NDArray[Any]:
-        """A column as an array of shape (size, slots), in memory slot by slot; NaN, or 0 for the
-        stability, beyond the count.
+        """A column of shape (size, slots), contiguous along points; NaN, or 0 for the stability,
+        beyond the count.
         """
         table: NDArray[Any] = np.empty((self.slots, self.size), dtype=COLUMNS[name].dtype)
         table[0], table[1:] = self.first[name], COLUMNS[name]
         for rows, columns in self.further:
             table[1 : 1 + len(columns[name]), rows] = columns[name]
-        table[:, self.count == 0] = COLUMNS[name]  # of points without one memory holds anything
+        table[:, self.count == 0] = COLUMNS[name]  # ``first`` is not initialized there
         return table.T
 
 
 def gathered(members: BoolArray, candidates: Columns) -> tuple[IntArray, Columns]:
-    """Move the members among the candidates of each point, shape (candidates, points), to the
-    front; and count them.
+    """Move the equilibria among the candidates of each point to the front, and count them.
 
-    Points without one keep what they have.
+    Arrays have the shape (candidates, points); columns of points without a member are unchanged.
     """
     count = members.sum(axis=0)
     partial, packed = np.flatnonzero((0 < count) & (count < len(members))), candidates
     if partial.size:
         packed = {name: np.array(candidates[name], it.dtype) for name, it in COLUMNS.items()}
         slot = np.arange(len(members))[:, None]
-        # Where they are and where they go in a table that is read as one row.
+        # Flat indices of the members, and of their places.
         order = np.argsort(~members[:, partial], axis=0, kind="stable")
         chosen, target = (members.shape[1] * rows + partial for rows in (order, slot))
         for name, table in packed.items():

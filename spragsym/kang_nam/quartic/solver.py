@@ -1,4 +1,6 @@
-"""All equilibria of many parameter points, each with its stability and a bound on its error."""
+"""All equilibria of arrays of points, with stability and error bounds: blocks of points in float64,
+and what that can't settle with more digits.
+"""
 
 from __future__ import annotations
 
@@ -32,21 +34,20 @@ from ..parameters import NAMES, Parameters
 from . import block, compiled
 from .block import COLUMNS, Slots
 
-#: Points solved at a time, or up to twice as many: enough to forget the calls' overhead, and for
-#: NumPy to compute in place, which it does in arrays of 256 KB and more; few enough for the arrays
-#: in between to stay in cache.
+#: Points of a block, or up to twice as many: large beside the overhead of calls, and for NumPy to
+#: compute in place, which it does from 256 KB on; small enough for the cache.
 BLOCK = 1 << 15
 
 
 @dataclass(frozen=True)
 class _Closed(Linearizing):
-    """Equilibria in closed form."""
+    """The source of columns for equilibria in closed form."""
 
     p: Parameters
     contact: bool
     slots: Slots
-    escalated: IntArray  #: points
-    fold: IntArray
+    escalated: IntArray  #: indices of points that float64 did not settle
+    fold: IntArray  #: indices of points that are folds
 
     @property
     def more(self) -> tuple[str, ...]:
@@ -54,7 +55,7 @@ class _Closed(Linearizing):
         return ("escalated", "fold")
 
     def column(self, name: str) -> NDArray[Any] | None:
-        """A column of the kernel's, or made of these; None for another name."""
+        """A column of the kernel, or one derived from these; None for another name."""
         match name:
             case "escalated" | "fold":
                 return self._flags(name)
@@ -75,7 +76,7 @@ class _Closed(Linearizing):
         )
 
     def _marginal(self) -> BoolArray:
-        """At a fold the two slots that hold one state."""
+        """A mask of the two slots that hold the same state at a fold."""
         theta = self._padded("theta")
         alike = (theta[..., :-1] == theta[..., 1:]) & self._flags("fold")[..., None]
         none = np.zeros_like(alike[..., :1])
@@ -174,15 +175,15 @@ def count(p: Parameters) -> Int8Array:
 def _in_blocks(
     p: Parameters, a_thread: int, work: Callable[[list[FloatArray], int, int], T]
 ) -> list[T]:
-    """``work(values, begin, size)`` for every block of points, in order; values have the block's
-    size, or are one number.
+    """The results of ``work(values, begin, size)`` for all blocks of points, in order.
 
-    No more threads than have ``a_thread`` points each, as many as are worth one.
+    Values are arrays of the block's size, or of one number. Every thread has at least ``a_thread``
+    points.
     """
     given = [_column(p, name) for name in NAMES]
     size = math.prod(p.shape)
     threads = max(1, min(_choice.threads, size // a_thread))
-    # As many blocks for each thread, all alike, and none shorter than BLOCK while there are points.
+    # Every thread has the same number of blocks of equal length, at least BLOCK if possible.
     share = size / threads
     length = max(1, math.ceil(share / max(1, share // BLOCK)))
 
@@ -203,7 +204,7 @@ def _in_blocks(
 
 
 def _column(p: Parameters, name: str) -> FloatArray:
-    """A parameter in C order, contiguous: one number as it is, an array of the common shape."""
+    """A parameter as a contiguous array: of one number, or broadcast to the common shape."""
     value: FloatArray = p[name]
     return np.ascontiguousarray(
         value if value.size == 1 else np.broadcast_to(value, p.shape)
@@ -217,10 +218,10 @@ def _column(p: Parameters, name: str) -> FloatArray:
 def _escalate(
     p: Parameters, contact: bool, out: Slots, rows: IntArray
 ) -> tuple[IntArray, dict[int, str]]:
-    """Solve the given points again, in double-double arithmetic and then, what that can't settle,
-    in intervals.
+    """Solve points again, in double-double arithmetic, and those that this does not settle in
+    interval arithmetic.
 
-    Returns which of them are folds, and why points are left without an answer, by row.
+    Returns the rows of folds, and the reasons of points without an answer, by row.
     """
     given = [column.flat[rows] for column in p.broadcast(*NAMES)]
     remaining = _solve_widely(given, contact, out, rows)
@@ -244,14 +245,13 @@ def _escalate(
 
 
 def _solve_widely(given: list[FloatArray], contact: bool, out: Slots, rows: IntArray) -> IntArray:
-    """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position
-    in ``rows``.
+    """Solve the points of ``rows`` in double-double arithmetic; return the positions in ``rows`` of
+    those that are not settled.
     """
     backend = chosen()
     again = Slots(rows.size, out.slots)
     open_ = []
-    # Points solved at a time in double-double arithmetic, which has more in between.
-    wide_block = 1 << 12
+    wide_block = 1 << 12  # smaller, since double-double arithmetic has more intermediate arrays
     for begin in range(0, rows.size, wide_block):
         values = [value[begin : begin + wide_block] for value in given]
         open_.append(begin + backend.solve_widely(values, contact, again, begin, values[0].size))
@@ -260,10 +260,14 @@ def _solve_widely(given: list[FloatArray], contact: bool, out: Slots, rows: IntA
 
 
 def _columns(found: Sequence[Any], point: str) -> dict[str, NDArray[Any]]:
-    """States rounded to float64, by at most half a unit in the last place, which the error
-    includes; of shape (states, 1).
+    """Columns of shape (states, 1) of states rounded to float64; the error includes the rounding.
+
+    Raises
+    ------
+    ConvergenceError
+        If a spring length is beyond float64.
     """
-    from mpmath import log10  # numbers of any size
+    from mpmath import log10  # of numbers beyond float64
 
     for state in found:
         if not math.isfinite(float(state.L)):  # |x| and |y| are at most 1 + L
@@ -344,5 +348,5 @@ def get_backend() -> str:
 
 
 def chosen() -> ModuleType:
-    """Module that solves points, by the chosen backend."""
+    """The module of the backend that is used."""
     return compiled if _choice.name != "numpy" and compiled.available() else block

@@ -30,9 +30,10 @@ from ..models.parameters import ParameterSet, Ranges, Span
 from ..report.advice import Rows, warnings
 from ..report.facts import Facts
 from ..report.states import Oscillation, unit_of
+from ..report.study import Study
 from ..report.texts import about as about_of
 from ..report.texts import sections, verdict
-from ..results import BifurcationSet
+from ..results import BifurcationSet, Points
 from ..statics.stability import NEUTRAL_GROWTH
 from .curves import curves_between, draw_branches, draw_path, mark_folds
 from .motions import draw_harmonics, draw_phase, draw_spectrum
@@ -103,65 +104,86 @@ def pictures(report: Facts) -> Rows:
 
 
 def _planes(report: Facts) -> Rows:
-    """The brake in the plane of angle and friction, if there is an angle, and its states over the
-    loading parameter.
+    """The brake in the plane of angle and friction, if the model has these and something is in the
+    plane; and its states over the loading parameter.
     """
-    study, jump = report.study, report.mu_jump
-    low, _, high = study.in_use
-    p = study.operating_point
-    first = study.kind.about["coordinates"][0]
-    angle, friction = p.model.inclination, p.model.coefficient
-    jump, lowest = (math.nan if one is None else one for one in (jump, report.mu_lowest))
-    seen = not lowest > _top(high, jump)  # otherwise the plane would be empty
-    if angle is not None and friction is not None and study.of_friction and seen:
-        angles = study.quantities[str(study.kind.inclination)]
-        cross = " Cross: the friction at which the reference state jumps at this angle."
-        box = {angle: (angles.low, angles.high), friction: (low, high)}
-        works = "Where the brake works (dot)" + " and its tolerances (box)" * _varies(box)
-        top = _top(high, jump)
-        plane = list[tuple[BifurcationSet, bool]]()
-
-        def draw(ax: Axes) -> None:
-            plane.append(draw_plane(ax, p, {friction: (0.0, top)}, n=40))
-            mark_brake(ax, p, box, jump)
-
+    study, p = report.study, report.study.operating_point
+    lowest = math.nan if report.mu_lowest is None else report.mu_lowest
+    jump = math.nan if report.mu_jump is None else report.mu_jump
+    has_axes = p.model.inclination is not None and p.model.coefficient is not None
+    if study.of_friction and has_axes and not lowest > _top(study.in_use[2], jump):
         with suppress(SpragsymError):
-            image = picture(draw)
-            found, shaded = plane[0]
-            yield (
-                image,
-                f"{works}. On the lines two states of sliding meet"
-                + "; where it is shaded there are three" * shaded
-                + f".{on_undecided(found)}"
-                + cross * (jump < math.inf),
-            )
-    unit, size = unit_of(study)
-    # Angles are already drawn in degrees.
-    up = f"{first['name']} in {unit}", size if unit == "mm" else 1.0
-    load, vary, begin, along = "the friction", study.loading.name, 0.0, (r"friction $\mu$", 1.0)
-    if not study.of_friction:
-        load, scale = study.loading.quantity, study.load_scale
-        low, high, one = low / scale, high / scale, study.quantities[load]
+            yield _bifurcation_plane(study, jump)
+    yield _states_over_load(report)
+
+
+def _bifurcation_plane(study: Study, jump: float) -> tuple[str, str]:
+    """Picture and caption: bifurcation set, the brake and the friction ``jump`` at which its state
+    jumps, which may be NaN.
+    """
+    p, (low, _, high) = study.operating_point, study.in_use
+    angle, friction = p.model.axes
+    angles = study.quantities[str(study.kind.inclination)]
+    box = {angle: (angles.low, angles.high), friction: (low, high)}
+    plane = list[tuple[BifurcationSet, bool]]()
+
+    def draw(ax: Axes) -> None:
+        plane.append(draw_plane(ax, p, {friction: (0.0, _top(high, jump))}, n=40))
+        mark_brake(ax, p, box, jump)
+
+    image = picture(draw)
+    found, shaded = plane[0]
+    caption = "Where the brake works (dot)"
+    if _varies(box):
+        caption += " and its tolerances (box)"
+    caption += ". On the lines two states of sliding meet"
+    if shaded:
+        caption += "; where it is shaded there are three"
+    caption += f".{on_undecided(found)}"
+    if jump < math.inf:
+        caption += " Cross: the friction at which the reference state jumps at this angle."
+    return image, caption
+
+
+def _states_over_load(report: Facts) -> tuple[str, str]:
+    """Picture and caption: states over the loading parameter, and the path of the followed one."""
+    study, vary = report.study, report.study.loading.name
+    low, _, high = study.in_use
+    if study.of_friction:
+        load, begin = "the friction", 0.0
+        x_axis: Shown = r"friction $\mu$", 1.0
+    else:
+        load, begin, scale = study.loading.quantity, study.start(), study.load_scale
+        low, high, unit = low / scale, high / scale, study.quantities[load].unit
+        # Angles are drawn in degrees.
         drawn = math.radians(1.0) if study.kind.units[load] == "rad" else 1.0
-        begin = study.start()
-        title = f"{load} in {one.unit}" if one.unit else load
-        along = title, study.in_file(load, drawn * scale)
-    meaning = first["meaning"].partition(",")[0]
-    turns, varies = vary in report.folds and len(report.folds[vary]) > 0, high > low
-    rising = list[tuple[list[Any], bool]]()
+        x_axis = f"{load} in {unit}" if unit else load, study.in_file(load, drawn * scale)
+    coordinate, (unit, size) = study.kind.about["coordinates"][0], unit_of(study)
+    y_axis = f"{coordinate['name']} in {unit}", size if unit == "mm" else 1.0
+    drawing = list[tuple[list[Any], bool]]()
     image = picture(
-        lambda ax: rising.append(draw_rising(ax, p, vary, (low, high), begin, (along, up)))
+        lambda ax: drawing.append(
+            draw_rising(ax, study.operating_point, vary, (low, high), begin, (x_axis, y_axis))
+        )
     )
-    path, hatched = rising[0]
-    followed = f" (orange{', with its jumps' * turns})" if path else ", where it is not followed"
-    yield (
-        image,
-        f"{meaning[:1].upper()}{meaning[1:]} as {load} rises{followed}; grey: all states, full "
-        "where stable."
-        + " Hatched: where states or folds may be missing." * hatched
-        + " Dots: folds, where two states meet and end." * turns
-        + f" Shaded: {load} within its tolerances." * varies,
-    )
+    path, hatched = drawing[0]
+    has_folds = vary in report.folds and len(report.folds[vary]) > 0
+    if not path:
+        followed = ", where it is not followed"
+    elif has_folds:
+        followed = " (orange, with its jumps)"
+    else:
+        followed = " (orange)"
+    meaning = coordinate["meaning"].partition(",")[0]
+    caption = f"{meaning[:1].upper()}{meaning[1:]} as {load} rises{followed}; grey: all states, "
+    caption += "full where stable."
+    if hatched:
+        caption += " Hatched: where states or folds may be missing."
+    if has_folds:
+        caption += " Dots: folds, where two states meet and end."
+    if high > low:
+        caption += f" Shaded: {load} within its tolerances."
+    return image, caption
 
 
 def _stability_map(report: Facts) -> Rows:
@@ -173,12 +195,8 @@ def _stability_map(report: Facts) -> Rows:
     if angle is None or friction is None or not study.moves:
         return
     angles, between = study.quantities[str(study.kind.inclination)], study.friction[::2]
-    marked = (
-        (value for value in report.folds[friction][friction].tolist() if value < 3)
-        if friction in report.folds
-        else ()
-    )
-    top = max(1.0, 1.15 * between[1], *(1.15 * value for value in marked))
+    folds = report.folds[friction][friction].tolist() if friction in report.folds else []
+    top = max(_TOP, 1.15 * between[1], *(1.15 * value for value in folds if value < _FAR))
     with suppress(SpragsymError):
         # 12 lines on which onsets of oscillation are searched for.
         onsets = ss.onset_curves(p, (angle, friction), 12, between={friction: (0.0, top)})
@@ -191,14 +209,12 @@ def _stability_map(report: Facts) -> Rows:
             draw_onset_curves(onsets, ax, shown=shown)
             mark_brake(ax, p, box)
 
-        here = report.current
-        what = (
-            "grow: it squeals or judders"
-            if float(growth_of_oscillations(ss.equilibria(p))) > NEUTRAL_GROWTH
-            else "hardly grow or die out, as next to nothing damps"
-            if here is not None and here.stability == "neutral"
-            else "die out"
-        )
+        if float(growth_of_oscillations(ss.equilibria(p))) > NEUTRAL_GROWTH:
+            what = "grow: it squeals or judders"
+        elif report.current is not None and report.current.stability == "neutral":
+            what = "hardly grow or die out, as next to nothing damps"
+        else:
+            what = "die out"
         yield (
             picture(draw),
             f"The map of stability. The brake (dot) works where small oscillations {what}; they "
@@ -351,15 +367,7 @@ def draw_rising(
         unit of the axis: for the loading parameter, and for the first coordinate.
     """
     model, first = p.model, p.model.coordinates[0]
-    allowed, end = p.ranges[vary], ranges(p, (vary,), {})[0, 1]
-    high, further = allowed.reached(allowed.high), ends[1] + _MORE * abs(ends[1])
-    least, far = further, _FAR * ends[1] if ends[1] > max(begin, 0.0) else end
-    if vary == model.coefficient:
-        least, far = _TOP, _FAR
-    turns = ss.folds(p, vary, between={vary: (begin, min(max(far, further), high))})
-    marked = [value + _MORE * abs(value) for value in turns[vary].tolist() if begin < value < far]
-    top = min(max(least, further, *marked), high)
-    top = top if top > begin else end  # without a load, and without folds
+    turns, top = _folds_and_top(p, vary, begin, ends[1])
     n = 80
     curves = curves_between(p, vary, (begin, top), turns, True, n)
     draw_branches(curves, first, ax=ax, color=GREY, linewidth=0.8)
@@ -375,6 +383,22 @@ def draw_rising(
     for axis, one in zip((ax.xaxis, ax.yaxis), shown, strict=True):
         in_units(axis, one)
     return artists, len(curves.undecided) > 0
+
+
+def _folds_and_top(p: ParameterSet, vary: str, begin: float, most: float) -> tuple[Points, float]:
+    """Folds along the loading parameter from ``begin`` on, and the upper end of its axis: above
+    ``most``, the largest value in use, and above the folds that are not far beyond it.
+    """
+    allowed, default = p.ranges[vary], float(ranges(p, (vary,), {})[0, 1])
+    largest, above = allowed.reached(allowed.high), most + _MORE * abs(most)
+    if vary == p.model.coefficient:
+        least, far = _TOP, _FAR
+    else:
+        least, far = above, _FAR * most if most > max(begin, 0.0) else default
+    folds = ss.folds(p, vary, between={vary: (begin, min(max(far, above), largest))})
+    marked = [value + _MORE * abs(value) for value in folds[vary].tolist() if begin < value < far]
+    top = min(max(least, above, *marked), largest)
+    return folds, top if top > begin else default  # without a load, and without folds
 
 
 def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes) -> None:

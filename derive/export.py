@@ -1,5 +1,5 @@
-"""A page's functions in another language, on demand: what ``generated/models`` has in Python, as a
-library of the model's name.
+"""Export of a page's model to another language: the functions that ``generated/models`` has in
+Python, as a library.
 """
 
 import math
@@ -22,8 +22,7 @@ from .emit.targets.c.layout import broken
 from .mechanics import Mechanics, NormalForce, number
 from .model import Datum
 
-#: Of a page's quantities by their names: a value, its unit if it is not the page's, and what one of
-#: it is in SI.
+#: Data of a page's quantities by name: value, unit if it is not the page's, and the unit in SI.
 Data: TypeAlias = Mapping[str, tuple[float, str, float]]
 
 
@@ -38,46 +37,43 @@ def export(
     data: Data | None = None,
     inputs: Collection[str] = (),
 ) -> dict[str, str]:
-    """The files of a page's library in a language, by their names.
+    """The files of a page's library in a language, by name.
 
-    It has the model's ``name``, and data if there are any. Of an FMU, ``inputs`` are the quantities
-    that other models drive; the others are parameters.
+    ``name`` is that of the model. ``data`` and ``inputs`` are for an FMU: values with units, and
+    the quantities that other models drive; all others are parameters.
     """
     model = pages.read(page, name)
-    whole = targets.packer(written_in) is not None
-    moves = _motion(model, data, inputs) if whole else None
-    beside = (motion.outputs(model.mechanics),) if whole else ()
-    made = material(model, in_python=targets.in_python(written_in), beside=beside)
-    return targets.render(written_in, replace(made, motion=moves))
+    is_packed = targets.packer(written_in) is not None
+    motion_material = _motion(model, data, inputs) if is_packed else None
+    beside = (motion.outputs(model.mechanics),) if is_packed else ()
+    page_material = material(model, in_python=targets.in_python(written_in), beside=beside)
+    return targets.render(written_in, replace(page_material, motion=motion_material))
 
 
 def for_the_browser(model: pages.PageModel, header: str) -> str:
-    """The functions of a page that the explorer calls, as an ES module: places of its drawing too,
-    where that is not of one mass.
+    """The functions of a page that the explorer calls, as an ES module; with the places of its
+    drawing, unless it is a mass on a belt.
     """
-    # What the explorer's page of a model asks its algebra for: all that ``explorer/src``
-    # calls.
-    explored = set(
-        {
-            "border_rates",
-            "borders",
-            "contact_force",
-            "contact_gap",
-            "damping",
-            "forces",
-            "forces_jacobian",
-            "friction_at_rest",
-            "geometry",
-            "grip",
-            "gyroscopic",
-            "mass_matrix",
-            "places",
-            "regime_rhs",
-            "spring_forces",
-            "turning_borders",
-            "turnings",
-        }
-    )
+    # The functions that ``explorer/src`` calls.
+    explored = {
+        "border_rates",
+        "borders",
+        "contact_force",
+        "contact_gap",
+        "damping",
+        "forces",
+        "forces_jacobian",
+        "friction_at_rest",
+        "geometry",
+        "grip",
+        "gyroscopic",
+        "mass_matrix",
+        "places",
+        "regime_rhs",
+        "spring_forces",
+        "turning_borders",
+        "turnings",
+    }
     it = model.mechanics
     explored |= {
         mechanics.named(f"contact_{part}", one) for one in it.contacts for part in ("force", "gap")
@@ -95,12 +91,11 @@ def material(
     in_python: bool = False,
     beside: tuple[Module, ...] = (),
 ) -> targets.Material:
-    """Material of a page that a target prints: all functions that have a result, or those of them
-    that ``only`` names.
+    """The material of a page that a target prints: all functions with a result, or those named in
+    ``only``, and those of the modules ``beside``.
 
-    Functions of the modules ``beside`` come with them, as the outputs of a motion. In Python names
-    are as on the page, and directions of springs follow from the place, so that derivatives by it
-    are whole.
+    For Python, names are those of the page, and functions compute the directions of springs
+    themselves, so that they can be differentiated.
     """
     it = model.mechanics
     named: Callable[[object], str] = str if in_python else spelled
@@ -148,8 +143,10 @@ def material(
 def _motion(
     model: pages.PageModel, data: Data | None, inputs: Collection[str]
 ) -> targets.MotionMaterial:
-    """Motion of a page's model: with data in their units and else in SI, without any in none."""
-    it, page = model.mechanics, model.page
+    """The variables of a motion for an FMU: in the units of the data, else in SI; dimensionless
+    without data.
+    """
+    model_mechanics, page = model.mechanics, model.page
     measures = page.units if data is not None else []
     kinds = tuple(units.read(measure.unit) for measure in measures)
     sizes = [math.prod((data or {})[str(measure.symbol)][::2]) for measure in measures]
@@ -157,7 +154,7 @@ def _motion(
     def variable(
         name: str, meaning: str, unit: str, order: int = 0, quantity: str = ""
     ) -> targets.Variable:
-        """The derivative of this order of what is in the unit, by time."""
+        """A variable: the time derivative of an order of a quantity with a unit."""
         radians = Fraction(unit == "rad")
         dimension = units.times(units.read(unit), units.TIME, -order)
         if data is None:
@@ -183,7 +180,9 @@ def _motion(
         one = variable(
             datum.becomes if data is None else name, datum.meaning, datum.unit, quantity=name
         )
-        start = data[name][0] if data and name in data else _base(it, datum) * one.nominal
+        start = (
+            data[name][0] if data and name in data else _base(model_mechanics, datum) * one.nominal
+        )
         ends = interval(datum.domain)
         return replace(
             one,
@@ -193,24 +192,28 @@ def _motion(
         )
 
     def jumps(datum: Datum) -> bool:
-        """Whether a mode may end where the quantity changes: a border has it, or all numbers."""
-        return datum in page.units or bool({*it.parts(number(datum))} & bordering)
+        """Whether a change of the quantity may end a mode: a border depends on it, or it is a unit
+        of measure, on which all numbers depend.
+        """
+        return datum in page.units or bool({*model_mechanics.parts(number(datum))} & bordering)
 
-    moves = motion.Motion(it)
-    bordering = sp.Tuple(*moves.borders).free_symbols
+    equations = motion.Motion(model_mechanics)
+    bordering = sp.Tuple(*equations.borders).free_symbols
     time, places = variable("time", "time", "s" if data is not None else "1"), page.coordinates
     available = [
-        str(datum.symbol if data is not None else datum.becomes) for datum in it.parameters
+        str(datum.symbol if data is not None else datum.becomes)
+        for datum in model_mechanics.parameters
     ]
     available += [str(measure.symbol) for measure in measures]
     if unknown := sorted(set(inputs) - set(available)):
         raise UnknownInput(
             f"{', '.join(unknown)} is no quantity of {model.name}; give {', '.join(available)}"
         )
-    # Of forces, energy and power: what each is, its unit in SI, and the order of its
-    # derivative.
-    slips = zip(moves.borders[len(it.contacts) :], it.frictions, strict=True)
-    held = [slip for slip, friction in slips if friction.holds is not None]
+    slips = zip(
+        equations.borders[len(model_mechanics.contacts) :], model_mechanics.frictions, strict=True
+    )
+    with_sticking = [slip for slip, friction in slips if friction.holds is not None]
+    # Meaning, unit in SI and order of the derivative of each output.
     outputs = {
         "force.normal": ("normal force of the contact", "N", 0),
         "force.friction": ("force of friction, positive in the belt's direction", "N", 0),
@@ -233,30 +236,34 @@ def _motion(
                     variable(
                         str(coordinate.rate), f"rate of {coordinate.symbol}", coordinate.unit, 1
                     ),
-                    reset=any(level.has(rate) for level in held),
+                    reset=any(level.has(rate) for level in with_sticking),
                 )
-                for coordinate, rate in zip(places, it.rates, strict=True)
+                for coordinate, rate in zip(places, model_mechanics.rates, strict=True)
             ),
         ),
         accelerations=tuple(
             variable("", f"acceleration of {coordinate.symbol}", coordinate.unit, 2)
             for coordinate in places
         ),
-        given=tuple(map(given, (*it.parameters, *measures))),
+        given=tuple(map(given, (*model_mechanics.parameters, *measures))),
         step=float(f"{0.1 * time.nominal:.0e}"),
-        borders=_edges(it),
-        turnings=len(it.torsions),
-        rooted=tuple(not contact.polynomial for contact in it.contacts),
-        of_place=tuple(len(it.contacts) > 1 and contact.unilateral for contact in it.contacts),
-        rubbing=tuple(it.contacts.index(friction.normal) for friction in it.frictions),
-        outputs=tuple(variable(name, *_of_contact(name, outputs)) for name in moves.outputs),
+        borders=_edges(model_mechanics),
+        turnings=len(model_mechanics.torsions),
+        rooted=tuple(not contact.polynomial for contact in model_mechanics.contacts),
+        of_place=tuple(
+            len(model_mechanics.contacts) > 1 and contact.unilateral
+            for contact in model_mechanics.contacts
+        ),
+        rubbing=tuple(
+            model_mechanics.contacts.index(friction.normal)
+            for friction in model_mechanics.frictions
+        ),
+        outputs=tuple(variable(name, *_of_contact(name, outputs)) for name in equations.outputs),
     )
 
 
 def _of_contact(name: str, outputs: Mapping[str, tuple[str, str, int]]) -> tuple[str, str, int]:
-    """What an output is, its unit in SI, and the order of its derivative; the name of a contact, of
-    several, stands behind.
-    """
+    """Meaning, unit and order of an output, which may end in the name of a contact."""
     spring = "tension of a spring, negative where it pushes", "N", 0
     kind, what, *contact = name.split(".") if "." in name else (name, "")
     meaning, unit, order = outputs.get(f"{kind}.{what}" if what else kind, spring)
@@ -264,7 +271,7 @@ def _of_contact(name: str, outputs: Mapping[str, tuple[str, str, int]]) -> tuple
 
 
 def _edges(it: Mechanics) -> tuple[targets.Edge, ...]:
-    """Borders of all contacts, and then of all frictions."""
+    """The borders of all contacts, then of all frictions."""
     found = list[targets.Edge]()
     for index, contact in enumerate(it.contacts):
         kinds = ["gap"] * contact.unilateral + ["face"] * contact.either_face
@@ -278,35 +285,37 @@ def _edges(it: Mechanics) -> tuple[targets.Edge, ...]:
 
 
 def _following(it: Mechanics, function: Function) -> Function:
-    """The function without the directions and turnings of springs among its arguments."""
+    """A function that computes the directions and torsion angles of springs from coordinates."""
     directions = motion.directions(it)
     arguments = tuple(symbol for symbol in function.arguments if symbol not in directions)
     return replace(function, arguments=arguments, shorthands={**directions, **function.shorthands})
 
 
 def spelled(name: object) -> str:
-    """A page's name in another language, where no word, function or constant ends with an
-    underscore; our own without the first one.
+    """A page's name in another language, with an underscore behind it so that it is none of the
+    language's own names; an internal name without the underscore before it.
     """
     return str(name)[1:] if str(name).startswith("_") else f"{name}_"
 
 
 def library(name: str) -> str:
-    """Name that files and functions of an export begin with: a page's name as far as it has letters
-    and digits of ASCII; the example is ``main``.
+    """The prefix of files and functions of an export: a page's name in ASCII letters and digits;
+    not ``main``, which is the example.
     """
     tidy = re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_")
     return tidy if tidy[:1].isalpha() and tidy != "main" else f"page_{tidy}"
 
 
 def _base(it: Mechanics, datum: Datum) -> float:
-    """The base value of a parameter, of an angle that has none 45 degrees, of any other 1."""
+    """The base value of a parameter; without one π/4 for an angle and 1 for any other."""
+    if datum.base is not None:
+        return datum.base
     angles = {str(angle.symbol) for angle in it.angles}
-    return datum.base if datum.base is not None else math.pi / 4 if datum.becomes in angles else 1.0
+    return math.pi / 4 if datum.becomes in angles else 1.0
 
 
-#: Files of examples, and how each language says a cosine and a sine, a text, a choice by a border,
-#: a border by its place, and several texts as one.
+#: For each language the file of its example, the prefix of functions, and formats of a text, a
+#: choice by a border, a border, and joined texts.
 _EXAMPLES = {
     "c": ("main.c", "", '"{}"', "{} <= 0.0 ? {} : {}", "border[{}]", "{}"),
     "javascript": (
@@ -325,15 +334,18 @@ _EXAMPLES["casadi"] = _EXAMPLES["jax"]
 
 
 def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
-    """By language, an example: a motion at the base values."""
-    it = model.mechanics
-    count = len(it.coordinates)
-    values = {number(datum): repr(_base(it, datum)) for datum in it.parameters}
-    # At rest, but for the clock, the last of the coordinates, which has its rate.
-    start = [*[0.0] * (2 * count - 1), float(it.speed.subs(values))]
+    """By language, the file of an example: a motion at the base values."""
+    mechanics_of_page = model.mechanics
+    count = len(mechanics_of_page.coordinates)
+    values = {
+        number(datum): repr(_base(mechanics_of_page, datum))
+        for datum in mechanics_of_page.parameters
+    }
+    # At rest, except that the clock, the last coordinate, has its rate.
+    start = [*[0.0] * (2 * count - 1), float(mechanics_of_page.speed.subs(values))]
     common = {
         "count": str(count),
-        "borders": str(len(it.contacts) + len(it.frictions)),
+        "borders": str(len(mechanics_of_page.contacts) + len(mechanics_of_page.frictions)),
         "library": library(model.name),
         "LIBRARY": library(model.name).upper(),
         "values": ", ".join(values.values()) or "0.0",
@@ -341,20 +353,22 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
         "state": ", ".join(f"state[{index}]" for index in range(2 * count)),
         "given": ", ".join(f"p[{index}]" for index in range(len(values))),
         "start": ", ".join(map(repr, start)),
-        "shown": "  ".join(f"{name} %+.9f" for name in (*it.coordinates, *it.rates)),
-        "texts": " ".join("%s" for _ in it.contacts),
+        "shown": "  ".join(
+            f"{name} %+.9f" for name in (*mechanics_of_page.coordinates, *mechanics_of_page.rates)
+        ),
+        "texts": " ".join("%s" for _ in mechanics_of_page.contacts),
     }
 
     def filled(language: str) -> str:
         name, of, text, choice, border, joined = _EXAMPLES[language]
 
         def chosen(touches: Callable[[NormalForce], str], lifted: str) -> str:
-            """Text on each contact, by its border where it opens."""
+            """A text for each contact, by its border if it can open."""
             return ", ".join(
                 choice.format(border.format(index), touches(one), lifted)
                 if one.unilateral
                 else touches(one)
-                for index, one in enumerate(it.contacts)
+                for index, one in enumerate(mechanics_of_page.contacts)
             )
 
         taken = [
@@ -362,11 +376,14 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
             if part != symbol
             else values[symbol]
             for symbol in values
-            for part, index in _placed(it.parts(symbol))
+            for part, index in _placed(mechanics_of_page.parts(symbol))
         ]
         words = common | {
             "arguments": ", ".join(taken),
-            "shown_names": ", ".join(text.format(name) for name in (*it.coordinates, *it.rates)),
+            "shown_names": ", ".join(
+                text.format(name)
+                for name in (*mechanics_of_page.coordinates, *mechanics_of_page.rates)
+            ),
             "pushing": chosen(lambda _: "1.0", "0.0"),
             "touching": joined.format(
                 chosen(
@@ -379,7 +396,7 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
         }
         if language == "matlab":
             words["library"] += "_"
-        template = name.replace(".py", ".txt")  # no Python until it is filled in
+        template = name.replace(".py", ".txt")  # which is no Python until it is filled in
         whole = targets.spoken(targets.runtime(__file__, f"{language}/{template}"), words)
         return "\n".join(
             broken(line) if language == "c" and len(line) > definitions.WIDTH else line
@@ -395,5 +412,5 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
 
 
 def _placed(parts: tuple[Symbol, ...]) -> list[tuple[Symbol, bool]]:
-    """Arguments that stand for a parameter, and whether each is the cosine of an angle."""
-    return [(part, part is parts[-2]) if len(parts) > 1 else (part, False) for part in parts]
+    """The arguments for a parameter, and whether each is the cosine of an angle."""
+    return [(part, len(parts) > 1 and part is parts[-2]) for part in parts]

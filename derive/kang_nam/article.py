@@ -1,5 +1,5 @@
-"""What is printed: the file of every numbered equation, appendix coefficient and definition of the
-article, mistakes included, and its base values.
+"""The article as printed, with its mistakes: every numbered equation, appendix coefficient and
+definition, and the base values.
 
 J. Kang and J. Nam, "Minimal Model for Sprag-Slip Oscillation as Catastrophe-Type Behavior", Applied
 Sciences 10 (2020) 2748. Nothing of the file ``article.toml`` is derived or corrected.
@@ -18,7 +18,7 @@ from .nomenclature import alpha, beta, kappa, mu0, sigma
 
 @cache
 def printed() -> Paper:
-    """Every printed statement, in the order of the article."""
+    """The printed statements, in the order of the article."""
     return papers.read(Path(__file__).with_name("article.toml"))
 
 

@@ -1,11 +1,10 @@
-"""Counts of roundings, from the statements that are emitted: what the kernel's error bounds rest
-on.
+"""Counts of rounding errors for the kernel's error bounds, derived from the emitted statements.
 
-Every rounded operation multiplies each term of a result by 1 + δ with |δ| ≤ u. An expression whose
-every term meets at most n roundings is therefore off by at most n u times its size, the sum of its
-terms' absolute values, to first order; one more covers the higher orders and the rounding of the
-size itself, as long as n u is tiny. The counts below are those n + 1. Generated algebra is followed
-statement by statement, the kernel's own functions are run on numbers that carry their count along.
+Every rounded operation multiplies each term of a result by 1 + δ with |δ| ≤ u. If every term of an
+expression has at most n roundings, its error is at most n u times its size, the sum of the absolute
+values of its terms, to first order. One more covers higher orders and the rounding of the size
+itself, as long as n u is tiny: the counts are n + 1. Generated algebra is followed statement by
+statement; the kernel's functions are run on numbers that carry their counts.
 """
 
 from __future__ import annotations
@@ -27,10 +26,10 @@ from ..emit.statements import straight_line
 
 @dataclass(frozen=True)
 class Counted:
-    """A number with the roundings that its terms have met, and its size.
+    """A number with its size, and the largest number of roundings of its terms.
 
-    ``cancels``: its terms may have different signs, so that the count says nothing about its own
-    relative error.
+    ``cancels`` says that terms may have different signs: then the count does not bound the relative
+    error of the number itself.
     """
 
     size: Any
@@ -76,7 +75,7 @@ class Counted:
 
 
 def counted(value: Counted | float) -> Counted:
-    """A plain number is exact."""
+    """A number with its count; a plain number is exact."""
     return value if isinstance(value, Counted) else Counted(abs(sp.nsimplify(value)))
 
 
@@ -89,7 +88,7 @@ def _is_power_of_two(value: Counted) -> bool:
 
 
 def follow(function: Function, arguments: tuple[Counted, ...]) -> tuple[Counted, ...]:
-    """The results of a generated function, by its statements."""
+    """The counted results of a generated function."""
     body = straight_line(function)
     values = dict(zip(function.arguments, arguments, strict=True))
     for symbol, expression in body.assignments:
@@ -101,8 +100,8 @@ def _follow(expression: Expr, values: Mapping[Symbol, Counted]) -> Counted:
     if expression.is_Symbol:
         return values[expression]
     if expression.is_Rational:
-        # p/q in a product is printed as a product and a quotient, of which only the quotient may
-        # round, and not by a power of 2.
+        # p/q is printed as a product and a quotient; only the quotient rounds, unless q is a power
+        # of 2.
         return Counted(
             abs(expression), 0 if _is_power_of_two(Counted(sp.Integer(expression.q))) else 1
         )
@@ -112,7 +111,7 @@ def _follow(expression: Expr, values: Mapping[Symbol, Counted]) -> Counted:
         if not (expression.is_Pow and part.is_Number)
     ]
     if expression.is_Add:
-        # Printed in some order: each term meets at most all of the additions.
+        # In any order of summation a term has at most all additions.
         signs = {part.could_extract_minus_sign() for part in expression.args}
         cancels = len(signs) > 1 or any(part.cancels for part in parts)
         return Counted(
@@ -136,50 +135,49 @@ def _follow(expression: Expr, values: Mapping[Symbol, Counted]) -> Counted:
 
 
 def counts(source: Source, functions: Mapping[str, Function]) -> dict[str, float]:
-    """Every count that the kernel names, with ``functions`` the generated functions by name."""
+    """The counts that the kernel names; ``functions`` are the generated functions by name."""
     kernel: dict[str, Any] = {"__name__": f"{__package__}.kernel", "__package__": __package__}
-    # our own file, as every import is
+    # The text of our own file.
     exec(compile(source.text, "the kernel", "exec"), kernel)  # noqa: S102
     exact = {symbol: Counted(Symbol(f"{symbol}_size")) for symbol in (*nm.PARAMETERS, nm.nbar)}
-    # Units that cos θ₀ and sin θ₀ are off by: one in the last place.
+    # cos θ₀ and sin θ₀ have an error of one unit in the last place, two units of u.
     angle0 = tuple(Counted(Symbol(f"{name}0_size"), 2) for name in ("cos", "sin"))
-    # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of
-    # cos θ and sin θ are relative.
-    at = kernel["direction"](Counted(Symbol("t")))
-    c, s = Counted(Symbol("c"), at.cosine.count), Counted(Symbol("s"), at.sine.count)
+    # t is exact, so that 1 − t and 1 + t have one relative rounding: the counts of cos θ and sin θ
+    # bound relative errors.
+    direction = kernel["direction"](Counted(Symbol("t")))
+    c, s = Counted(Symbol("c"), direction.cosine.count), Counted(Symbol("s"), direction.sine.count)
 
-    # The common factor of a balance changes no root: only the product with it rounds.
+    # The common factor of a balance does not change its roots: only the multiplication rounds.
     coefficients = follow(functions["f_coefficients"], (*angle0, *exact.values()))
     line = tuple(Counted(value.size, value.count + 1, value.cancels) for value in coefficients)
     _same_sizes(coefficients, follow(functions["f_magnitudes"], (*angle0, *exact.values())))
 
     cubic = follow(functions["resolvent"], line)
-    it = kernel["depressed"](*cubic)
+    PQ = kernel["depressed"](*cubic)
     sizes = kernel["depressed_size"](*(value.size for value in line))
-    _covers(sizes.P, it.P.size)
-    _covers(sizes.Q, it.Q.size)
+    _covers(sizes.P, PQ.P.size)
+    _covers(sizes.Q, PQ.Q.size)
 
-    here = (c, s, *line)
-    (value,), (slope,) = follow(functions["f"], here), follow(functions["f_slope"], here)
+    arguments = (c, s, *line)
+    (value,), (slope,) = follow(functions["f"], arguments), follow(functions["f_slope"], arguments)
     e1 = follow(functions["t_quartic"], line)[1]
     L, x, y = follow(
         functions["state"],
         (c, s, *angle0, exact[nm.kappa], exact[nm.sigma], exact[nm.beta], exact[nm.nbar]),
     )
 
-    # In units of the uncertainty ω: one for each of cos θ, sin θ and L, and an eighth for a
-    # rounding.
-    # Where ``uncertainty`` ω of the stability stands for u: it is at least 8 u.
+    # The stability has an uncertainty ω ≥ 8 u of cos θ, sin θ and L in place of u: a rounding is an
+    # eighth of it.
     omega = Rational(8)
-    vague = [Counted(Symbol(name), omega) for name in ("c", "s", "L")]
+    uncertain = [Counted(Symbol(name), omega) for name in ("c", "s", "L")]
     stiffness = follow(
         functions["stiffness"],
-        (*vague, *(exact[symbol] for symbol in (nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar))),
+        (*uncertain, *(exact[symbol] for symbol in (nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar))),
     )
     trace, _, flutter = follow(functions["invariants"], stiffness)
     found = {
-        "COUNT_P": it.P.count,
-        "COUNT_Q": it.Q.count,
+        "COUNT_P": PQ.P.count,
+        "COUNT_Q": PQ.Q.count,
         "COUNT_E1": e1.count,
         "COUNT_F": value.count,
         "COUNT_SLOPE": slope.count,
@@ -189,19 +187,19 @@ def counts(source: Source, functions: Mapping[str, Function]) -> dict[str, float
         "COUNT_K": max(trace.count, flutter.count) / omega,
     }
     rounded = {name: float(math.ceil(number) + 1) for name, number in found.items()}
-    # Roundings that θ = 2 atan t may be off by: an arc tangent within four units in the last
-    # place, of an angle below π.
+    # θ = 2 atan t is below π; the arc tangent is within four units in the last place.
     return {**rounded, "COUNT_THETA": 16.0}
 
 
 def _covers(size: Expr, wanted: Expr) -> None:
-    """The size that the kernel computes is at least that of the statements, term by term."""
+    """Raise unless a size that the kernel computes is at least another one, term by term."""
     surplus = sp.expand(size - wanted)
     if surplus != 0 and any(coefficient < 0 for coefficient in sp.Poly(surplus).coeffs()):
         raise ArithmeticError(f"the size {size} does not cover {wanted}")
 
 
 def _same_sizes(coefficients: tuple[Counted, ...], emitted: tuple[Counted, ...]) -> None:
+    """Raise unless ``f_magnitudes`` gives the sizes of a and d, and b and m are their own sizes."""
     a, b, d, m = coefficients
     if b.cancels or m.cancels:
         raise ArithmeticError(

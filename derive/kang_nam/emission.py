@@ -1,6 +1,4 @@
-"""Every file of ``generated/``: the Python package, the C library that is built with it, and the
-ledger.
-"""
+"""Rendering of all files of ``generated/``: the Python package, the C library, and the ledger."""
 
 import re
 
@@ -12,8 +10,8 @@ from .catalogue import modules
 
 
 def render(outcome: ledger.Ledger, models: dict[str, str]) -> dict[str, str]:
-    """The text of every file, by its path below ``generated/``, those of the ``models`` among
-    them.
+    """The texts of all files by their paths below ``generated/``; ``models`` are those of the
+    models' folders.
     """
     parts = modules()
     solver = library.kernel()
@@ -30,7 +28,7 @@ def render(outcome: ledger.Ledger, models: dict[str, str]) -> dict[str, str]:
         "quantities.py": quantities.render(named, parameters, base, header),
         **models,
     }
-    # A variant's functions take arguments that the libraries' own files do not give them.
+    # A variant's functions have further arguments, which the library's own C files do not pass.
     in_c = {} if mechanics.further_parameters() else library.render("c", files.__getitem__)
     for source in re.findall(r'_SOURCE "(\w+)"', in_c.get("spragsym.h", "")):
         said = "Head of the SHA-256 over the C library, which extension modules are built with."

@@ -1,5 +1,5 @@
-"""The article's statements against the derivation, row by row, for machines (JSON) and for people
-(Markdown).
+"""The ledger: how every printed statement of the article compares with the derivation, as JSON and
+Markdown.
 """
 
 from collections import Counter
@@ -24,7 +24,7 @@ from .theorem import Step
 
 
 class Transfer(StrEnum):
-    """What becomes of a statement of the article, misprints repaired, with another page."""
+    """What becomes of a statement of the article, with misprints repaired, for another page."""
 
     HOLDS = "holds"
     FAILS = "fails"
@@ -33,14 +33,13 @@ class Transfer(StrEnum):
 
 @dataclass(frozen=True)
 class LedgerRow:
-    """The outcome for one printed statement; every text is LaTeX or plain words, every empty field
-    means not applicable.
+    """The outcome for one printed statement, in LaTeX and words; a field that does not apply is
+    empty.
 
-    ``derivation`` is the form at which the derivation itself arrives. ``derived`` equals it, as
-    exact algebra has shown, and has the arrangement of ``printed``, so that the two can be compared
-    by eye. A row is "failed" whose printed form is not the derived one, without an explanation that
-    holds; its ``derived`` is the same as ``derivation``. ``derived_by`` names the function of
-    ``derive/`` that derives it.
+    ``derivation`` is the form in which the derivation gives it. ``derived`` is equal to that by
+    exact algebra, and arranged as ``printed``, so that both can be compared by eye. A row is
+    "failed" if the printed form is not equal to the derived one and no explanation holds; its
+    ``derived`` is then ``derivation``. ``derived_by`` names the function of ``derive/``.
     """
 
     id: str
@@ -63,8 +62,8 @@ class LedgerRow:
         return self.status in ("confirmed", "definition")
 
     def recorded(self) -> dict[str, str]:
-        """As the ledger has it: without what is empty, and without a derived form that is the
-        printed one.
+        """The row as data, without empty fields and without a derived form equal to the printed
+        one.
         """
         return {
             name: text
@@ -74,20 +73,18 @@ class LedgerRow:
 
 
 def run(paper: Paper | None = None) -> list[LedgerRow]:
-    """Check every printed statement of the article, or of another file of them."""
+    """Check every printed statement of the article, or of another paper, against its page."""
     paper = article.printed() if paper is None else paper
     model = pages.read(pages.SHIPPED / "kang_nam.py")
-    _, found = read_paper(paper, model)
-    rows = verdicts.verdicts_on(paper, model, found).rows
-    pairs = zip(found, rows, strict=True)
+    _, statements = read_paper(paper, model)
+    rows = verdicts.verdicts_on(paper, model, statements).rows
+    pairs = zip(statements, rows, strict=True)
     return [_explained(row, _exact(item)) for item, row in pairs]
 
 
 @dataclass(frozen=True)
 class Judgement:
-    """Judgement of one printed row: what is printed less what is derived, or why there is no such
-    thing.
-    """
+    """What becomes of one row for another page; the remark is the difference, or the reason."""
 
     id: str
     where: str
@@ -96,24 +93,26 @@ class Judgement:
 
 
 def judge(model: pages.PageModel) -> list[Judgement]:
-    """Every row of the article for another page, in its order."""
+    """Judge every row of the article for another page, in the article's order."""
     article_page = pages.read(pages.SHIPPED / "kang_nam.py")
     paper = verdicts.repaired(article.printed(), article_page)
-    found = []
-    becomes = dict.fromkeys(("confirmed", "definition", "approximation"), Transfer.HOLDS)
-    becomes["failed"] = Transfer.FAILS
+    judgements = []
+    transfer_of = dict.fromkeys(("confirmed", "definition", "approximation"), Transfer.HOLDS)
+    transfer_of["failed"] = Transfer.FAILS
     for row in verdicts.check(paper, model, repair=False).rows:
-        status = becomes.get(row.status, Transfer.NO_MEANING)
+        status = transfer_of.get(row.status, Transfer.NO_MEANING)
         remark = {
             Transfer.HOLDS: row.difference and row.evidence,
             Transfer.FAILS: row.difference,
         }
-        found.append(Judgement(row.id, row.where, status, remark.get(status, row.evidence)))
-    return found
+        judgements.append(Judgement(row.id, row.where, status, remark.get(status, row.evidence)))
+    return judgements
 
 
 def _exact(item: Item | Verdict) -> str:
-    """LaTeX of the difference between an approximation and its exact form, if that is derived."""
+    """LaTeX of the difference between an approximation and its exact form; empty if the exact form
+    is not confirmed.
+    """
     approximation = explanations.APPROXIMATIONS.get(item.statement.id)
     if approximation is None or isinstance(item, Verdict):
         return ""
@@ -132,7 +131,11 @@ def failures(rows: Sequence[LedgerRow]) -> list[LedgerRow]:
 
 
 def _explained(found: verdicts.Row, exact: str) -> LedgerRow:
-    """The verdict on a statement with what we say about it."""
+    """The ledger's row of a verdict, with the explanation of a misprint or an approximation.
+
+    It is failed if a difference has no explanation, an explanation no difference, or the second
+    derivation disagrees.
+    """
     row = LedgerRow(
         found.id,
         found.where,
@@ -182,9 +185,7 @@ def _failed(row: LedgerRow, note: str) -> LedgerRow:
 
 @dataclass(frozen=True)
 class Ledger:
-    """Rows of the check, the identities that the elimination rests on, and the steps of two
-    theorems.
-    """
+    """Rows of the check, identities of the elimination, and the steps of two theorems."""
 
     rows: tuple[LedgerRow, ...]
     identities: dict[str, bool]
@@ -193,7 +194,7 @@ class Ledger:
 
 
 def as_dict(ledger: Ledger) -> dict[str, Any]:
-    """For JSON."""
+    """The ledger as data for JSON."""
     return {
         "sympy": sp.__version__,
         "summary": summary(ledger.rows),
@@ -205,12 +206,12 @@ def as_dict(ledger: Ledger) -> dict[str, Any]:
 
 
 def summary(rows: tuple[LedgerRow, ...]) -> dict[str, int]:
-    """Number of rows of each status."""
+    """The number of rows of each status."""
     return dict(sorted(Counter(row.status for row in rows).items()))
 
 
 def markdown(ledger: Ledger, header: str) -> str:
-    """A page that a referee can read."""
+    """The ledger as a page in Markdown."""
     sections: dict[bool, list[str]] = {True: [], False: []}
     for row in ledger.rows:
         sections[row.is_as_printed] += _section(row)
@@ -246,9 +247,8 @@ def _mark(holds: bool) -> str:
 
 
 def _section(row: LedgerRow) -> list[str]:
-    """A row in paragraphs; what differs, printed above derived, so that the eye compares them."""
+    """The section of a row; of one that differs, the printed form stands above the derived one."""
     lines = [f"### {row.id}"]
-    # A formula in Markdown.
     math = "```math\n{}\n```"
     if row.is_as_printed:
         lines.append(math.format(row.printed))

@@ -1,5 +1,5 @@
-"""The article's model as a library in any language, from the generated Python package; without
-SymPy.
+"""The article's model as a library in any language, printed from the generated Python package
+without SymPy.
 """
 
 import re
@@ -17,22 +17,21 @@ _HERE = Path(__file__).parent
 
 
 def exported(written_in: str) -> dict[str, str]:
-    """The files of the library in a language, by their names, from the package that was generated
-    beside this one.
-    """
+    """The library's files in a language by name, from the package in ``generated/``."""
     generated = _HERE.parent.parent / "generated"
     return render(written_in, lambda name: (generated / name).read_text(encoding="utf-8"))
 
 
 def render(written_in: str, generated: Callable[[str], str]) -> dict[str, str]:
-    """The same from the texts of a generated package, given by their names; they carry the hash of
-    what they are.
+    """The library's files in a language by name, sealed with their digest.
+
+    ``generated`` gives the text of a file of the generated package.
     """
     return write.sealed(targets.render(written_in, material(generated)))
 
 
 def material(generated: Callable[[str], str]) -> targets.Material:
-    """Material that every target prints."""
+    """The material that a target prints."""
     package, table = generated("__init__.py"), _run(generated("quantities.py"))
     names = re.findall(r"^- :mod:`(\w+)`", package, re.MULTILINE)
     parts = [
@@ -43,7 +42,6 @@ def material(generated: Callable[[str], str]) -> targets.Material:
     modules = (*parts, _of_page(generated("models/kang_nam/algebra.py")))
     solver, arithmetic = kernel(), double_doubles()
     functions = {function.name: function for module in modules for function in module}
-    # Algebra that a library in another language offers to its callers.
     public = (
         "contact_quartic",
         "liftoff_quartic",
@@ -66,8 +64,8 @@ def material(generated: Callable[[str], str]) -> targets.Material:
         "regime_jacobian",
         "energy",
     )
-    # What solvers call on double-double numbers: functions of the kernel with the kinds of
-    # their arguments.
+    # Functions of the kernel that are called on double-double numbers, with the kinds of their
+    # arguments.
     widely = (
         ("balance", ("Point",)),
         ("moderate", ("Point",)),
@@ -76,7 +74,6 @@ def material(generated: Callable[[str], str]) -> targets.Material:
         ("at_root", ("Wide", "Point", "LineBalance", "Real")),
         ("apart", ("Wide", "Real", "Wide", "Real")),
     )
-    # What spragsym/kang_nam/quartic/_compiled.c calls of the kernel besides.
     return targets.Material(
         modules=modules,
         kernel=solver,
@@ -104,29 +101,27 @@ def material(generated: Callable[[str], str]) -> targets.Material:
             }
             for folder in sorted((_HERE / "runtime").iterdir())
         },
-        asked=("one_or_three",),
+        asked=("one_or_three",),  # called by spragsym/kang_nam/quartic/_compiled.c
         arithmetic=arithmetic,
         widened=double_double_kernel.widened(solver, arithmetic, functions, widely),
     )
 
 
 def kernel() -> language.Source:
-    """Search for the equilibria of a point and their examination, as every target prints it."""
+    """The kernel: the search for equilibria of a point, and their examination."""
     elementary = Path(language.__file__).with_name("elementary.py")
     return language.read(_HERE / "kernel.py", _HERE / "examination.py", elementary)
 
 
 def double_doubles() -> language.Source:
-    """The arithmetic on which the kernel runs a second time."""
+    """The double-double arithmetic, in the kernel's language."""
     return language.read(Path(language.__file__).with_name("double_double.py"))
 
 
 def _of_page(text: str) -> tuple[Definition, ...]:
-    """Functions of the page, with n̄ for contact and all exponentials of the friction law felt; no
-    name begins with an underscore.
-    """
+    """Functions of the article's page in the library's form."""
     by_name = {function.name: function for function in definitions.of_module(text)}
-    # The functions of the page that the library has, and the equations that are in them.
+    # Functions, and the equations that they hold.
     of_page = {
         "rhs": "(8)–(11)",
         "regime_rhs": "(8)–(10)",
@@ -139,12 +134,15 @@ def _of_page(text: str) -> tuple[Definition, ...]:
 
 
 def _library_form(function: Definition, equations: str) -> Definition:
+    """A function of the page with n̄ as the contact indicator, all boundary layers of the friction
+    law switched on, and no name that begins with an underscore.
+    """
     form = function.spelled(_spelled)
     statements = tuple(
         (name, value) for name, value in form.statements if not name.startswith("near")
     )
     arguments = tuple(name for name in form.arguments if not name.startswith("near"))
-    # Those that take no more than they read; the others take all that a motion is given.
+    # The others take all arguments of a motion.
     if function.name in ("energy", "friction_force"):
         arguments = tuple(name for name in arguments if name in form.read)
     return replace(form, equations=equations, arguments=arguments, statements=statements)

@@ -1,9 +1,9 @@
-"""The equations of motion of the article, (8)–(11), from its page.
+"""The article's equations of motion, (8)–(11), from its page.
 
-The assumptions stand in ``derive/models/kang_nam.py``: where the springs are held, the preload, the
-contact law, the friction law. The general way derives from them, as from any page; here stands what
-it gives in the article's symbols. The elimination, the closed forms and the theorem are made for
-these forces: where a changed page takes away what they rest on, the derivation stops.
+The assumptions are those of the page ``derive/models/kang_nam.py``: ends of the springs, preload,
+contact law, friction law. The general derivation of any page gives the equations; here they are
+written in the article's symbols. The elimination, the closed forms and the theorem need these
+forces: if a changed page no longer has them, the derivation stops.
 """
 
 from functools import cache
@@ -19,12 +19,12 @@ from ..model import Datum, Page, expression_of
 from ..motion import Motion
 from . import nomenclature as nm
 
-#: Accelerations, with dimensions and without.
+#: Symbols of the accelerations.
 AX, AY = sp.symbols("x_tt y_tt", real=True)
-#: Where nothing moves but the belt.
+#: Rates and accelerations at steady sliding.
 AT_REST = dict.fromkeys((AX, AY, nm.vx, nm.vy), 0)
 
-#: What becomes of the parameters of the published model.
+#: The dimensionless parameters of the published model.
 PUBLISHED = (nm.theta0, *nm.PARAMETERS, nm.V, nm.creep)
 
 
@@ -39,33 +39,39 @@ def page() -> Page:
 
 @cache
 def of_page() -> Mechanics:
-    """Parts of the equations of motion of a page."""
-    found = pages.read(pages.SHIPPED / "kang_nam.py").mechanics
-    _require(found)
-    return found
+    """The mechanics of the article's page.
+
+    Raises
+    ------
+    ArithmeticError
+        If a changed page is not one of the article's model any more.
+    """
+    mechanics = pages.read(pages.SHIPPED / "kang_nam.py").mechanics
+    _require(mechanics)
+    return mechanics
 
 
 def _require(model: Mechanics) -> None:
-    """Raise where a changed page lacks what the article's chain is about, or gives one of its names
-    to something else.
+    """Raise if a page lacks a parameter or coordinate of the article, or gives an article's name to
+    another quantity.
     """
     becomes = {datum.becomes for datum in model.page.parameters}
     published = {str(symbol) for symbol in PUBLISHED}
-    places, here = {"x", "y"}, {str(symbol) for symbol in model.coordinates}
+    expected, coordinates = {"x", "y"}, {str(symbol) for symbol in model.coordinates}
     for what, missing in (
         ("parameter that becomes", published - becomes),
-        ("coordinate", places - here),
+        ("coordinate", expected - coordinates),
     ):
         if missing:
             raise ArithmeticError(
                 f"the article's page has no {what} {', '.join(sorted(missing))}, which its "
                 "closed forms are about"
             )
-    if here != places or len(model.lines) != 1:
+    if coordinates != expected or len(model.lines) != 1:
         raise ArithmeticError(
-            f"the article's page has {len(here)} coordinates and {len(model.lines)} inclined "
-            "springs; its closed forms are about x, y "
-            "and one: a model with others is a page of its own"
+            f"the article's page has {len(coordinates)} coordinates and {len(model.lines)} "
+            "inclined springs; its closed forms are about x, y and one: a model with others is a "
+            "page of its own"
         )
     for datum in model.page.parameters:
         entry = nm.quantities().get(datum.becomes)
@@ -77,18 +83,20 @@ def _require(model: Mechanics) -> None:
 
 
 def symbol_of(datum: Datum) -> Symbol:
-    """The number that a quantity of the page becomes, in the nomenclature where it is there."""
+    """The symbol of the number that a quantity of the page becomes: that of the nomenclature if it
+    has one.
+    """
     entry = nm.quantities().get(datum.becomes)
     return number(datum) if entry is None else entry.symbol
 
 
 def further_parameters() -> tuple[Symbol, ...]:
-    """Numbers of the page that the published model does not have."""
+    """Symbols of the page's parameters that the published model does not have."""
     return tuple(symbol for symbol in map(symbol_of, page().parameters) if symbol not in PUBLISHED)
 
 
 def quantities() -> dict[str, Quantity]:
-    """The nomenclature, with what a changed page has besides."""
+    """The nomenclature, with further quantities of a changed page."""
     found = {**nm.quantities()}
     for it in page().parameters:
         symbol = symbol_of(it)
@@ -103,8 +111,8 @@ def quantities() -> dict[str, Quantity]:
 
 
 def in_article(model: Mechanics, expression: Expr) -> Expr:
-    """An expression of the general way in the article's symbols: in x, y, and L for the length of
-    the inclined spring.
+    """An expression of the general derivation in the article's symbols: x, y, and L for the length
+    of the inclined spring.
     """
     names: dict[sp.Basic, Expr] = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
     names |= {number(datum): symbol_of(datum) for datum in page().parameters}
@@ -123,13 +131,13 @@ def in_article(model: Mechanics, expression: Expr) -> Expr:
 
 @cache
 def spring_length() -> Expr:
-    """Distance over L_0 from the spring's anchor to the mass at (x, y): (4)–(6)."""
+    """The distance from the spring's anchor to the mass at (x, y), over L_0: (4)–(6)."""
     (line,) = of_page().lines
     return in_article(of_page(), line.length)
 
 
 def replace_length(expression: Expr) -> Expr:
-    """Write the symbol L for the square root of (6) wherever it stands."""
+    """An expression with the symbol L in place of the square root of (6)."""
     square = expand(spring_length() ** 2)
 
     def is_length(node: sp.Basic) -> bool:
@@ -149,9 +157,8 @@ def replace_length(expression: Expr) -> Expr:
 
 @cache
 def motion() -> Pair:
-    """The dimensionless equations of motion, ``acceleration terms − forces = 0``: (8) and (9), at
-    rest (12) and (13), in x, y and the spring length L, for a contact force n and a friction
-    coefficient μ yet to be given.
+    """The dimensionless equations of motion (8) and (9), at rest (12) and (13), as residuals:
+    accelerations − forces, in x, y, L, the contact force n and the friction coefficient μ.
     """
     general = Motion(of_page())
     accelerations = dict(zip(general.acceleration_symbols, (AX, AY), strict=True))
@@ -167,9 +174,7 @@ def motion() -> Pair:
 
 @cache
 def contact_law() -> Expr:
-    """n(y), (11), below the gap and above it: the belt pushes when the mass dips below it and never
-    pulls. Less its slope is n̄, (29).
-    """
+    """The contact force n(y) of (11), which is 0 above the belt; minus its slope is n̄, (29)."""
     contact = of_page().contacts[0]
     assert contact.gap is not None
     pushing, gap = (
@@ -180,14 +185,14 @@ def contact_law() -> Expr:
 
 @cache
 def contact_family() -> Expr:
-    """n as one expression for contact (n̄ = 1) and lift-off (n̄ = 0)."""
+    """The contact force as one expression for contact (n̄ = 1) and lift-off (n̄ = 0)."""
     (pushing, _), (apart, _) = contact_law().args
     return nm.nbar * pushing + (1 - nm.nbar) * apart
 
 
 @cache
 def friction() -> Expr:
-    """μ at the dimensionless sliding speed V − x', (10)."""
+    """The friction coefficient μ at the dimensionless sliding speed V − x', (10)."""
     sliding = page().sliding
     assert sliding is not None
     law = expression_of(sliding.law(sliding.belt - page().rate(sliding.along)))
@@ -195,8 +200,8 @@ def friction() -> Expr:
 
 
 def smooth_friction(side: Expr) -> Expr:
-    """(10) where sgn(V − x') = ``side``, without the absolute value and the sign that kink it at V
-    = x'.
+    """The friction coefficient (10) for sgn(V − x') = ``side``: smooth, without absolute value and
+    sign.
     """
     return in_article(of_page(), laws.smooth_friction(of_page().frictions[0], felt=True)).subs(
         nm.side, side

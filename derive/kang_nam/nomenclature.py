@@ -1,9 +1,8 @@
-"""Every symbol of the model, once: SymPy symbol, code name, the article's name, meaning, unit,
-domain.
+"""The nomenclature: every symbol of the article's model with its name in code, the article's name,
+meaning, unit and domain.
 
-Angles enter the algebra only through their cosine and sine, so ``c`` and ``s`` stand for cos θ and
-sin θ, ``c0`` and ``s0`` for cos θ₀ and sin θ₀; the relation between the two is in
-:data:`UNIT_CIRCLES`.
+Angles enter the algebra only by cosine and sine: ``c`` and ``s`` are cos θ and sin θ, ``c0`` and
+``s0`` are cos θ₀ and sin θ₀, with the relations in :data:`UNIT_CIRCLES`.
 """
 
 from collections.abc import Mapping
@@ -19,8 +18,9 @@ _QUANTITIES: dict[Symbol, Quantity] = {}
 def _define(
     code: str, article: str, meaning: str, unit: str = "1", domain: str = "real", scale: str = ""
 ) -> Symbol:
-    # Positive is all that SymPy must know to simplify the square root in the spring length. A proof
-    # that relies on other signs states them itself.
+    """Enter a quantity and return its symbol."""
+    # SymPy needs to know positive signs only, to simplify the spring length; proofs that use other
+    # signs state them.
     symbol = Symbol(code, real=True, positive=True if domain == "> 0" else None)
     return _enter(Quantity(symbol, article, meaning, unit, domain, scale))
 
@@ -33,19 +33,20 @@ def _scaled(
     remark: str = "",
     domain: str = "real",
 ) -> Symbol:
-    """A quantity over its scale; the remark says more about its values."""
+    """Enter a quantity over its scale; the remark is added to its meaning."""
     over = f", times {scale[3:-1]}" if scale.startswith("1/(") else f" over {scale}"
     said = f", {remark}" if remark else ""
     return _define(code, article, f"{measured}{over}{said}", "1", domain, scale)
 
 
 def _local(code: str, meaning: str) -> Symbol:
-    """A symbol of the emitted code only, of which nothing is assumed."""
+    """Enter a symbol of generated code only, without assumptions."""
     symbol = Symbol(code)
     return _enter(Quantity(symbol, sp.latex(symbol), meaning))
 
 
 def _enter(entry: Quantity) -> Symbol:
+    """Enter a quantity whose symbol is new."""
     if any(str(entry.symbol) == str(other) for other in _QUANTITIES):
         raise ValueError(
             f"{entry.symbol} stands in the nomenclature twice; give the second quantity "
@@ -97,8 +98,7 @@ mu = _define("mu", r"\mu", "friction coefficient at the current sliding speed")
 n = _define("n", "n", "contact force N / (k_c L_0)", domain=">= 0")
 tt = _define("t", "t", "tan(θ/2)")
 
-# Shorthands. They are symbols too, so that the elimination can be read, and emitted, in their
-# terms.
+# Shorthands, as symbols: the elimination is read, and emitted, in them.
 B = _define("B", "B", "β + n̄, the stiffness across the belt with the contact")
 M = _define("M", "M", "μ₀ n̄, friction per unit of penetration")
 p = _define("p", "p", "α + σ")
@@ -112,7 +112,7 @@ fb = _define("b_f", "b", "coefficient of cos θ in f")
 fd = _define("d_f", "d", "coefficient of sin θ in f")
 fm = _define("m_f", "m", "coefficient of −sin² θ in f")
 
-# Arguments of emitted functions that stand for no quantity of the article.
+# Arguments of generated functions that are no quantities of the article.
 side = _local(
     "side", "sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead"
 )

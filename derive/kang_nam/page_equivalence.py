@@ -1,9 +1,7 @@
-"""Two ways to one thing, compared exactly: linearizations, and what other pages are without what
-they add.
+"""Proofs that the article's own derivation and the general one of any page agree.
 
-K of (28) and the damping that (27) leaves out follow from the balance in x, y and L, and by the
-general way in directions and lengths; and each of some pages, without what it adds, has the
-equations of the article's page.
+K of (28), damping, and D and b of (16)–(25) are derived in both ways and compared exactly. Some
+other pages are proved to have the equations of the article's page where what they add is 0.
 """
 
 import sympy as sp
@@ -19,7 +17,7 @@ from ..statements import objects
 from . import unit_circles, equilibrium, mechanics, stability
 from . import nomenclature as nm
 
-#: Page → what it adds to the article's model, and what is left where these are 0.
+#: Pages, and the parameters that they add to the article's model.
 ADDED = {
     "damped": ("zeta_x", "zeta_y", "zeta_s"),
     "cubic_contact": ("gamma",),
@@ -45,15 +43,17 @@ def identities() -> dict[str, bool]:
 
 
 def _page(name: str) -> Mechanics:
+    """The mechanics of a shipped page."""
     return pages.read(pages.SHIPPED / f"{name}.py").mechanics
 
 
 def _polar(expression: Expr) -> Expr:
-    """x and y by the direction and the length of the spring, (4) and (5)."""
+    """An expression with x and y replaced by direction and length of the spring, (4) and (5)."""
     return sp.expand(expression.subs(equilibrium.displacement(), simultaneous=True))
 
 
 def _equal(model: Mechanics, general: Row, special: Row) -> bool:
+    """Whether expressions of the general derivation equal those of the article's."""
     pairs = zip(general, special, strict=True)
     return all(
         unit_circles.equal(_polar(mechanics.in_article(model, ours)), _polar(theirs))
@@ -62,6 +62,7 @@ def _equal(model: Mechanics, general: Row, special: Row) -> bool:
 
 
 def _linearization(model: Mechanics) -> bool:
+    """Whether stiffness and damping agree."""
     K = tuple(
         entry.subs(MU, laws.friction_at_rest(model.frictions[0]))
         for entry in flat(statics.jacobian(model))
@@ -73,18 +74,20 @@ def _linearization(model: Mechanics) -> bool:
 
 
 def _in_direction() -> bool:
-    """Whether what printed equations are held against is what the elimination begins with."""
-    it = objects.derivation_of(mechanics.page(), mechanics.of_page(), "scaled")
+    """Whether D and b, with which printed equations are compared, are those of the elimination."""
+    derivation = objects.derivation_of(mechanics.page(), mechanics.of_page(), "scaled")
     D, b = equilibrium.matrix_form()
     directions = {sp.cos(nm.theta0): nm.c0, sp.sin(nm.theta0): nm.s0}
     pairs: list[tuple[Expr, Expr]] = []
     for side, case in (("contact", equilibrium.CONTACT), ("lift-off", equilibrium.LIFTOFF)):
-        ours_D, ours_b, length = objects.balance_in_direction(it, side)
+        ours_D, ours_b, length = objects.balance_in_direction(derivation, side)
         ours = (*ours_D.subs(length, nm.L), *ours_b)
         pairs += zip(ours, (*D.subs(case), *b.subs(case)), strict=True)
     return all(
         unit_circles.equal(
-            mechanics.in_article(it.model, one.xreplace(it.at_rest)).subs(directions),
+            mechanics.in_article(derivation.model, one.xreplace(derivation.at_rest)).subs(
+                directions
+            ),
             other,
         )
         for one, other in pairs
@@ -92,6 +95,7 @@ def _in_direction() -> bool:
 
 
 def _reduces(name: str, added: tuple[str, ...]) -> bool:
+    """Whether a page is the article's page where the added parameters are 0."""
     model, article = _page(name), _page("kang_nam")
     by_name = {str(symbol): symbol for symbol in model.arguments}
     without = {by_name[symbol]: sp.S.Zero for symbol in added}

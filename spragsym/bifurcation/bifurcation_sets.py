@@ -130,8 +130,8 @@ def bifurcation_set(
     vary = p.model.two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
-    families = Family.every(p, vary, between, within, options.asked)
-    special = list(extrema(p, vary, between or {}, within, options.asked))
+    families = Family.every(p, vary, between, within, options.given_search)
+    special = list(extrema(p, vary, between or {}, within, options.given_search))
     curves, parts, borders = list[Curve](), list[OnLines](), list[tuple[str, Points]]()
     for family in families:
         balance = family.balance
@@ -242,7 +242,7 @@ def border_extrema(family: Family, contact: int) -> Iterator[Points]:
         return
     if _moves_border(near, contact):
         yield isolated(near, touch_turn(contact), "border")
-    closed = [other for other in balance.opens if balance.pushing[other] and other > contact]
+    closed = [other for other in balance.opens if balance.indicators[other] and other > contact]
     for other in closed:  # the curve of one contact ends at that of another
         yield isolated(family.beyond(), both(touch(contact), touch(other)), "border")
     low, high = family.spans[0].tolist()

@@ -101,8 +101,8 @@ def combinations_of(balance: Balance) -> list[Balance]:
 
 def among(balances: Sequence[Balance], others: Sequence[Balance]) -> BoolArray:
     """Mask of the balances whose combination of touching contacts is that of one of the others."""
-    combinations = [one.pushing for one in others]
-    return np.array([one.pushing in combinations for one in balances])
+    combinations = [one.indicators for one in others]
+    return np.array([one.indicators in combinations for one in balances])
 
 
 def both_sides(family: Family, box: FloatArray, ends: FloatArray) -> BorderStates:
@@ -218,7 +218,7 @@ def at_once(
             continue
         kept &= ~contractors.within(candidates, hull[:, :, None])
         touched = [k for k, meets in zip(balance.opens, states.near[:, 0], strict=True) if meets]
-        opened = [k for k in touched if not balance.pushing[k]]
+        opened = [k for k in touched if not balance.indicators[k]]
         # Only the search for the first of these contacts returns the point: in the family in which
         # all touch, or, where the state leaves the families, in that in which only this one does.
         elsewhere = contact != touched[0] or (opened and not leaves)
@@ -264,7 +264,7 @@ def is_singular(balance: Balance, family: Family) -> bool:
         first = [*q, *lines, *(drawn() for _ in balance.torsions)]
         at = balance.at(q, values, xp=None)
         try:
-            K = at.call("forces_jacobian", first, *mus, *balance.pushing, kind="statics")
+            K = at.call("forces_jacobian", first, *mus, *balance.indicators, kind="statics")
         except AttributeError:  # the law is not algebraic
             return False
         if determinant(K) != 0:

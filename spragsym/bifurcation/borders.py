@@ -75,10 +75,10 @@ def openings(
     those whose opening leads to that of none.
     """
     balance = family.balance
-    combinations = [each.balance.pushing for each in families]
+    combinations = [each.balance.indicators for each in families]
     for contact in balance.opens:
         other = balance.across(contact)
-        if balance.pushing[contact] and (other.pushing in combinations) != leaving:
+        if balance.indicators[contact] and (other.indicators in combinations) != leaving:
             yield contact, other
 
 

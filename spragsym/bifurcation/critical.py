@@ -428,7 +428,7 @@ class _CandidateSearch:
                 for end in self.spans[0].tolist():
                     yield "infinity", escapes(family.fixed(self.over, end))
             for contact in family.balance.opens:
-                if family.balance.pushing[contact]:
+                if family.balance.indicators[contact]:
                     for points in border_extrema(family, contact):
                         yield "border", points
 

@@ -80,7 +80,7 @@ class Family:
 
     ``given`` are all parameters, shape (parameters, points), NaN for those in ``vary``. ``spans``
     are the ranges of these, shape (number, 2); ``endless`` names those whose infinite range was
-    cut. ``asked`` is the region of coordinates that the user asks for.
+    cut. ``requested`` is the region of coordinates that the user asks for.
     """
 
     p: Any
@@ -88,7 +88,7 @@ class Family:
     vary: tuple[str, ...]
     given: FloatArray
     spans: FloatArray
-    asked: FloatArray | None = None
+    requested: FloatArray | None = None
     endless: tuple[str, ...] = ()
 
     @classmethod
@@ -104,7 +104,7 @@ class Family:
         # Curves may begin and end on a border, so states on it are accepted.
         balance = Balance(p.model) if balance is None else balance.extended(slack=balance.slack)
         between = between or {}
-        spans, asked = ranges(p, vary, between), requested_region(p.model, within)
+        spans, requested = ranges(p, vary, between), requested_region(p.model, within)
         given = given_column(p, balance.parameters, vary)
         # Infinite ranges without a limit in ``between`` are cut.
         endless = tuple(
@@ -112,7 +112,7 @@ class Family:
             for name in vary
             if name not in between and math.inf in map(abs, _ends(p.model, name))
         )
-        return cls(p, balance, tuple(vary), given, spans, asked, endless)
+        return cls(p, balance, tuple(vary), given, spans, requested, endless)
 
     @classmethod
     def every(

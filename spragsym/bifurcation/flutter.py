@@ -423,7 +423,7 @@ def _sightings(system: Augmented, undecided: FloatArray) -> list[FloatArray]:
     chosen = np.linspace(0, beside.size - 1, min(beside.size, samples)).astype(int)
     values = np.unique([low, *even, *beside[chosen], high])
     q, point = _states(
-        float_candidates(system.balance, system.family.at(values[None]), system.family.asked)
+        float_candidates(system.balance, system.family.at(values[None]), system.family.requested)
     )
     z = np.concatenate([q, values[point][None]])
     signals, out = _signals(system, z), list[FloatArray]()

@@ -177,7 +177,7 @@ def onset_curves(
     vary = model.two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
-    planes = _Plane.every(p, vary, between, options=options.asked)
+    planes = _Plane.every(p, vary, between, options=options.given_search)
     first, *others = (plane.curves(n, damping, options) for plane in planes)
     return _joined(first, others) if others else first
 

@@ -174,11 +174,11 @@ class _Point:
     @property
     def felt(self) -> dict[int, Mapping[str, Any]]:
         """Frictions of touching contacts, by their index among borders and in the mode."""
-        names, pushing = self.balance.contacts, self.balance.pushing
+        names, indicators = self.balance.contacts, self.balance.indicators
         return {
             index: friction
             for index, friction in enumerate(self.balance.model.frictions, len(names))
-            if pushing[names.index(friction["name"])]
+            if indicators[names.index(friction["name"])]
             or presses_either(self.balance.model.contacts[names.index(friction["name"])])
         }
 
@@ -309,7 +309,7 @@ class _Point:
 
         def forces(*friction: int) -> Sequence[Any]:
             first = [*q, *at.directions]
-            return at.call("forces", first, *friction, *balance.pushing, kind="statics")
+            return at.call("forces", first, *friction, *balance.indicators, kind="statics")
 
         zero = [0] * len(differences)
         without, total = forces(*zero), [0] * balance.n
@@ -350,7 +350,7 @@ def _mode(balance: Balance, given: FloatArray, state: FloatArray) -> Mode:
     motion, rates = balance.model.field, [0.0] * len(state)
     floats = [*map(float, state), *rates]
     found = motion.exact(motion.mode_at_rest(floats, motion.constants(given.tolist())))
-    return *balance.pushing, *found[len(balance.pushing) :]
+    return *balance.indicators, *found[len(balance.indicators) :]
 
 
 def _require_smooth(point: _Point) -> None:

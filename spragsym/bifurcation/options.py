@@ -93,6 +93,6 @@ class ContinuationOptions(Options):
     undamped: float = option(1e-6, 0.0, 1.0)
 
     @property
-    def asked(self) -> SearchOptions | None:
-        """Options of the search, None where they say nothing: closed forms answer then."""
+    def given_search(self) -> SearchOptions | None:
+        """Options of the search; None if all are defaults, so that closed forms may answer."""
         return None if self.search == SearchOptions() else self.search

@@ -261,7 +261,7 @@ class QuasiStaticContinuation:
         options: ContinuationOptions | None = None,
     ) -> None:
         self.options = options or ContinuationOptions()
-        self.search = self.options.asked
+        self.search = self.options.given_search
         #: The balance of every combination of touching contacts, by their names.
         self.balances = {one.touching: one for one in balances_of(p.model, options=self.search)}
         self.p, self.vary, self.balance = p, vary, next(iter(self.balances.values()))

@@ -122,7 +122,7 @@ def nothing(family: Family) -> Found:
 
 def _region(family: Family, balance: Balance) -> tuple[FloatArray, BoolArray]:
     """The region of coordinates and varying parameters, and whether it holds all equilibria."""
-    searched, whole = region(balance, family.over, family.asked)
+    searched, whole = region(balance, family.over, family.requested)
     return with_sides(searched, family.spans), whole
 
 

@@ -291,8 +291,10 @@ def mirrors_of(balance: Balance, over: Intervals) -> list[Mirror]:
                 Mirror(odd, lambda q, given: balance.at(q, given).mirrored(), about["upright"])
             )
     for about in balance.model.about.get("exchanges", ()):
-        touching = [balance.pushing[k] for k in about["contacts"]]
-        if touching == balance.pushing and any(_hold(balance, over, one) for one in about["where"]):
+        touching = [balance.indicators[k] for k in about["contacts"]]
+        if touching == balance.indicators and any(
+            _hold(balance, over, one) for one in about["where"]
+        ):
             pairs = {j: (i, about["signs"][i]) for i, j in enumerate(about["places"]) if i < j}
             alone = [k for k, j in enumerate(about["places"]) if j == k and about["signs"][k] < 0]
             image = partial(_exchanged, about["places"], about["signs"])
@@ -352,7 +354,7 @@ def _of_block(family: Family, block: tuple[int, ...]) -> Found:
             hulls, _ = clusters(roots.undecided, roots.undecided_point)
         for hull in np.moveaxis(hulls, 2, 0):
             spans = spans_of(hull)[balance.n :]
-            near = replace(family, spans=spans, asked=hull[:, : balance.n])
+            near = replace(family, spans=spans, requested=hull[:, : balance.n])
             more = told_apart(near, search(near, cusp_off_mirrors(near, column, block)), column)
             if not more.undecided_point.size:
                 open_ = ~contractors.within(roots.undecided, hull[:, :, None])

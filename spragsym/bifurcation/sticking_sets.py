@@ -89,7 +89,7 @@ class Touches:
         self.balance = balance = Balance(own.model, key, law="friction_at_speed")
         self.given = columns(own, balance.parameters)
         self.rows = [balance.parameters.index(name) for name in shares]
-        self.closed = frozenset(k for k in balance.opens if balance.pushing[k])
+        self.closed = frozenset(k for k in balance.opens if balance.indicators[k])
         holding = [k for k, entry in enumerate(own.model.frictions) if entry["holds"]]
         #: Indices of the frictions that hold, and of their contacts; mask of borders by friction.
         self.holding = holding
@@ -102,7 +102,7 @@ class Touches:
     @property
     def touches(self) -> bool:
         """Whether all contacts touch on which friction holds."""
-        return all(self.balance.pushing[k] for k in self.rubbed)
+        return all(self.balance.indicators[k] for k in self.rubbed)
 
     def bounds(self, low: FloatArray, high: FloatArray) -> Intervals:
         """All parameters over cells of shares."""

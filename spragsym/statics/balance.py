@@ -48,11 +48,11 @@ class Balance(Forces, StateSystem):
 
     def identity(self) -> Hashable:
         """Touching contacts, friction law and margins beyond the borders, on which tapes depend."""
-        return *self.pushing, self.law, *self.slacks
+        return *self.indicators, self.law, *self.slacks
 
     def across(self, contact: int) -> Balance:
         """The balance with the state of one contact switched between open and touching."""
-        entries = zip(self.model.contacts, self.pushing, strict=True)
+        entries = zip(self.model.contacts, self.indicators, strict=True)
         touching = tuple(
             label_of(entry) for k, (entry, one) in enumerate(entries) if bool(one) != (k == contact)
         )
@@ -79,7 +79,7 @@ class Balance(Forces, StateSystem):
 
         A contact that presses on either of two faces always appears, with the face that touches.
         """
-        entries = zip(self.model.contacts, self.pushing, strict=True)
+        entries = zip(self.model.contacts, self.indicators, strict=True)
         return ", ".join(
             label_of(entry) if one else f"{OPPOSITE} of {entry['name']}".removesuffix(" of ")
             for entry, one in entries

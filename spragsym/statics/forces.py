@@ -38,7 +38,7 @@ from .options import SearchOptions
 #: Arguments of generated functions by name, of any number type.
 Values: TypeAlias = Mapping[str, Any]
 #: Indicator of every contact: 1 where it touches, 0 where it is open; a jet may lie between.
-Pushing: TypeAlias = Sequence[Any]
+Indicators: TypeAlias = Sequence[Any]
 #: A periodic angle is searched from −this to this: beyond π, so that no image of a state is near
 #: the border of the search.
 SEARCHED_ANGLE = np.pi + 0.02
@@ -95,7 +95,7 @@ class Forces:
         self.contacts = [entry["name"] for entry in model.contacts]
         self.rubbing = model.rubbing
         #: For each contact, 1 if it touches, else 0; one that can't open always touches.
-        self.pushing = [
+        self.indicators = [
             int(
                 not entry["border"]
                 or (label_of(entry) in contact if isinstance(contact, tuple) else contact)
@@ -105,7 +105,7 @@ class Forces:
         #: Numbers of the contacts with a border, which open or press on either face; for each of
         #: these, whether it touches.
         self.opens = [k for k, entry in enumerate(model.contacts) if entry["border"]]
-        self.closed = [bool(self.pushing[k]) for k in self.opens]
+        self.closed = [bool(self.indicators[k]) for k in self.opens]
         #: States up to ``slack`` beyond a border are accepted: of the contacts ``beyond``, by their
         #: numbers, or of all where there are none. ``slacks`` are the values by contact.
         self.slack, self.slacks = 0.0, [0.0] * len(self.opens)
@@ -118,7 +118,7 @@ class Forces:
         self.border = np.full((2, self.n), np.inf)
         for k in self.opens:
             if (gap := model.contacts[k]["border"]) in self.coordinates:
-                self.border[self.pushing[k], self.coordinates.index(gap)] = 0.0
+                self.border[self.indicators[k], self.coordinates.index(gap)] = 0.0
         #: Numbers of coordinates that are periodic angles: one turn of each is searched.
         self.periodic = model.whole_turns
         self.border[:, list(self.periodic)] = SEARCHED_ANGLE
@@ -363,14 +363,14 @@ class Evaluation:
     # ---------------------------------------------------------------------------------------------
     # forces
 
-    def rows(self, name: str = "forces", pushing: Pushing | None = None) -> Sequence[Any]:
+    def rows(self, name: str = "forces", indicators: Indicators | None = None) -> Sequence[Any]:
         """Rows by coordinate of a generated function with the arguments of ``forces``.
 
-        ``pushing`` replaces the contact indicators of the balance.
+        ``indicators`` replaces the contact indicators of the balance.
         """
-        pushing = self.balance.pushing if pushing is None else pushing
+        indicators = self.balance.indicators if indicators is None else indicators
         first = [*self.q, *self.directions]
-        return self.call(name, first, *self.frictions, *pushing, kind="statics")
+        return self.call(name, first, *self.frictions, *indicators, kind="statics")
 
     def followed(self, name: str) -> Sequence[Any]:
         """Rows as :meth:`rows` gives them, in the basis that continuation along a parameter
@@ -398,9 +398,9 @@ class Evaluation:
         """The matrix restricted to the coordinates ``part``."""
         return A if self.part is None else part_of(A, self.part)
 
-    def contact_force(self, contact: int, pushing: Any) -> Number:
-        """The normal force of contact number ``contact``, for that indicator ``pushing``."""
-        return self.call(named("contact_force", self.balance.contacts[contact]), self.q, pushing)
+    def contact_force(self, contact: int, indicator: Any) -> Number:
+        """The normal force of contact number ``contact``, for its contact ``indicator``."""
+        return self.call(named("contact_force", self.balance.contacts[contact]), self.q, indicator)
 
     def of_frictions(self, name: str) -> list[Any]:
         """A generated function of parameters alone, for every contact with friction."""
@@ -420,18 +420,18 @@ class Evaluation:
             for mu, name, circulatory in zip(
                 self.frictions, balance.rubbing, balance.model.about["circulatory"], strict=True
             )
-            if circulatory and balance.pushing[balance.contacts.index(name)]
+            if circulatory and balance.indicators[balance.contacts.index(name)]
         ]
 
     def mass(self) -> Matrix:
         """The mass matrix M."""
         return self._parted(self.call("mass_matrix", self.q))
 
-    def damping(self, pushing: Pushing | None = None) -> Matrix:
+    def damping(self, indicators: Indicators | None = None) -> Matrix:
         """The damping matrix C, of dampers and of the slopes of the friction laws."""
-        pushing = self.balance.pushing if pushing is None else pushing
+        indicators = self.balance.indicators if indicators is None else indicators
         return self.call(
-            "damping", [*self.q, *self.directions[: 3 * self.balance.springs]], *pushing
+            "damping", [*self.q, *self.directions[: 3 * self.balance.springs]], *indicators
         )
 
     def gyroscopic(self) -> Matrix:

@@ -169,10 +169,10 @@ def _has_stiffness(model: Model) -> bool:
     """
     (_, point), *_ = model.cases()
     given = [*map(Intervals.point, np.reshape(model.arguments(point, "motion"), (-1, 1)))]
-    energy, pushing = undecorated(model.algebra.strain_energy), [1] * len(model.contacts)
+    energy, indicators = undecorated(model.algebra.strain_energy), [1] * len(model.contacts)
     with quiet():
         *_, found = _at_origin(
-            lambda q: energy(*q, *given, *pushing, xp=XP), len(model.coordinates), (1,)
+            lambda q: energy(*q, *given, *indicators, xp=XP), len(model.coordinates), (1,)
         )
     return bool(np.isfinite(found.middle).all())
 
@@ -228,7 +228,7 @@ def _one_at_most(balance: Balance, parameters: Intervals, box: FloatArray) -> Bo
 def _strain_energy(balance: Balance, parameters: Intervals) -> Callable[[Sequence[Any]], Any]:
     """The strain energy as a function of coordinates, for boxes of prepared parameters."""
     values, shape = balance.arguments(parameters), parameters.shape[1:]
-    return lambda q: balance.at(q, values, shape).call("strain_energy", q, *balance.pushing)
+    return lambda q: balance.at(q, values, shape).call("strain_energy", q, *balance.indicators)
 
 
 def _little_strained(

@@ -419,7 +419,7 @@ def _by_contact_force(at: Evaluation, known: dict[int, Intervals]) -> FloatArray
     """
     at = replace(at, xp=FREE)
     shape, pressed = at.shape, _presses(at.balance)
-    lifted = [0 if k in pressed else one for k, one in enumerate(at.balance.pushing)]
+    lifted = [0 if k in pressed else one for k, one in enumerate(at.balance.indicators)]
     along, forces = dict[int, Intervals](), dict[int, Intervals]()
     for k in pressed:
         along[k] = known[k] if k in known else _along_force(at, k, lifted)
@@ -472,7 +472,7 @@ def _deepest(at: Evaluation, contact: int) -> FloatArray:
     shift = at.box - Intervals.point(near)
     for row, other in enumerate(balance.opens):
         if other != contact:
-            sign = 1 if balance.pushing[other] else -1
+            sign = 1 if balance.indicators[other] else -1
             along = slopes[own] + slopes[row] * sign
             total = sum(map(mul, along, shift), values[own] + values[row] * sign)
             slack = Intervals.point(np.full(at.shape, balance.slacks[row]))

@@ -57,7 +57,7 @@ from ..numerics.polynomials import derivative
 from ..numerics.precise_roots import as_balls, narrowed
 from ..results import Equilibria, EquilibriumType
 from .balance import NEGLIGIBLE, Balance, PreciseBalance
-from .forces import Evaluation, Pushing, as_intervals, filled
+from .forces import Evaluation, Indicators, as_intervals, filled
 
 #: A λ whose imaginary part over its size is smaller than this counts as real.
 REAL = 1e-9
@@ -594,12 +594,12 @@ def damped_entries(balance: Balance, over: Intervals) -> list[tuple[int, int]]:
     return [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not is_zero(entry)]
 
 
-def _damping(balance: Balance, over: Intervals, pushing: Pushing | None = None) -> Matrix:
+def _damping(balance: Balance, over: Intervals, indicators: Indicators | None = None) -> Matrix:
     """Enclosure of C over states in [−1, 1]ⁿ, with spring directions of any kind."""
     at = balance.at([Intervals(np.ones((2, 1)))] * balance.n, balance.over(over), (1,))
     with quiet():
         return replace(at, fixed=[Intervals(np.ones((2, 1)))] * 3 * balance.springs).damping(
-            pushing
+            indicators
         )
 
 
@@ -624,7 +624,7 @@ def damped_by_friction_alone(balance: Balance, over: Intervals) -> int | None:
     if len(frictions) != 1 or frictions[0]["along"] not in balance.coordinates:
         return None
     if balance.model.about["dampers"]:
-        C = matrix(_damping(balance, over, [0] * len(balance.pushing)), (1,))
+        C = matrix(_damping(balance, over, [0] * len(balance.indicators)), (1,))
         # Without contact, C is that of the dampers alone.
         if not balance.opens or not C.magnitude.max() <= NEGLIGIBLE:
             return None

@@ -43,7 +43,7 @@ def test_a_crossing_is_proved_from_states_far_before_the_border_and_close_to_it(
     lifts = (2 + 0.3) / (2 * 0.8)
     before = p.replace(mu0=begin * lifts)
     state = ss.equilibria(before)
-    (balance,) = [it for it in balances_of(p.model) if all(it.pushing)]
+    (balance,) = [it for it in balances_of(p.model) if all(it.indicators)]
     tubes = Tubes.of_points(balance, "mu0", given_column(before, balance.parameters, ("mu0",)))
     q = [state[name].item() for name in p.model.coordinates]
     here = tubes.place(np.array([*q, before.mu0])[:, None], error=1e-14)

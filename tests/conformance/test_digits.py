@@ -105,7 +105,7 @@ def test_the_forces_vanish_to_as_many_digits(name: str) -> None:
                         *q, *directions, *statics, xp=mpmath
                     )
                     directions += [mpmath.atan2(sine, cosine) for cosine, sine in pairs]
-                pushing = Balance(model, contact).pushing
+                pushing = Balance(model, contact).indicators
                 forces = balance(*q, *directions, *statics, *frictions, *pushing, xp=mpmath)
                 assert max(map(abs, forces)) < mpmath.mpf(10) ** -55
 

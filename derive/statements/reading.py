@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
 import sympy as sp
 from sympy import Expr
 
@@ -20,7 +21,7 @@ from .objects import Derivation, NoObject, Object, derived
 from .papers import Paper, Statement
 from .repair import Values, evaluated, same
 from .samples import numeric
-from .tree import Equation, Node, Unread, printed, symbols, to_sympy
+from .tree import Equation, Node, Unread, printed, residual, symbols, to_sympy
 
 
 @dataclass(frozen=True)
@@ -241,6 +242,27 @@ def _in_order(equations: list[Equation], subject: Object, derivation: Derivation
     return [equations[found.index(place)] for place in subject.index]
 
 
+def _as_matched(
+    equations: list[Equation],
+    index: Sequence[int],
+    targets: Sequence[Values],
+    known: Mapping[str, Values],
+) -> list[Equation]:
+    """Residuals in the order of the entries of which they are multiples; others in their own."""
+    others, found = [*equations], dict[int, Equation]()
+    for place in index if len(index) > 1 else ():
+        for equation in others:
+            tree = residual(equation)
+            if symbols(tree) <= known.keys():
+                with np.errstate(all="ignore"):
+                    ratio = evaluated(tree, known) / targets[place]
+                if same(ratio[::2], ratio[1::2]):
+                    found[place] = equation
+                    others = [one for one in others if one is not equation]
+                    break
+    return [found[place] if place in found else others.pop(0) for place in index]
+
+
 def _item(
     statement: Statement,
     derivation: Derivation,
@@ -270,12 +292,16 @@ def _item(
     bound, defined = named(equations, subject, values, derivation, book)
     known = with_defined(values, defined)
     before, equations = equations[:-count], equations[-count:]
+    targets = tuple(numeric(entry, values) for entry in subject.entries)
     if subject.is_value:
         equations = _in_order(equations, subject, derivation)
+    else:
+        equations = _as_matched(equations, subject.index, targets, known)
     claims = [one for one in before if not _says_nothing(one, subject, known)]
     if claims:
         if count > 1:
-            raise Unread(f"{statement.about} has {count} entries, and the print more equations")
+            said = "the print more equations; give the others statements of their own"
+            raise Unread(f"{statement.about} has {count} entries, and {said}")
         equations = [*claims, *equations]
         subject = replace(subject, index=subject.index * len(equations))
     _check_conditions(equations[0].conditions, known)
@@ -288,7 +314,6 @@ def _item(
         if unknown := unknown - defined.keys():
             name = min(unknown)
             raise Unread(f"{name} is no name of the page; say what it is under [symbols]")
-    targets = tuple(numeric(entry, values) for entry in subject.entries)
     readings = tuple(numeric(one.entry, values) for one in subject.readings)
     listed = {} if subject.law == "scale" else book.letters
     letters = derivation.letters | {

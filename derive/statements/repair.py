@@ -602,6 +602,8 @@ class Search:
         few = self.alternatives.numbers
         for key, ((_, part, above), *others) in groups.items():
             edits = _choices(part, above, self.pool) if others else []
+            if edits and edits[0].kind != "sign":
+                edits.append(Edit("sign", part.at, part, minus(part), COST["sign"]))
             if isinstance(key, str):
                 also, names = tuple(it[1].at for it in others), ("index", "renaming")
                 edits = [replace(it, also=also) for it in edits if it.kind in names]

@@ -474,6 +474,18 @@ def test_a_reversed_equation_may_be_divided_by_a_parameter() -> None:
     assert found.conventions == ("x of the print is -x of the page",)
 
 
+def test_equations_are_those_of_which_they_are_multiples() -> None:
+    """In another order, and as a chain of two of which one is a sum."""
+    across, along = "k_y*y + k_c*y + k/2*(y - x) + F_L", "k_x*x + k/2*(x - y) - mu0*N"
+    for text in (f"2*({across}) = 0; {along} = 0", f"{across} = {along}; 3*({along}) = 0"):
+        assert _judged("equilibrium", text, "units", COUPLING).status == "confirmed"
+        row = _judged("equilibrium", text.replace("F_L", "x"), "units", COUPLING)
+        assert row.status == "misprint"
+    assert _judged("equilibrium", f"{along} = 0; 2*({along}) = 0", "units", COUPLING).status == (
+        "failed"
+    )
+
+
 @pytest.mark.parametrize(("sign", "status"), [("-", "confirmed"), ("+", "misprint")])
 def test_an_equilibrium_may_hold_the_other_one(sign: str, status: str) -> None:
     """N is written as the forces across that it balances: right where the other equation holds."""

@@ -1,5 +1,5 @@
-"""Generated functions as their Python text has them, which is what every other language is printed
-from; without SymPy.
+"""Generated functions parsed from their Python text, from which all other languages are printed
+without SymPy.
 """
 
 from __future__ import annotations
@@ -12,21 +12,20 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-#: Characters of a line of generated text; that of a method is indented by four more.
+#: Largest length of a line of generated text.
 WIDTH = 126
-#: Functions that generated algebra calls, by what follows ``xp.``; ``abs`` is a built-in one.
+#: Names of functions that generated algebra calls as ``xp.name``, and the built-in ``abs``.
 NAMES = ("sqrt", "pi", "exp", "log", "tanh", "atan", "cos", "sin", "atan2", "abs", "sign")
-#: Symbols with the name of a function that languages have, and what stands for them where the two
-#: would be confused.
+#: Other names for symbols that have the name of a function, for languages that would confuse them.
 SPELLED = {"cos": "cos_theta", "sin": "sin_theta"}
 
-#: Nested results: the text of an expression, or a tuple of such.
+#: The text of an expression, or a tuple of results.
 Results = str | tuple["Results", ...]
 
 
 @dataclass(frozen=True)
 class Definition:
-    """One generated function: what it is, and its statements as text."""
+    """A generated function with its statements as text."""
 
     name: str
     summary: str
@@ -45,12 +44,12 @@ class Definition:
 
     @cached_property
     def leaves(self) -> tuple[str, ...]:
-        """The results in order."""
+        """The results in order, without nesting."""
         return tuple(flat(self.results))
 
     @cached_property
     def read(self) -> frozenset[str]:
-        """Names that its expressions have."""
+        """All names in its expressions."""
         return frozenset(
             word
             for text in (*dict(self.statements).values(), *self.leaves)
@@ -59,11 +58,11 @@ class Definition:
 
     @property
     def origin(self) -> str:
-        """Its equations, and how many operations it takes, in a comment."""
+        """The text of a comment: its equations and number of operations."""
         return f"Source: {self.equations}. Operations: {self.operations}."
 
     def spelled(self, of: Callable[[str], str]) -> Definition:
-        """The function with all names and expressions spelled anew."""
+        """The function with ``of`` applied to all names and expressions."""
 
         def each(part: Results) -> Results:
             return tuple(map(each, part)) if isinstance(part, tuple) else of(part)
@@ -75,7 +74,7 @@ class Definition:
         return replace(self, **changed)
 
     def tree(self, spelled: Mapping[str, str]) -> ast.Module:
-        """Statements and return statement of a function, with other names for some."""
+        """The syntax tree of its statements and return statement, with some names replaced."""
         lines = [f"{name} = {expression}" for name, expression in self.statements]
         tree = ast.parse("\n".join([*lines, f"return {nested(self.results, '()', str)}"]))
         for node in ast.walk(tree):
@@ -85,7 +84,7 @@ class Definition:
 
 
 def flat(results: object) -> Iterator[Any]:
-    """Leaves of a nested result, of texts or of expressions, in order."""
+    """The leaves of a nested result in order."""
     if isinstance(results, tuple):
         for item in results:
             yield from flat(item)
@@ -94,7 +93,7 @@ def flat(results: object) -> Iterator[Any]:
 
 
 def nested(results: object, brackets: str, printed: Callable[[Any], str]) -> str:
-    """A nested result between brackets; a tuple of one ends with a comma."""
+    """The text of a nested result in brackets; a tuple of one ends in a comma."""
     if not isinstance(results, tuple):
         return printed(results)
     comma = "," if brackets == "()" and len(results) == 1 else ""
@@ -110,7 +109,7 @@ def of_module(text: str) -> tuple[Definition, ...]:
 
 
 def definition(text: str) -> Definition:
-    """A function from its text, without decorators."""
+    """Parse a generated function from its text, without decorators."""
     (node,) = ast.parse(text).body
     assert isinstance(node, ast.FunctionDef)
     docstring = re.compile(r"(.*?) Returns (.*?)\.(?: Source: (.*)\.)? Operations: (\d+)\.")
@@ -140,14 +139,15 @@ def definition(text: str) -> Definition:
 
 
 def _results(text: str, node: ast.expr) -> Results:
+    """The nested texts of returned values."""
     if isinstance(node, ast.Tuple):
         return tuple(_results(text, item) for item in node.elts)
     return _plain(text, node)
 
 
 def _plain(text: str, node: ast.expr) -> str:
-    """An expression on one line, fractions as divisions of whole numbers: a 1 of the arguments'
-    type is for Python only.
+    """An expression on one line with fractions as divisions of integers, without the factor
+    ``_one``, which only Python needs for other number types.
     """
     one_line = " ".join((ast.get_source_segment(text, node) or "").split())
     one_line = re.sub(r"\(?(-?\d+)\*_one/(\d+)\)?", r"(\1/\2)", one_line)
@@ -159,7 +159,7 @@ def _plain(text: str, node: ast.expr) -> str:
 
 
 def ported(expression: str, functions: Mapping[str, str]) -> str:
-    """An expression with another language's names of functions."""
+    """An expression with the names of functions in another language."""
     return re.sub(
         r"xp\.(\w+)|\b(abs)(?=\()", lambda found: functions[found[1] or found[2]], expression
     )

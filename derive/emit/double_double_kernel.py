@@ -1,10 +1,10 @@
-"""A kernel a second time, on double-double numbers: operators become calls of the arithmetic in
+"""Translation of a kernel to double-double numbers: operators become calls of the arithmetic in
 ``double_double.py``.
 
-What comes out is text in the kernel's own language, which targets print as they print the kernel. A
-statement is rewritten by the kinds of what it computes with: doubles stay doubles, and what a
-double-double enters becomes one. Functions that are given doubles only are those of the plain
-kernel.
+The result is text in the kernel's own language, which targets print as they print the kernel. Each
+statement is rewritten by the kinds of its operands: an operation on doubles stays as it is, one
+with a double-double among its operands gives a double-double. Functions that are called with
+doubles only are those of the plain kernel.
 """
 
 import ast
@@ -27,11 +27,10 @@ def widened(
     algebra: Mapping[str, Definition],
     called: Iterable[tuple[str, tuple[str, ...]]],
 ) -> Source:
-    """The functions that ``called`` names with the kinds of their arguments, and all that they
-    need.
+    """The double-double versions of functions, and all that they need.
 
-    Where one of these kinds is a record of the kernel, its version on double-doubles is meant; a
-    function that is named earlier returns it.
+    ``called`` has names with the kinds of their arguments. The record of a kernel among these kinds
+    stands for its version on double-doubles; a function that is named earlier returns it.
     """
     program = _Program(kernel, arithmetic, algebra)
     for name, kinds in called:
@@ -41,9 +40,7 @@ def widened(
 
 @dataclass
 class _Program:
-    """Program as written so far: functions and records of double-doubles, each after those that it
-    needs.
-    """
+    """The functions and records written so far, each after those that it needs."""
 
     kernel: Source
     arithmetic: Source
@@ -62,7 +59,7 @@ class _Program:
         return f"Wide{kind}" if kind in self.kernel.records else kind
 
     def record(self, name: str, kinds: tuple[str, ...]) -> str:
-        """The record whose fields have these kinds; written where it is new."""
+        """The name of the record with fields of these kinds, which is written if it is new."""
         if not any(kind.startswith("Wide") for kind in kinds):
             return name
         wide = f"Wide{name}"
@@ -73,13 +70,13 @@ class _Program:
         return wide
 
     def several(self, number: int) -> str:
-        """The record of ``number`` double-doubles, which generated algebra returns."""
+        """The name of the record of ``number`` double-doubles, returned by generated algebra."""
         name = f"Wides{number}"
         self.define(name, f"{number} double-doubles.", {f"value{i}": "Wide" for i in range(number)})
         return name
 
     def define(self, name: str, summary: str, fields: dict[str, str]) -> None:
-        """Write a record, unless it is there."""
+        """Write a record, unless it is written already."""
         if name not in self.fields:
             self.fields[name] = fields
             listed = "".join(f"    {attribute}: {kind}\n" for attribute, kind in fields.items())
@@ -109,9 +106,7 @@ class _Program:
     def write(
         self, name: str, summary: str, given: dict[str, str], body: Sequence[ast.stmt]
     ) -> None:
-        """Write a function of double-doubles; what explains its statements stands in the plain
-        one.
-        """
+        """Write a function on double-doubles, without the comments of the plain one."""
         writer = _Writer(self, dict(given))
         written = "\n".join(
             ast.unparse(ast.fix_missing_locations(writer.statement(statement)))
@@ -135,7 +130,7 @@ class _Writer:
             case ast.Assign(targets=[ast.Name(id=name) as target], value=value):
                 return ast.Assign([target], self.assigned(name, *self.expression(value)))
             case ast.Assign(targets=[ast.Tuple() as target], value=ast.Call() as value):
-                # Results of generated algebra: double-doubles, if one is among what it is given.
+                # Generated algebra gives double-doubles if an argument is one.
                 called, kind = self.expression(value)
                 self.kinds |= dict.fromkeys(places(target), "Real" if kind == "Real" else "Wide")
                 return ast.Assign([ast.Tuple(items(target))], called)
@@ -194,8 +189,8 @@ class _Writer:
         return _call("dd_negative", value) if kind == "Wide" else ast.UnaryOp(ast.USub(), value)
 
     def leading(self, value: ast.expr) -> ast.expr:
-        """The leading double, by a call: not every language lets one take a field of a call's
-        result.
+        """The leading double; of a call by another call, since not every language can take a field
+        of a call's result.
         """
         named = isinstance(value, ast.Name | ast.Attribute)
         return ast.Attribute(value, "high", ast.Load()) if named else _call("dd_leading", value)
@@ -227,9 +222,8 @@ class _Writer:
         (one, kind), (other, other_kind) = left, right
         if "Wide" not in (kind, other_kind):
             return ast.Compare(one, [op], [other])
-        if (
-            isinstance(other, ast.Constant) and other.value == 0.0
-        ):  # the leading part has the sign of the whole
+        # The leading part has the sign of the whole.
+        if isinstance(other, ast.Constant) and other.value == 0.0:
             return ast.Compare(self.leading(one), [op], [other])
         match op:
             case ast.Lt():
@@ -272,7 +266,7 @@ def _call(name: str, *args: ast.expr) -> ast.expr:
 
 
 def _power_of_two(node: ast.expr) -> float:
-    """The constant, if it is one; else 0."""
+    """The value of a constant that is a power of 2; else 0."""
     match node:
         case ast.UnaryOp(op=ast.USub(), operand=operand):
             return -_power_of_two(operand)

@@ -1,6 +1,4 @@
-"""Expressions of the kernel's language in a target's syntax, with brackets where its operators need
-them.
-"""
+"""Printer of the kernel's expressions in a target's syntax, with the brackets that are needed."""
 
 import ast
 import re
@@ -12,8 +10,8 @@ from .language import KernelError, Routine, Source
 
 
 class Strength(IntEnum):
-    """How strongly what is printed binds, weakest first: brackets stand where a part binds more
-    weakly than what is around it.
+    """Precedence of printed expressions, the weakest first: an operand of weaker precedence than
+    its operation is put into brackets.
     """
 
     CHOICE = auto()
@@ -28,31 +26,29 @@ class Strength(IntEnum):
 
 @dataclass(frozen=True)
 class Syntax:
-    """Syntax in which languages differ."""
+    """What differs between the syntaxes of targets."""
 
-    #: Names of the functions that stand for the language's primitives but ``where``.
+    #: Names of the functions for the language's primitives, except ``where``.
     primitives: Mapping[str, str]
-    #: The signs for ``&``, ``|`` and ``~``.
+    #: Operators for ``&``, ``|`` and ``~``.
     logic: Mapping[type[ast.operator] | type[ast.unaryop], str]
     algebra: Callable[[str], str]  #: how a generated function is called
     routine: Callable[[str], str] = str  #: how a function of the kernel is called
-    #: For + − * / and comparisons, where they differ, as ``.*`` for arrays.
+    #: Other operators for arithmetic and comparisons, as ``.*`` for arrays.
     signs: Mapping[str, str] = field(default_factory=dict)
-    #: Whether ``c ? a : b`` chooses; otherwise a function does that ``primitives`` names.
+    #: Whether a choice is ``c ? a : b``; else it is a function in ``primitives``.
     ternary: bool = True
 
 
 @dataclass(frozen=True)
 class Expressions:
-    """Prints expressions of a kernel."""
+    """Printer of a kernel's expressions."""
 
     source: Source
     syntax: Syntax
 
     def print(self, node: ast.expr, least: int = Strength.CHOICE) -> str:
-        """The text of an expression, in brackets where it binds more weakly than what stands around
-        it.
-        """
+        """The text of an expression, in brackets if its precedence is below ``least``."""
         text, strength = self._expression(node)
         return f"({text})" if strength < least else text
 
@@ -104,12 +100,12 @@ class Expressions:
         )
 
     def called(self, name: str) -> str:
-        """Name by which a primitive, a routine or generated algebra is called."""
+        """The name by which a primitive, a routine or a generated function is called."""
         if name in self.syntax.primitives:
             return self.syntax.primitives[name]
-        return (
-            self.syntax.routine(name) if name in self.source.routines else self.syntax.algebra(name)
-        )
+        if name in self.source.routines:
+            return self.syntax.routine(name)
+        return self.syntax.algebra(name)
 
     def _binary(self, left: ast.expr, op: ast.operator, right: ast.expr) -> tuple[str, int]:
         strengths = {
@@ -122,8 +118,8 @@ class Expressions:
         }
         strength = strengths[type(op)]
         if isinstance(op, ast.BitAnd | ast.BitOr):
-            # Brackets on both sides, except in a chain of the same sign: no reader needs to know
-            # which binds more strongly.
+            # Both sides have brackets, except in a chain of the same operator: a reader need not
+            # know the precedence of logical operators.
             chained = isinstance(left, ast.BinOp) and type(left.op) is type(op)
             sides = (
                 self.print(left, strength if chained else Strength.ATOM),
@@ -140,8 +136,8 @@ class Expressions:
 
 
 def hands_back(routine: Routine | None) -> bool:
-    """Whether a routine returns its argument unchanged, as ``rough`` does for doubles: a call is
-    then printed as its argument.
+    """Whether a routine returns its argument unchanged, as ``rough`` of a double; a call of it is
+    printed as the argument.
     """
     match routine:
         case Routine(arguments=((argument, _),), body=(ast.Return(value=ast.Name(id=returned)),)):
@@ -150,8 +146,8 @@ def hands_back(routine: Routine | None) -> bool:
 
 
 def printed(source: Source, asked: Iterable[str]) -> list[Routine]:
-    """The routines that are printed: those that are asked for, and all that they call, but for
-    those that return their argument.
+    """The routines that are printed: those asked for, and all that they call, except those that
+    return their argument.
     """
     needed: set[str] = set()
     further = [source.routines[name] for name in asked]

@@ -1,4 +1,4 @@
-"""What is generated: functions of algebra, gathered in modules."""
+"""Functions to be generated, as SymPy expressions, gathered in modules."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
@@ -7,14 +7,14 @@ import sympy as sp
 
 from ..algebra import Names, Symbols
 
-#: Nested results: an expression, or a tuple of such.
+#: An expression, or a tuple of results.
 Results = sp.Expr | tuple["Results", ...]
 
 
 @dataclass(frozen=True)
 class Function:
-    """One generated function: ``results`` in ``arguments`` and in ``shorthands``, each of these in
-    arguments and earlier shorthands.
+    """A function to be generated: ``results`` in its arguments and ``shorthands``, each of which is
+    an expression in arguments and earlier shorthands.
     """
 
     name: str
@@ -24,8 +24,7 @@ class Function:
     results: Results
     returns: str
     shorthands: Names = field(default_factory=dict)
-    #: Arguments that the published model does not have and a changed assumption brings in: they
-    #: come last and default to 0.
+    #: Arguments that a changed assumption adds to the published model; the last ones, 0 by default.
     further: Symbols = ()
 
     @property
@@ -42,12 +41,12 @@ def of_page(
     returns: str,
     shorthands: Names | None = None,
 ) -> Function:
-    """One of a model's own functions, which follow from its page."""
+    """A function of a model, which follows from its page."""
     return Function(name, summary, "the page", taken, results, returns, shorthands or {})
 
 
 def renamed(function: Function, spelled: Callable[[str], str]) -> Function:
-    """The function with all of its symbols spelled anew."""
+    """The function with all symbols renamed."""
 
     def of(part: Results) -> Results:
         if isinstance(part, tuple):
@@ -73,7 +72,7 @@ def rows(matrix: sp.Matrix) -> Results:
 
 @dataclass(frozen=True)
 class Module:
-    """One generated module."""
+    """A module to be generated."""
 
     name: str
     summary: str

@@ -1,8 +1,8 @@
-"""The small language that kernels are written in: its primitives, and how a target reads it.
+"""The small language of the kernels, a subset of Python: its primitives and its parser.
 
-A function is a docstring, statements and a return. Statements assign a name, unpack the results of
-generated algebra into names, or repeat statements a fixed number of times. Everything has one of
-three kinds: a real number, a flag, or a record.
+A function consists of a docstring, statements and a return statement. A statement assigns a name,
+unpacks the results of generated algebra, or repeats statements a fixed number of times. Every value
+is of one of three kinds: a real number, a flag, or a record.
 """
 
 from __future__ import annotations
@@ -14,28 +14,30 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, NoReturn, TypeAlias, TypeGuard
 
-#: A number: a float, an array of any float type, an interval, whatever the target computes with.
+#: A real number of the target: a float, an array, an interval.
 Real: TypeAlias = Any
-#: True or false, or an array of such.
+#: A truth value, or an array of these.
 Flag: TypeAlias = Any
 
 
 def _primitive(name: str) -> Callable[..., Any]:
+    """A placeholder for a function that every target provides."""
+
     def unbound(*_: Any) -> NoReturn:
         raise TypeError(f"{name} has no meaning before a target gives it one")
 
     return unbound
 
 
-#: What every target provides: ``where`` computes both sides of a choice; the others are functions
-#: of one or two reals.
+#: Primitives of every target: ``where``, which evaluates both sides, and functions of one or two
+#: reals.
 where, maximum, minimum, absolute, sqrt, cube_root = map(
     _primitive, ("where", "maximum", "minimum", "absolute", "sqrt", "cube_root")
 )
 
 
 def derived(number: int) -> tuple[Any, ...]:
-    """Names that a target binds: generated algebra, counts of roundings."""
+    """Placeholders for names that a target binds: generated algebra and counts of roundings."""
     return (_primitive("what is derived"),) * number
 
 
@@ -50,7 +52,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Routine:
-    """One function of the kernel."""
+    """A function of the kernel; arguments are pairs of name and kind."""
 
     name: str
     summary: str
@@ -60,7 +62,7 @@ class Routine:
 
     @cached_property
     def calls(self) -> tuple[str, ...]:
-        """Names of all functions that it calls, in order."""
+        """The names of all functions that it calls, in order."""
         nodes = (node for statement in self.body for node in ast.walk(statement))
         called = (node.func for node in nodes if isinstance(node, ast.Call))
         return tuple(it.id for it in called if isinstance(it, ast.Name))
@@ -68,7 +70,7 @@ class Routine:
 
 @dataclass(frozen=True)
 class Constant:
-    """A named number, and the comment above it."""
+    """A named number with the comment above it."""
 
     name: str
     value: float
@@ -77,8 +79,10 @@ class Constant:
 
 @dataclass(frozen=True)
 class Source:
-    """The kernel as read: its parts, which a target prints, and its text, which the Python target
-    copies. A model that needs no kernel has an empty one.
+    """A parsed kernel: its parts, which targets print, and its text, which the Python target
+    copies.
+
+    The kernel of a model without one is empty.
     """
 
     text: str = ""
@@ -88,7 +92,7 @@ class Source:
 
     @property
     def summary(self) -> str:
-        """The first line of its docstring."""
+        """The first line of the kernel's docstring."""
         return (ast.get_docstring(ast.parse(self.text)) or "").partition("\n")[0]
 
     @property
@@ -103,19 +107,17 @@ class Source:
 
 
 class KernelError(ArithmeticError):
-    """The kernel's source is not in its language."""
+    """A kernel's source is not in its language."""
 
 
 def read(path: Path, *further: Path) -> Source:
-    """Parse the kernel in a file, or in several of which the first describes it; what they import
-    of each other is left out.
-    """
+    """Parse a kernel from files; imports and docstrings of all but the first are left out."""
     others = (definitions(it.read_text(encoding="utf-8")) for it in further)
     return parse("\n\n".join([path.read_text(encoding="utf-8"), *others]))
 
 
 def definitions(text: str) -> str:
-    """A text from its first constant, record or function on: without imports."""
+    """The text of a file from its first constant, record or function on."""
     lines = text.splitlines()
     first = next(
         node
@@ -130,12 +132,12 @@ def _is_constant(node: ast.stmt) -> TypeGuard[ast.Assign]:
 
 
 def joined(*sources: Source) -> Source:
-    """Several as one: all constants, then all records and functions, in order."""
+    """One kernel of several."""
     return parse("\n\n".join(source.text for source in sources))
 
 
 def parse(text: str) -> Source:
-    """Parse a kernel."""
+    """Parse a kernel from its text."""
     lines = text.splitlines()
     constants, records, routines = [], {}, {}
     for node in ast.parse(text).body:
@@ -176,6 +178,7 @@ def _comment_above(node: ast.stmt, lines: list[str]) -> list[str]:
 
 
 def _kind(annotation: ast.expr | None, node: ast.stmt | ast.arg) -> str:
+    """The kind that an annotation names."""
     if not isinstance(annotation, ast.Name):
         raise KernelError(
             f"line {node.lineno}: arguments and results need a kind: Real, Flag or a record"
@@ -189,12 +192,14 @@ def _kind(annotation: ast.expr | None, node: ast.stmt | ast.arg) -> str:
 
 @dataclass(frozen=True)
 class Kinds:
-    """Tells, for any expression of the kernel, whether it is a real number, a flag or a record."""
+    """Inference of the kind of an expression of the kernel."""
 
     source: Source
 
     def of(self, expression: ast.expr, names: Mapping[str, str]) -> str:
-        """The kind of an expression, given that of the names in it."""
+        """The kind of an expression: Real, Flag or the name of a record; ``names`` has the kinds of
+        local names.
+        """
         match expression:
             case ast.Constant():
                 return "Real"
@@ -222,7 +227,7 @@ class Kinds:
 
 
 def passes(loop: ast.For) -> int:
-    """Number of passes of a loop."""
+    """The number of passes of a loop."""
     match loop.iter:
         case ast.Call(func=ast.Name(id="range"), args=[ast.Constant(value=int(number))]):
             return number

@@ -1,6 +1,4 @@
-"""What a symbol of generated code stands for: its name in print, meaning, unit and allowed
-values.
-"""
+"""Quantities behind the symbols of generated code: name in print, meaning, unit and domain."""
 
 import math
 import re
@@ -10,7 +8,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Interval:
-    """Allowed values; an infinite end is open."""
+    """The interval of allowed values; infinite ends are open."""
 
     low: float = -math.inf
     high: float = math.inf
@@ -26,9 +24,9 @@ class Interval:
 
 @dataclass(frozen=True)
 class Quantity:
-    """One entry of a nomenclature; ``str(symbol)`` is the name in generated code.
+    """An entry of a nomenclature; ``str(symbol)`` is the name in generated code.
 
-    The number may be a multiple of some ``scale``, as a length over L_0 is.
+    The number may be a quantity over a ``scale``, as a length over L_0.
     """
 
     symbol: Any  #: SymPy's, or only its name
@@ -40,13 +38,13 @@ class Quantity:
 
     @property
     def interval(self) -> Interval:
-        """The domain as numbers."""
+        """The domain as an interval."""
         return interval(self.domain)
 
 
 def interval(domain: str) -> Interval:
-    """Read ``real``, ``> 0``, ``>= 0``, ``(0, pi)``, ``(-pi/2, pi/2)``, ``[-1, 1]``; a set of
-    values, ``{0, 1}``, has the interval that it spans.
+    """Parse a domain, ``real``, ``> 0``, ``>= 0``, ``(0, pi)``, ``(-pi/2, pi/2)`` or ``[-1, 1]``; a
+    set ``{0, 1}`` gives its hull.
     """
     if domain == "real":
         return Interval()
@@ -58,7 +56,7 @@ def interval(domain: str) -> Interval:
 
 
 def written(allowed: Interval) -> str:
-    """An interval as a domain is written."""
+    """The text of an interval as a domain."""
     low, high = ("pi" if end == math.pi else f"{end:g}" for end in (allowed.low, allowed.high))
     if math.isinf(allowed.high):
         return "real" if math.isinf(allowed.low) else f">{'' if allowed.low_open else '='} {low}"
@@ -66,7 +64,7 @@ def written(allowed: Interval) -> str:
 
 
 def _number(text: str) -> float:
-    """A decimal, or a multiple of pi as ``pi``, ``-pi/2``."""
+    """Parse a decimal or a multiple of pi, as ``-pi/2``."""
     if multiple := re.fullmatch(r"(-?)pi(?:/(\d+))?", text):
         return math.pi / int(multiple[2] or 1) * (-1 if multiple[1] else 1)
     return float(text)

@@ -1,6 +1,4 @@
-"""Functions of the kernel's language in a target's syntax: its kinds of statements, each printed as
-the target writes it.
-"""
+"""Printer of the kernel's functions in a target's syntax, statement by statement."""
 
 import ast
 from collections import Counter
@@ -12,14 +10,14 @@ from .language import KernelError, Routine, Source, passes
 
 
 class Printer:
-    """Prints one routine; a target says below how each kind of statement is written, in lines that
-    end with a newline.
+    """Printer of one routine. A target's subclass says how each kind of statement is written, as
+    lines that end in a newline.
     """
 
-    step: ClassVar[str] = "  "  #: how much further the statements of a loop are indented
-    begin: ClassVar[str]  #: of a loop, with ``{}`` for the number of passes
-    end: ClassVar[str] = "}"  #: of a loop
-    gives: ClassVar[str] = "return {};"  #: what is returned
+    step: ClassVar[str] = "  "  #: indentation of a loop's statements
+    begin: ClassVar[str]  #: first line of a loop, with ``{}`` for the number of passes
+    end: ClassVar[str] = "}"  #: last line of a loop
+    gives: ClassVar[str] = "return {};"  #: return statement
 
     def __init__(self, it: Routine, source: Source, syntax: Syntax) -> None:
         self.it, self.source = it, source
@@ -36,7 +34,7 @@ class Printer:
         return "".join(self._explained(statement, indent) for statement in self.it.body)
 
     def _explained(self, node: ast.stmt, indent: str) -> str:
-        """A statement, below the comment that stands above it in the kernel."""
+        """A statement with the comment that stands above it in the kernel."""
         above = self.source.lines[node.lineno - 2].strip()
         said = self.comment(above.removeprefix("# "), indent) if above.startswith("# ") else ""
         return said + self._statement(node, indent)
@@ -65,14 +63,13 @@ class Printer:
         )
 
     def fields(self, name: str, values: list[ast.expr]) -> Iterator[tuple[str, str]]:
-        """The fields of a record, each with what it is made of."""
+        """The fields of a record with their printed values."""
         return zip(
             dict(self.source.records[name].fields), map(self.expressions.print, values), strict=True
         )
 
-    #: What a target writes for a statement that may be too long for a line, for a comment, for an
-    #: assignment, for results of generated algebra that are given names, and for what is returned:
-    #: a record or several results.
+    #: How a target writes a long statement, a comment, an assignment, the unpacking of results of
+    #: generated algebra, a returned record, and several returned results.
     line: Callable[[str, str], str]
     comment: Callable[[str, str], str]
     assignment: Callable[[str, ast.expr, str], str]
@@ -82,9 +79,7 @@ class Printer:
 
 
 def assigned(node: ast.stmt) -> Iterator[str]:
-    """Names that a statement assigns; those assigned in a loop are listed twice, since they
-    change.
-    """
+    """Names that a statement assigns; those in a loop twice, since they change."""
     match node:
         case ast.Assign(targets=[target]):
             yield from places(target)

@@ -1,5 +1,5 @@
-"""From a function's algebra to straight-line code: shorthands in order, powers as products, shared
-subexpressions once.
+"""Straight-line code of a function: shorthands in order, powers as products, and every common
+subexpression computed once.
 """
 
 from collections import Counter
@@ -17,16 +17,16 @@ from .function import Function, Results
 
 @dataclass(frozen=True)
 class Body:
-    """Assignments in order, then the results, nested as in the function."""
+    """The straight-line code of a function: assignments in order, and nested results."""
 
     assignments: tuple[tuple[Symbol, Expr], ...]
     results: Results
-    powers: frozenset[Symbol] = frozenset()  #: names that stand for a whole power of another
+    powers: frozenset[Symbol] = frozenset()  #: names of integer powers of other names
 
     @cached_property
     def negated(self) -> Mapping[Symbol, Expr]:
-        """Names for minus another, which turn a sign where they stand; not those of which a power
-        is taken.
+        """Names for the negative of another name, which are replaced where they occur; except those
+        of which a power is taken.
         """
         wholes = (*dict(self.assignments).values(), *flat(self.results))
         bases = {power.base for whole in wholes for power in whole.atoms(sp.Pow)}
@@ -38,14 +38,14 @@ class Body:
 
     @cached_property
     def _computed(self) -> list[Expr]:
-        """Computed expressions, with signs turned."""
+        """All computed expressions, with negated names replaced."""
         values = (value for symbol, value in self.assignments if symbol not in self.negated)
         return [value.xreplace(self.negated) for value in (*values, *flat(self.results))]
 
     @cached_property
     def inlined(self) -> Mapping[Symbol, Expr]:
-        """Expressions that need no statement of their own: a power used in one place, printed
-        there, a second name, a name for minus another.
+        """Names without a statement of their own, with their expressions: a power that is used
+        once, a second name of a value, a negated name.
         """
         used = Counter(part for whole in self._computed for part in sp.preorder_traversal(whole))
         kept = {
@@ -57,7 +57,7 @@ class Body:
 
     @property
     def operations(self) -> int:
-        """Number of operations."""
+        """The number of operations."""
         return sum(int(sp.count_ops(value)) for value in self._computed)
 
     @property
@@ -67,7 +67,7 @@ class Body:
 
 
 def straight_line(function: Function) -> Body:
-    """Assignments and results of a function, with every shared subexpression computed once."""
+    """The straight-line code of a function, with common subexpressions eliminated."""
     leaves = tuple(flat(function.results))
     named = _needed(leaves, function)
     powers = _Powers({str(symbol) for symbol in (*function.accepted, *function.shorthands)})
@@ -75,10 +75,10 @@ def straight_line(function: Function) -> Body:
     leaves = tuple(powers.replace(leaf) for leaf in leaves)
     definitions = dict(powers.definitions)
     everything = [*expressions, *definitions.values(), *leaves]
-    # Not by equality of symbols, to which assumptions belong.
+    # By name, since symbols of one name with other assumptions are not equal.
     free = (symbol for symbol in sp.numbered_symbols("w") if str(symbol) not in powers.taken)
     temporaries, reduced = sp.cse(everything, symbols=free)
-    # Of exp(x) and exp(2 x) sharing makes powers again.
+    # The elimination makes new powers, as of exp(x) and exp(2 x).
     again = _Powers(
         {str(symbol) for symbol in (*function.accepted, *function.shorthands, *definitions)}
     )
@@ -90,8 +90,8 @@ def straight_line(function: Function) -> Body:
     available.update(zip(definitions, reduced[count : count + extra], strict=True))
     available.update(again.definitions)
     outputs = reduced[count + extra :]
-    # What sharing has named has two names if it is the base of a power, too, and its powers are
-    # named after the wrong one.
+    # A common subexpression that is also the base of a power has two names; its powers are named
+    # after the wrong one.
     second = {
         symbol: available.pop(symbol) for symbol in definitions if available[symbol].is_Symbol
     }
@@ -118,7 +118,13 @@ def straight_line(function: Function) -> Body:
 
 
 def _needed(leaves: Row, function: Function) -> list[tuple[Symbol, Expr]]:
-    """The shorthands that the results use; each comes after the shorthands that it uses itself."""
+    """The shorthands that the results use, each after those that it uses itself.
+
+    Raises
+    ------
+    ArithmeticError
+        If a symbol is neither an argument nor a shorthand.
+    """
     ordered: Names = {}
     shorthands = {
         symbol: value
@@ -136,12 +142,11 @@ def _needed(leaves: Row, function: Function) -> list[tuple[Symbol, Expr]]:
 
 
 class _Powers:
-    """Replaces integer powers by named products of smaller powers, each computed once, so that a
-    number type needs no powers.
+    """Replaces powers by named products, so that a number type needs no powers.
 
-    Squares are replaced too: some interval libraries cannot square a ball around zero. Other powers
-    become products of a root. A name that the function itself uses, as ``sigma_2`` may be, is given
-    to no power.
+    Integer powers become products of smaller ones, each computed once; squares too, since some
+    interval libraries cannot square a ball around zero. Fractional powers become products of a
+    root. A name that the function itself uses, as ``sigma_2`` may be, is not given to a power.
     """
 
     def __init__(self, taken: set[str]) -> None:
@@ -155,7 +160,7 @@ class _Powers:
         )
 
     def rest(self, expression: Expr) -> Expr:
-        """The same, but for a whole that is a square of a name."""
+        """Replace powers, unless the whole expression is the square of a name."""
         if isinstance(expression, sp.Pow) and expression.exp == 2 and expression.base.is_Symbol:
             return expression
         return self.replace(expression)
@@ -175,7 +180,7 @@ class _Powers:
         return (self._power(base, whole) if whole else sp.S.One) * self._power(root, part)
 
     def _once(self, stem: str, value: Expr) -> Symbol:
-        """The name of a value that may have one already."""
+        """The name of a value: that which it has already, or a new one."""
         new = Symbol(self.free(f"{stem}{len(self.definitions)}"), real=True)
         symbol = next(
             (symbol for symbol, definition in self.definitions.items() if definition == value), new
@@ -193,8 +198,7 @@ class _Powers:
             return base
         if not base.is_Symbol:
             base = self._once("base", base)
-        # Always with the same assumptions: SymPy takes symbols of one name and different
-        # assumptions for different symbols.
+        # Always with the same assumptions: otherwise SymPy takes them for different symbols.
         symbol = Symbol(self.free(f"{base}_{exponent}"), real=True)
         if symbol not in self.definitions:
             low, high = exponent // 2, exponent - exponent // 2
@@ -204,9 +208,7 @@ class _Powers:
 
 
 def _place(root: Expr, available: Names, ordered: Names) -> None:
-    """Put what an expression needs in its order, and the value of a symbol after what that
-    needs.
-    """
+    """Add the symbols that an expression needs to ``ordered``, each after those that it needs."""
     if root.is_Symbol and (root in ordered or root not in available):
         return
     whole = available[root] if root.is_Symbol else root
@@ -217,6 +219,7 @@ def _place(root: Expr, available: Names, ordered: Names) -> None:
 
 
 def _refill(shape: Results, leaves: Iterator[Expr]) -> Results:
+    """Leaves nested as in a shape."""
     if isinstance(shape, tuple):
         return tuple(_refill(item, leaves) for item in shape)
     return next(leaves)

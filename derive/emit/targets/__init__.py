@@ -1,6 +1,6 @@
-"""Target languages: each folder beside this file is one, found by its name.
+"""Target languages: every folder beside this file is one.
 
-A language turns generated algebra and the kernel into files of its own. Its folder holds
+A language prints generated algebra and the kernel as files of its own. Its folder holds
 
 - ``__init__.py``: ``render``, which gives the text of every file by its name;
 - printers: for the algebra (:mod:`..definitions` has its statements as text), and for the kernel
@@ -8,8 +8,8 @@ A language turns generated algebra and the kernel into files of its own. Its fol
 - ``runtime/``: what is not algebra, in files of the language with ``@name@`` where emitted text
   goes.
 
-What only one model has in a language stands with that model, and comes with the material: see
-:attr:`Material.runtime`. Nothing here needs SymPy: a library is put together when it is exported.
+Files that only one model has in a language stand with that model and come with the material:
+:attr:`Material.runtime`. Nothing here needs SymPy: a library is made when it is exported.
 """
 
 import importlib
@@ -25,99 +25,95 @@ from ..definitions import Definition, symbols
 from ..language import Source, joined
 from ..quantities import Interval, Quantity
 
-#: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine,
-#: itself before them if it is used.
+#: Angles by name, with the arguments that stand for each: its cosine and sine, and before them the
+#: angle itself if it is used.
 Angles: TypeAlias = Mapping[str, tuple[str, ...]]
 
 
 @dataclass(frozen=True)
 class Variable:
-    """A quantity of a model as whoever runs it sees it: in its unit, where there are units."""
+    """A quantity of a model as a user of an FMU sees it, in its unit if there are units."""
 
     name: str
     meaning: str
     unit: str = ""
-    dimension: tuple[Fraction, ...] = (
-        Fraction(0),
-    ) * 4  #: of the unit: powers of kilogram, metre, second and radian
-    factor: float = 1.0  #: one of the unit in SI
-    powers: tuple[float, ...] = ()  #: of the units of measure in what is 1 inside
-    nominal: float = 1.0  #: what is 1 inside, in its unit
+    #: powers of kilogram, metre, second and radian in the unit
+    dimension: tuple[Fraction, ...] = (Fraction(0),) * 4
+    factor: float = 1.0  #: the unit in SI
+    powers: tuple[float, ...] = ()  #: powers of the units of measure in its scale
+    nominal: float = 1.0  #: its scale, which is 1 in the library, in its unit
     start: float = 0.0
     allowed: Interval = field(default_factory=Interval)
-    #: Of a quantity that another model drives: "continuous", or "discrete" at events.
+    #: "continuous" or "discrete" for a quantity that other models drive
     input: str = ""
-    reset: bool = False  #: of a rate: whether it jumps where friction begins to hold
+    reset: bool = False  #: whether a rate jumps where friction begins to stick
 
 
 @dataclass(frozen=True)
 class Edge:
-    """A border at which a mode of a motion ends, and the number of the mode that it changes."""
+    """A border at which a mode of a motion ends."""
 
-    #: ``gap`` and ``face`` of a contact, ``slip``, ``ahead`` and ``behind`` of a friction.
+    #: "gap" or "face" of a contact; "slip", "ahead" or "behind" of a friction
     kind: str
-    place: int
-    contact: str  #: its name, of several
-    row: int = -1  #: of friction that holds, its number among these
+    place: int  #: index of the number of the mode that changes there
+    contact: str  #: name of the contact, if there are several
+    row: int = -1  #: index among the dry frictions
 
     def said(self, what: str) -> str:
-        """What is said of it, by the name of its contact, of several."""
+        """A name for the border: ``what``, with the name of the contact behind it."""
         return f"{what}.{self.contact}" if self.contact else what
 
 
 @dataclass(frozen=True)
 class MotionMaterial:
-    """Motion of a page's model, for languages that hand it over as a whole."""
+    """The motion of a page's model, for languages that export it as a whole (FMU)."""
 
     time: Variable
     states: tuple[Variable, ...]  #: coordinates, then their rates
     accelerations: tuple[Variable, ...]
-    #: Parameters in their order, then units of measure where there are any.
+    #: parameters in order, then units of measure
     given: tuple[Variable, ...]
-    step: float  #: between two samples, in the unit of time
-    borders: tuple[Edge, ...]  #: where it is not smooth
-    turnings: int  #: springs whose turning is counted, each with a border too
-    #: Of each contact whether its law has no values without contact, and whether it goes with the
-    #: place of a state at rest.
+    step: float  #: time between two samples
+    borders: tuple[Edge, ...]  #: kinks of the field
+    turnings: int  #: number of torsion springs, each of which has a border
+    #: for each contact, whether its law has no values in lift-off
     rooted: tuple[bool, ...]
+    #: for each contact, whether it is one of several that can open
     of_place: tuple[bool, ...]
-    #: Of each friction its contact, by its number; of a page without friction there is one.
+    #: for each friction the index of its contact; one entry on a page without friction
     rubbing: tuple[int, ...]
-    outputs: tuple[Variable, ...]  #: forces, energy and power, in the order of the function outputs
+    outputs: tuple[Variable, ...]  #: forces, energy and power, as the function outputs gives them
 
 
 @dataclass(frozen=True)
 class Material:
-    """Material that every target prints."""
+    """All that a target prints a library from."""
 
     modules: tuple[tuple[Definition, ...], ...]
-    quantities: Mapping[str, Quantity]  #: by their names in code
-    #: Of the dimensionless model, in the order in which functions take them.
+    quantities: Mapping[str, Quantity]  #: by names in code
+    #: names of the dimensionless parameters, in the order of arguments
     parameters: tuple[str, ...]
     base_values: Mapping[str, float]
-    #: Functions of the algebra that a library in another language offers to its callers.
+    #: names of the functions that the library offers to its callers
     public: tuple[str, ...]
-    digest: str  #: SHA-256 of what it is made of
-    header: str  #: one sentence for the head of every file: where it comes from
-    # names of files and functions begin with it in languages without modules of their own
+    digest: str  #: SHA-256 of the sources
+    header: str  #: the sentence at the head of every file
+    #: prefix of files and functions in languages without modules
     library: str = "spragsym"
-    summary: str = ""  #: one sentence: what the library computes
+    summary: str = ""  #: what the library computes, in one sentence
     kernel: Source = field(default_factory=Source)
-    #: Counts of roundings that the kernel's error bounds name.
+    #: the counts of roundings that the kernel names
     counts: Mapping[str, float] = field(default_factory=dict)
-    #: By target language, the model's own files: what it offers besides algebra, with ``@name@``
-    #: where emitted text goes.
+    #: by language, the model's own files, with ``@name@`` where emitted text goes
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     angles: Angles = field(default_factory=dict)
-    # whether names are a page's, each of which ends with an underscore, and not known here
+    #: whether the functions are those of a page, whose names end in an underscore
     of_a_page: bool = False
-    asked: tuple[
-        str, ...
-        # functions of the kernel that extension modules in C call, besides the model's own files
-    ] = ()
-    arithmetic: Source = field(default_factory=Source)  #: double-double numbers
-    widened: Source = field(default_factory=Source)  #: the kernel a second time, on these
-    motion: MotionMaterial | None = None  #: of a page
+    #: functions of the kernel that extension modules in C call directly
+    asked: tuple[str, ...] = ()
+    arithmetic: Source = field(default_factory=Source)  #: double-double arithmetic
+    widened: Source = field(default_factory=Source)  #: the kernel on double-doubles
+    motion: MotionMaterial | None = None  #: of a page, for an FMU
 
     @property
     def algebra(self) -> dict[str, Definition]:
@@ -126,35 +122,35 @@ class Material:
 
     @property
     def both_kernels(self) -> Source:
-        """The kernel on doubles, then on double-doubles, with their arithmetic: for languages that
-        have numbers of one type.
+        """The double-double arithmetic, and the kernels on doubles and on double-doubles, as one
+        source for languages in which a function has one type.
         """
         return joined(self.arithmetic, self.kernel, self.widened)
 
 
 def languages() -> list[str]:
-    """Their names."""
+    """The names of the target languages."""
     return sorted(module.name for module in pkgutil.iter_modules(__path__) if module.ispkg)
 
 
 def render(language: str, material: Material) -> dict[str, str]:
-    """The files of a library in a language, by their names."""
+    """The files of a library in a language, by name."""
     files: dict[str, str] = importlib.import_module(f".{language}", __name__).render(material)
     return files
 
 
 def packer(language: str) -> Callable[[Mapping[str, str]], bytes] | None:
-    """Function that makes one file of all in a language that has it so; None for others."""
+    """The function that packs all files into one, for a language that has one file; else None."""
     return vars(importlib.import_module(f".{language}", __name__)).get("packed")
 
 
 def in_python(language: str) -> bool:
-    """Whether it is Python on another array library, where a page's names are as they are."""
+    """Whether a language is Python on another array library, which keeps a page's names."""
     return hasattr(importlib.import_module(f".{language}", __name__), "NAMESPACE")
 
 
-# ------------------------------------------------------------------------------------------- what
-# languages share
+# ------------------------------------------------------------------------------------------------
+# shared by languages
 
 
 def runtime(package_file: str, name: str) -> str:
@@ -163,23 +159,23 @@ def runtime(package_file: str, name: str) -> str:
 
 
 def spoken(text: str, words: Mapping[str, str]) -> str:
-    """A text with words in the places that ``@name@`` marks."""
+    """A text with ``@name@`` replaced by words; unknown names stay."""
     return re.sub(r"@([\w:]+)@", lambda match: words.get(match[1], match[0]), text)
 
 
 def words(text: str, comment: str) -> set[str]:
-    """Words of a source outside of its comments, which a pattern finds."""
+    """The words of a source outside its comments; ``comment`` is the pattern of these."""
     return set(re.findall(r"\w+", re.sub(comment, "", text, flags=re.DOTALL)))
 
 
 def taken(function: Definition, angles: Angles) -> list[str]:
-    """Arguments of the algebra, an angle in the place of its cosine and sine."""
+    """The arguments of a function, with an angle in place of its cosine and sine."""
     angle_of = {part: angle for angle, parts in angles.items() for part in parts}
     return list(dict.fromkeys(angle_of.get(name, name) for name in function.arguments))
 
 
 def ranges(material: Material) -> dict[str, Interval]:
-    """The allowed values of the parameters, and of what the algebra takes besides."""
+    """The domains of the parameters and of all other arguments."""
     further = symbols(material.algebra.values()).keys() - set(material.parameters)
     return {
         name: material.quantities[name].interval

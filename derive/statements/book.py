@@ -217,7 +217,7 @@ def _vocabulary(
         derivation.model.clock is not None and statement.word != "scale"
     ):  # the time, as in the phase ω t
         phase = f"{derivation.model.clock}/({derivation.spelled(derivation.model.speed)})"
-        renamed = dict.fromkeys(("t", "tau")[: 1 + derivation.scaled], phase) | renamed
+        renamed = dict.fromkeys(("t", r"\tau")[: 1 + derivation.scaled], phase) | renamed
     return Vocabulary(
         frozenset(names),
         tuple(str(it) for it in derivation.model.coordinates if it != derivation.model.clock),

@@ -543,7 +543,7 @@ class _LatexReader:
         if it.text not in ("(", "[", "{", r"\{"):
             raise Unread(f"{it.text} is not read", it.at[0])
         whole = self.expression(inside)
-        summed = isinstance(whole, Node) and whole.kind in ("add", "neg")
+        summed = isinstance(whole, Node) and {*"+-"} & {*texts(inside)}
         if it.text == "{" and summed and len(here.items) > 1:
             raise Unread("braces do not print; write brackets", it.at[0])
         return whole

@@ -272,8 +272,8 @@ def _item(
 ) -> Item | Verdict:
     """A statement's equations with the object that they are about; without one, a definition's.
 
-    Of several printed equations the last ones are those of the object; equations before them are
-    compared with it as well, unless they make no claim.
+    Every printed equation that makes a claim is compared with it, of an object with several entries
+    as many as these.
     """
     if subject is None:
         new, equations = _new_names(equations, derivation, book)
@@ -291,19 +291,18 @@ def _item(
     values = samples.drawn(derivation, subject)
     bound, defined = named(equations, subject, values, derivation, book)
     known = with_defined(values, defined)
-    before, equations = equations[:-count], equations[-count:]
+    claims = [one for one in equations if not _says_nothing(one, subject, known)]
+    equations = claims if len(claims) >= count else equations[-count:]
     targets = tuple(numeric(entry, values) for entry in subject.entries)
-    if subject.is_value:
+    if len(equations) > count > 1:
+        said = "the print more equations; give the others statements of their own"
+        raise Unread(f"{statement.about} has {count} entries, and {said}")
+    if len(equations) > count:
+        subject = replace(subject, index=subject.index * len(equations))
+    elif subject.is_value:
         equations = _in_order(equations, subject, derivation)
     else:
         equations = _as_matched(equations, subject.index, targets, known)
-    claims = [one for one in before if not _says_nothing(one, subject, known)]
-    if claims:
-        if count > 1:
-            said = "the print more equations; give the others statements of their own"
-            raise Unread(f"{statement.about} has {count} entries, and {said}")
-        equations = [*claims, *equations]
-        subject = replace(subject, index=subject.index * len(equations))
     _check_conditions(equations[0].conditions, known)
     sides = [
         one.right if subject.is_value and one.left.kind == "symbol" else one for one in equations

@@ -79,6 +79,12 @@ def test_the_argument_of_a_friction_law_is_read(text: str, status: str) -> None:
         (r"2T = \frac12 m\dot x^2", "energy T", "misprint"),
         (r"R = m\ddot x + c\dot x + kx + k_3x^3 - N_0\mu = 0", "motion x", "confirmed"),
         (r"\dot x = \dot x, m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu", "motion x", "confirmed"),
+        (
+            r"m\ddot x + c{\dot x} + {k}x + k_3x^3 = N_0{\mu(w)}, \dot x = \dot x",
+            "motion x",
+            "misprint",
+        ),
+        (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0{\mu}, \dot x = \dot x", "motion x", "confirmed"),
         (r"\dot x = 2x, m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu", "motion x", "failed"),
     ],
 )

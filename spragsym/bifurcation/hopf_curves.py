@@ -269,7 +269,10 @@ class _Plane(Family):
 
     def of_damping(self, undecided: FloatArray, share: float) -> tuple[str, ...]:
         """A remark if C is at most this share of K in the middle of some undecided boxes."""
-        count = int(self.hardly_damped(undecided.mean(axis=2).T, share).sum())
+        states = undecided.mean(axis=2).T
+        (_, C, K), (_, G, _) = (matrices(self, states, damping) for damping in (True, False))
+        largest_C, largest_K = (np.abs(matrix).max(axis=(1, 2)) for matrix in (C - G, K))
+        count = np.count_nonzero(largest_C <= share * largest_K)
         if not count:
             return ()
         return (
@@ -322,12 +325,6 @@ class _Plane(Family):
         """
         first, second = self.roots(one), self.roots(two)
         return _nearest_is_imaginary(first, second) & _nearest_is_imaginary(second, first)
-
-    def hardly_damped(self, states: FloatArray, share: float) -> BoolArray:
-        """Mask of points where C is at most this share of K."""
-        (_, C, K), (_, G, _) = (matrices(self, states, damping) for damping in (True, False))
-        C = C - G
-        return np.abs(C).max(axis=(1, 2)) <= share * np.abs(K).max(axis=(1, 2))
 
     def forms(self, curves: FoldCurves, states: FloatArray) -> Forms:
         """For each point its normal form or coefficient, over a box that is proved to hold it, or

@@ -599,11 +599,8 @@ class Tubes(ByColumn):
         def packed(
             name: str, entries: Callable[[Evaluation], Sequence[Any]]
         ) -> tuple[bytes, bytes, int, int] | None:
-            def rows(z: Intervals, parameters: Intervals) -> Sequence[Any]:
-                *q, v = z
-                moved = balance.with_angles({self.vary: v}, XP)
-                values = {**balance.arguments(parameters), **moved}
-                at = balance.at(q, values, parameters.shape[1:])
+            def rows(z: Iterable[Any], parameters: Intervals) -> Sequence[Any]:
+                at = self._at(z, parameters)
                 at.sides = balance.any_side if name == "forces" else None
                 return entries(at)
 
@@ -620,6 +617,13 @@ class Tubes(ByColumn):
             )
         except NotRecorded:
             return None
+
+    def _at(self, z: Iterable[Any], parameters: Intervals) -> Evaluation:
+        """The evaluation at z = (q, v), numbers of any type, with prepared parameters."""
+        *q, v = z
+        moved = self.balance.with_angles({self.vary: v}, XP)
+        values = {**self.balance.arguments(parameters), **moved}
+        return self.balance.at(q, values, parameters.shape[1:])
 
     def _inflate(self, out: Place, beside: FloatArray, reach: FloatArray, most: FloatArray) -> None:
         """Prove boxes around places, by interval Newton steps with ε-inflation.
@@ -679,11 +683,8 @@ class Tubes(ByColumn):
         by_z = Intervals(ends_around(by_s, wide + np.spacing(np.abs(by_s) + wide)))
 
         def rows(z: Sequence[Any], by_z: Sequence[Any], parameters: Intervals) -> Sequence[Any]:
-            *q, v = (Jet({(): one, (0,): slope}, 2) for one, slope in zip(z, by_z, strict=True))
-            values = self.balance.arguments(parameters)
-            moved = self.balance.with_angles({self.vary: v}, XP)
-            at = self.balance.at(q, {**values, **moved}, parameters.shape[1:])
-            return [row.derivative(0, 0) for row in at.rows("forces")]
+            jets = (Jet({(): one, (0,): slope}, 2) for one, slope in zip(z, by_z, strict=True))
+            return [row.derivative(0, 0) for row in self._at(jets, parameters).rows("forces")]
 
         with quiet():
             bent = self.balance.taped(

@@ -92,9 +92,8 @@ def figure_cycles() -> Sheet:
     p = Parameters.article()
     fate = fate_boundary(p, "theta0", between={"theta0": (np.radians(41.0), np.radians(42.0))})
     places = np.degrees(fate.value), first_fold(p), first_fold(_sliding())
-    line_at(ax, places[0], BLACK, 0.8, style="--", zorder=0.5)
-    line_at(ax, places[1], GREY, 0.8, style=":", zorder=0.5)
-    line_at(ax, places[2], GREY, 0.8, style="-", zorder=0.5)
+    for place, colour, dashes in zip(places, (BLACK, GREY, GREY), ("--", ":", "-"), strict=True):
+        line_at(ax, place, colour, 0.8, style=dashes, zorder=0.5)
     # Larger unstable cycles are in the table only.
     angle_axis(ax, ylabel=r"RMS of $x$", ylim=(0, 2.15))
     return figure.describe(
@@ -391,8 +390,11 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
     units = varied.size, height.size
     for i, branch in enumerate(found.cycles):
         colour = PALETTE[i % len(PALETTE)]
-        draw_cycles(ax, branch, units, branch.highest, _maximum, colour)
-        draw_cycles(ax, branch, units, branch.lowest, _minimum, colour)
+        for heights, height_of in (  # the state of a cycle is at its maximum
+            (branch.highest, lambda cycle: cycle.state[0]),
+            (branch.lowest, lambda cycle: cycle.state[0] - 2 * cycle.amplitude),
+        ):
+            draw_cycles(ax, branch, units, heights, height_of, colour)
         tables[f"cycles_{i + 1}"] = {
             found.vary: branch.values,
             "period": branch.periods,
@@ -414,16 +416,6 @@ def draw_diagram(found: Diagram, ax: Axes) -> dict[str, Table]:
     return tables
 
 
-def _maximum(cycle: Cycle) -> float:
-    """Largest value of the first coordinate: a cycle begins there."""
-    return float(cycle.state[0])
-
-
-def _minimum(cycle: Cycle) -> float:
-    """Smallest value of the first coordinate."""
-    return float(cycle.state[0] - 2 * cycle.amplitude)
-
-
 def _draw_labels(ax: Axes, labels: Iterable[Label], units: tuple[float, float]) -> None:
     """Mark the labels of a diagram, and write each unless one of the same kind is near."""
     to_axes = Affine2D(ax.transLimits.get_matrix())
@@ -441,8 +433,7 @@ def _draw_labels(ax: Axes, labels: Iterable[Label], units: tuple[float, float]) 
         if any(abs(x - left) + abs(y - low) < 0.04 for left, low in same_kind):
             continue
         same_kind.append((x, y))
-        offset = _offset(one, (x, y))
-        ax.annotate(name, at, offset, textcoords="offset points", fontsize=7)
+        ax.annotate(name, at, _offset(one, (x, y)), textcoords="offset points", fontsize=7)
 
 
 def _offset(label: Label, position: tuple[float, float]) -> tuple[float, float]:

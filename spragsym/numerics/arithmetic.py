@@ -159,11 +159,13 @@ def trimmed(polynomial: Polynomial) -> list[Any]:
 def resultant(one: Sequence[Any], two: Sequence[Any]) -> Number:
     """Resultant of two polynomials: the determinant of their Sylvester matrix."""
     m, n = len(one) - 1, len(two) - 1
-    rows = []
-    for coefficients, count in ((one, n), (two, m)):
-        for k in range(count):
-            rows.append([0] * k + [*coefficients[::-1]] + [0] * (count - 1 - k))
-    return determinant(rows)
+    return determinant(
+        [
+            [0] * k + [*coefficients[::-1]] + [0] * (count - 1 - k)
+            for coefficients, count in ((one, n), (two, m))
+            for k in range(count)
+        ]
+    )
 
 
 #: Called with the rows before column k is eliminated; may exchange rows to choose the pivot.

@@ -53,12 +53,8 @@ class DoubleDouble(NDArrayOperatorsMixin):
         """Number of axes of the arrays."""
         return len(self.shape)
 
-    def each(self, change: Callable[[Array], Array]) -> DoubleDouble:
-        """The result of an index, or of a change of shape, applied to both parts."""
-        return DoubleDouble(change(self.high), change(np.broadcast_to(self.low, self.shape)))
-
     def __getitem__(self, key: Any) -> DoubleDouble:
-        return self.each(lambda part: np.asarray(part[key]))
+        return DoubleDouble(self.high[key], np.broadcast_to(self.low, self.shape)[key])
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> object:
         if method != "__call__" or options or ufunc not in _UFUNCS:

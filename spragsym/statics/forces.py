@@ -368,7 +368,7 @@ class Evaluation:
 
         ``indicators`` replaces the contact indicators of the balance.
         """
-        indicators = self.balance.indicators if indicators is None else indicators
+        indicators = indicators or self.balance.indicators
         first = [*self.q, *self.directions]
         return self.call(name, first, *self.frictions, *indicators, kind="statics")
 
@@ -429,10 +429,8 @@ class Evaluation:
 
     def damping(self, indicators: Indicators | None = None) -> Matrix:
         """The damping matrix C, of dampers and of the slopes of the friction laws."""
-        indicators = self.balance.indicators if indicators is None else indicators
-        return self.call(
-            "damping", [*self.q, *self.directions[: 3 * self.balance.springs]], *indicators
-        )
+        first = [*self.q, *self.directions[: 3 * self.balance.springs]]
+        return self.call("damping", first, *(indicators or self.balance.indicators))
 
     def gyroscopic(self) -> Matrix:
         """The gyroscopic matrix G; 0 if the kinetic energy has no terms linear in the rates."""

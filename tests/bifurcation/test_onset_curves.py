@@ -281,17 +281,19 @@ def test_lines_that_nothing_is_decided_on_get_fewer_boxes(monkeypatch: pytest.Mo
         assert {each for _, each in budgets} == {budget}
 
 
+@pytest.mark.parametrize(
+    ("stiffness", "ratio", "remarks"), [(200.0, 1e-7, 1), (200.0, 1e-5, 0), (2e-4, 1e-7, 1)]
+)
 def test_states_are_hardly_damped_by_the_ratio_of_damper_to_stiffness(
-    monkeypatch: pytest.MonkeyPatch,
+    monkeypatch: pytest.MonkeyPatch, stiffness: float, ratio: float, remarks: int
 ) -> None:
     """Whatever the unit of stiffness: 1e-7 of it is next to nothing, 1e-5 is not."""
-    stiffness = np.array([[[200.0]], [[200.0]], [[2e-4]]])
-    damper = np.array([1e-7, 1e-5, 1e-7])[:, None, None] * stiffness
 
     def matrices(_family: object, _states: object, damping: bool = True) -> tuple[Any, Any, Any]:
-        turning = np.full_like(stiffness, 3.0)  # gyroscopic terms are no damping
-        return np.ones_like(stiffness), turning + damper * damping, stiffness
+        turning = 3.0  # gyroscopic terms are no damping
+        parts = 1.0, turning + ratio * stiffness * damping, stiffness
+        return tuple(np.full((1, 1, 1), part) for part in parts)
 
     monkeypatch.setattr(hopf_curves, "matrices", matrices)
-    found = hopf_curves._Plane.hardly_damped(SimpleNamespace(), np.zeros((3, 2)), 1e-6)
-    assert found.tolist() == [True, False, True]
+    found = hopf_curves._Plane.of_damping(SimpleNamespace(), np.zeros((1, 3, 2)), 1e-6)
+    assert len(found) == remarks

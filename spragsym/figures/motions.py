@@ -4,12 +4,13 @@ sensitivity of 7 to what the article does not state.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.patheffects import withStroke
+from numpy.typing import NDArray
 from scipy import ndimage
 
 import spragsym as ss
@@ -62,9 +63,8 @@ if TYPE_CHECKING:
 def figure_3() -> Sheet:
     """Friction over the speed of the mass, and contact force over its displacement."""
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.3)
-    speed = np.unique(
-        np.concatenate([np.linspace(-0.5, 1.5, 401), V + np.linspace(-1e-9, 1e-9, 2)])
-    )
+    beside_jump = V - 1e-9, V + 1e-9
+    speed = np.unique([*np.linspace(-0.5, 1.5, 401), *beside_jump])
     friction = laws.friction(speed, 1.0, V, D)
     left.axhline(0, color=GREY, linewidth=0.5)
     for part in (speed < V, speed > V):
@@ -79,7 +79,7 @@ def figure_3() -> Sheet:
         xticks=np.arange(-0.5, 1.6, 0.5),
     )
     y, p = np.array([-0.1, 0.0, 0.1]), Parameters.article(theta0=1.0)
-    # (11), which depends on y only.
+    # The contact force (11) depends on y only.
     contact = contact_force(p.model, (0.0, y), p.model.arguments(p, "motion"))
     right.plot(y, contact, color=BLACK)
     write_along(right, "contact", -0.048, 0.06)
@@ -129,26 +129,26 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     )
 
 
-#: Titles and units of both axes.
+#: Title and factor of each of two axes.
 _Pair: TypeAlias = tuple[Shown, Shown]
 
 
 def _own(motion: Trajectory, name: str) -> Shown:
-    """Title and unit of an axis for a column, in radians or the model's unit."""
+    """Title of an axis for a column in radians or the model's unit, and the factor 1."""
     column = motion.columns[name]
     return label(column, "rad" if column.is_angle else own_unit(motion.model, column)), 1.0
 
 
 def _frequency(model: Model) -> Shown:
-    """Title and unit of an axis for frequencies in the model's unit."""
+    """Title of an axis for frequencies in the model's unit, and the factor 1."""
     return rf"frequency $\times\ {in_letters(model.unit('s'))}$", 1.0
 
 
 def _line(ax: Axes, x: FloatArray, y: FloatArray, shown: _Pair, width: float = 0.8) -> Line2D:
-    """Draw a line, and name the axes."""
-    (across, one), (up, size) = shown
-    (line,) = ax.plot(one * x, size * y, color=BLUE, linewidth=width)
-    ax.set(xlabel=across, ylabel=up)
+    """Draw a line in the units of the axes, and name these."""
+    (x_title, x_unit), (y_title, y_unit) = shown
+    (line,) = ax.plot(x_unit * x, y_unit * y, color=BLUE, linewidth=width)
+    ax.set(xlabel=x_title, ylabel=y_title)
     return line
 
 
@@ -207,8 +207,8 @@ def draw_spectrum(
     *,
     shown: _Pair | None = None,
 ) -> Line2D:
-    """Draw the spectrum of a motion, up to the highest frequency with a considerable amplitude;
-    returns the line. ``shown`` as for :func:`draw_motion`.
+    """Draw the spectrum of a motion up to the highest frequency with more than 1 % of the largest
+    amplitude; returns the line. ``shown`` as for :func:`draw_motion`.
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax, found = own_axes(ax), motion.spectrum(0.0, of=of)
@@ -217,7 +217,7 @@ def draw_spectrum(
         (f"amplitude of {_own(motion, of)[0]}", 1.0),
     )
     line = _line(ax, found.frequency, found.amplitude, shown, 0.9)
-    # At rest all amplitudes are 0.
+    # At rest all amplitudes are 0, and there is no last one.
     last = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max()).max(initial=0)
     end = shown[0][1] * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
     ax.set(xlim=(0, end), ylim=(0, None))
@@ -225,20 +225,19 @@ def draw_spectrum(
 
 
 def draw_harmonics(cycle: Cycle, of: str, ax: Axes, *, shown: _Pair) -> LineCollection:
-    """Draw the amplitudes of the harmonics of a cycle, up to the last considerable one, as stems;
-    returns the stems. ``shown`` as for :func:`draw_motion`.
+    """Draw the amplitudes of the harmonics of a cycle as stems, up to the last one above 0.5 % of
+    the largest; returns the stems. ``shown`` as for :func:`draw_motion`.
     """
-    (across, one), (up, size) = shown
+    (x_title, x_unit), (y_title, y_unit) = shown
     samples = 1024
     states = cycle.samples(np.arange(samples) * cycle.period / samples)
     row = states[cycle.field.model.components.index(of)]
-    amplitude = 2 * size * np.abs(np.fft.rfft(row))[1:] / samples
-    # Harmonics are drawn up to the last one above this share of the largest.
+    amplitude = 2 * y_unit * np.abs(np.fft.rfft(row))[1:] / samples
     amplitude = amplitude[: np.flatnonzero(amplitude >= 0.005 * amplitude.max())[-1] + 1]
-    places = one * np.arange(1, amplitude.size + 1) / cycle.period
+    places = x_unit * np.arange(1, amplitude.size + 1) / cycle.period
     stems = ax.vlines(places, 0.0, amplitude, color=BLUE, linewidth=1.4)
     ax.plot(places, amplitude, "o", color=BLUE, markersize=3)
-    ax.set(xlim=(0, places[-1] + places[0]), ylim=(0, None), xlabel=across, ylabel=up)
+    ax.set(xlim=(0, places[-1] + places[0]), ylim=(0, None), xlabel=x_title, ylabel=y_title)
     return stems
 
 
@@ -261,26 +260,26 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
     model, late = motion.model, motion.after(transient)
     figure, axes = panels(len(model.coordinates), 3, DOUBLE, 0.3 + 2.1 * len(model.coordinates))
     columns = list[Table]()
-    for (left, middle, right), *names in zip(axes, model.coordinates, model.rates, strict=True):
-        name, rate = names
+    for (left, middle, right), name, rate in zip(axes, model.coordinates, model.rates, strict=True):
         if units is None:
-            clock, cycles = _own(motion, motion._own("t")), _frequency(model)
-            here, speed = _own(motion, name), _own(motion, rate)
+            time, frequency = _own(motion, motion._own("t")), _frequency(model)
+            place, speed = _own(motion, name), _own(motion, rate)
         else:
             size, unit = 1e3 * units.length, "mm"
             if model.is_angle(name):
                 size, unit = 180 / np.pi, "deg"
-            clock, cycles = ("$t$ (s)", units.time), ("frequency (Hz)", 1 / units.time)
-            here = label(model.column(name), unit), size
+            time, frequency = ("$t$ (s)", units.time), ("frequency (Hz)", 1 / units.time)
+            place = label(model.column(name), unit), size
             speed = label(model.column(rate), f"{unit}/s"), size / units.time
-        draw_motion(motion, name, left, shown=(clock, here))
-        draw_phase(late, middle, of=name, shown=(here, speed))
-        draw_spectrum(late, name, right, shown=(cycles, (f"amplitude of {here[0]}", here[1])))
+        amplitude = f"amplitude of {place[0]}", place[1]
+        draw_motion(motion, name, left, shown=(time, place))
+        draw_phase(late, middle, of=name, shown=(place, speed))
+        draw_spectrum(late, name, right, shown=(frequency, amplitude))
         found = late.spectrum(0.0, of=name)
         columns += (
-            {"t": clock[1] * motion.t, name: here[1] * motion[name]},
-            {name: here[1] * late[name], rate: speed[1] * late[rate]},
-            {"frequency": cycles[1] * found.frequency, "amplitude": here[1] * found.amplitude},
+            {"t": time[1] * motion.t, name: place[1] * motion[name]},
+            {name: place[1] * late[name], rate: speed[1] * late[rate]},
+            {"frequency": frequency[1] * found.frequency, "amplitude": place[1] * found.amplitude},
         )
     figure.tables |= dict(zip("abcdefghijkl", columns, strict=False))
     belts = {friction["belt"] for friction in model.frictions}
@@ -312,7 +311,7 @@ def figure_rms_map(
     """
     figure, ax = single(SINGLE * 1.3, 3.2)
     p = Parameters.article()
-    angles, frictions, rms, table = _divided(p, step_deg, step_mu0, levels, workers)
+    angles, frictions, rms, table = _adaptive_rms(p, step_deg, step_mu0, levels, workers)
     image = ax.pcolormesh(angles, frictions, rms, cmap="cividis", vmin=0.0, rasterized=True)
     for line in draw_bifurcation_set(ss.bifurcation_set(p), ax, color=VERMILION):
         line.set_path_effects([withStroke(linewidth=2.4, foreground="white")])
@@ -337,11 +336,11 @@ def figure_rms_map(
     )
 
 
-def _divided(
+def _adaptive_rms(
     p: Parameters, step_deg: float, step_mu0: float, levels: int, workers: Workers
 ) -> tuple[FloatArray, FloatArray, FloatArray, Table]:
-    """Adaptive map of the RMS: angles, frictions and RMS on the finest grid, and a table of the
-    computed cells.
+    """RMS on a grid that is refined where it steps: angles, frictions and RMS of the finest cells,
+    and a table of the cells that were computed.
     """
     tables: list[Table] = []
     for level in range(levels + 1):
@@ -352,12 +351,11 @@ def _divided(
         )
         if level == 0:
             rms = np.zeros((frictions.size, angles.size))
-            asked = rms == 0.0
+            computed = rms == 0.0
         else:
-            rms, asked = (
-                cells.repeat(2, axis=0).repeat(2, axis=1) for cells in (rms, _beside_a_step(rms))
-            )
-        row, column = np.nonzero(asked)
+            computed = _halves(_beside_a_step(rms))
+            rms = _halves(rms)
+        row, column = np.nonzero(computed)
         where = p.replace(theta0=np.radians(angles[column]), mu0=frictions[row])
         sweep = rms_sweep(where, rtol=1e-8, workers=workers)
         rms[row, column] = sweep.rms
@@ -371,6 +369,11 @@ def _divided(
             }
         )
     return angles, frictions, rms, stacked(tables)
+
+
+def _halves(cells: NDArray[Any]) -> NDArray[Any]:
+    """Values of a grid with each cell divided into four."""
+    return cells.repeat(2, axis=0).repeat(2, axis=1)
 
 
 def _beside_a_step(rms: FloatArray) -> BoolArray:
@@ -387,12 +390,12 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     figure, (axes,) = panels(1, 3, DOUBLE, 2.5)
     p = Parameters.article()
     angles = np.arange(20.0, 70.0 + step_deg / 2, step_deg)
-    along = p.replace(theta0=np.radians(angles))
-    speeds, creeps = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
+    fine = p.replace(theta0=np.radians(angles))
+    speeds, steepnesses = (value * np.sqrt(10.0) ** np.array([-1, 0, 1]) for value in (V, D))
     # Colours of the smaller, the assumed and the larger value.
     shades = (BLUE, BLACK, VERMILION)
-    for letter, ax, name, values in zip("ab", axes[:2], "Vd", (speeds, creeps), strict=True):
-        sweep = rms_sweep(along.replace(**{name: values[:, None]}), workers=workers)
+    for letter, ax, name, values in zip("ab", axes[:2], "Vd", (speeds, steepnesses), strict=True):
+        sweep = rms_sweep(fine.replace(**{name: values[:, None]}), workers=workers)
         figure.tables[letter] = columns = {"theta0_deg": angles}
         for rms, value, color in zip(sweep.rms, values, shades, strict=True):
             ax.plot(angles, rms, color=color, linewidth=0.9, label=f"${name} = {value:.3g}$")
@@ -402,19 +405,12 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     ax = axes[2]
     coarse = p.replace(theta0=np.radians(np.arange(26.0, 60.0, 2.0 * step_deg)))
     jumps = sensitivity(
-        coarse, V * 10.0 ** np.linspace(-0.5, 0.5, 5), creeps, refine=4, workers=workers
+        coarse, V * 10.0 ** np.linspace(-0.5, 0.5, 5), steepnesses, refine=4, workers=workers
     )
     places = np.degrees(jumps.theta0)
-    for position, creep, color in zip(places.T, creeps, shades, strict=True):
-        ax.semilogx(
-            jumps.V,
-            position,
-            color=color,
-            marker="o",
-            markersize=3,
-            linewidth=0.9,
-            label=f"$d = {creep:.3g}$",
-        )
+    style: dict[str, Any] = {"marker": "o", "markersize": 3, "linewidth": 0.9}
+    for position, d, color in zip(places.T, steepnesses, shades, strict=True):
+        ax.semilogx(jumps.V, position, color=color, label=f"$d = {d:.3g}$", **style)
     ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
     plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
     ax.legend(handlelength=1.2)

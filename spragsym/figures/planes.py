@@ -46,18 +46,17 @@ from .style import (
 
 
 def _table(found: BifurcationSet | OnsetCurves, *names: str) -> Table:
-    """Concatenated columns of curves, with the number of the curve."""
-    every = (*found.vary, *names)
-    return stacked(
-        [{name: curve[name] for name in every} for curve in found.curves], "curve", every
-    )
+    """Table of the curves: index of the curve, the two parameters, and the named columns."""
+    names = (*found.vary, *names)
+    tables = [{name: curve[name] for name in names} for curve in found.curves]
+    return stacked(tables, "curve", names)
 
 
 def draw_bifurcation_set(
     found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK
 ) -> list[Any]:
-    """Curves of folds and cusps in the plane of two parameters, undecided stretches of lines
-    shaded; returns the artists.
+    """Draw curves of folds and cusps in the plane of two parameters, with undecided parts of the
+    searched lines as thick lines; returns the artists.
 
     Parameters
     ----------
@@ -81,14 +80,14 @@ def draw_bifurcation_set(
 def draw_onset_curves(
     found: OnsetCurves, ax: Axes | None = None, *, shown: Ranges | None = None
 ) -> list[Any]:
-    """Curves of Hopf points in the plane of two parameters, as maps of stability are printed;
-    returns the artists.
+    """Draw curves of Hopf points in the plane of two parameters (map of stability); returns the
+    artists.
 
-    Full where the onset is supercritical, dashed where it is subcritical,
-    dotted where that is undecided; dots where l₁ changes its sign (generalized Hopf, GH), squares
-    for points of two conditions (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). Without
-    damping two modes meet on grey lines; with it, where oscillations grow is shaded and called
-    unstable. Undecided stretches of lines are thick.
+    Lines are full where the onset is supercritical, dashed where it is subcritical, and dotted
+    where that is undecided. Dots: l₁ changes its sign (generalized Hopf, GH). Squares: points of
+    codimension two (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). With damping, the region
+    in which oscillations grow is shaded and labelled "unstable". Without damping, two modes meet on
+    the lines, which are grey. Undecided parts of the searched lines are thick.
 
     Parameters
     ----------
@@ -104,18 +103,18 @@ def draw_onset_curves(
     color = BLACK if found.damping else GREY
     styles = {"supercritical": "-", "subcritical": "--", "undecided": ":" if found.damping else "-"}
     for curve in found.curves:
-        across, up = places(model, found.vary, curve)
+        x, y = places(model, found.vary, curve)
         for part in runs(curve.criticality):
             style = styles[str(curve.criticality[part][0])]
-            artists += ax.plot(across[part], up[part], style, color=color)
-    for labels, points, marker, aside in (
+            artists += ax.plot(x[part], y[part], style, color=color)
+    for labels, points, marker, offset in (
         (itertools.repeat("GH"), found.changes, "o", (3, 3)),
         (found.points.kind, found.points, "s", (3, -9)),
     ):
         positions = places(model, found.vary, points)
         artists += ax.plot(*positions, marker, color=BLACK, markersize=3.5)
         artists += [
-            ax.annotate(text, (x, y), aside, textcoords="offset points", fontsize="x-small")
+            ax.annotate(text, (x, y), offset, textcoords="offset points", fontsize="x-small")
             for x, y, text in zip(*positions, labels, strict=False)
         ]
     shown = shown or found.between
@@ -163,7 +162,7 @@ def shade_oscillating(ax: Axes, p: ParameterSet, vary: Sequence[str], shown: Ran
 
 
 def _reached(p: ParameterSet, vary: Sequence[str], shown: Ranges) -> list[Span]:
-    """Two ranges, restricted to allowed values."""
+    """The ranges of two parameters, restricted to the values that the page allows."""
     ends = (map(p.ranges[name].reached, shown[name]) for name in vary)
     return [(low, high) for low, high in ends]
 
@@ -171,8 +170,10 @@ def _reached(p: ParameterSet, vary: Sequence[str], shown: Ranges) -> list[Span]:
 def sampled_by_sign(
     function: Callable[[FloatArray, FloatArray], FloatArray], across: Span, up: Span
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """A function on a grid over a rectangle, for the contour of its zeros: near sign changes it is
-    evaluated, elsewhere interpolated linearly from a coarser grid.
+    """Values of a function on a grid over a rectangle, to draw the contour where it is 0.
+
+    Near changes of sign the function is evaluated on the fine grid. Elsewhere values are
+    interpolated linearly from a coarse grid.
 
     Parameters
     ----------
@@ -186,21 +187,19 @@ def sampled_by_sign(
     tuple of array
         Values across, values up, and the function, (up, across).
     """
-    # Values of each parameter, and parts into which a cell is divided if its signs differ.
+    # Values of each parameter in the coarse grid, and parts into which the fine one divides a cell.
     count, parts = 48, 6
-    every = np.arange((count - 1) * parts + 1)
-    coarse, fine = (
-        [np.linspace(*ends, size) for ends in (across, up)] for size in (count, every.size)
-    )
-    values = function(coarse[0], coarse[1][:, None])
+    fine_index = np.arange((count - 1) * parts + 1)
+    x, y = (np.linspace(*ends, fine_index.size) for ends in (across, up))
+    values = function(np.linspace(*across, count), np.linspace(*up, count)[:, None])
     corners = sliding_window_view(values > 0, (2, 2))
     mixed = corners.any(axis=(2, 3)) & ~corners.all(axis=(2, 3))
     near = binary_dilation(mixed, np.ones((3, 3)))  # the contour may end in a cell beside these
-    cell = np.minimum(every // parts, count - 2)
+    cell = np.minimum(fine_index // parts, count - 2)
     rows, columns = np.nonzero(near[np.ix_(cell, cell)])
-    result = zoom(values, every.size / count, order=1)
-    result[rows, columns] = function(fine[0][columns], fine[1][rows])
-    return fine[0], fine[1], result
+    result = zoom(values, fine_index.size / count, order=1)
+    result[rows, columns] = function(x[columns], y[rows])
+    return x, y, result
 
 
 def growth_of_oscillations(eq: Equilibria) -> FloatArray:
@@ -216,11 +215,11 @@ def growth_of_oscillations(eq: Equilibria) -> FloatArray:
 
 def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[Any]:
     """Name the axes, and draw the undecided parts of the lines that were searched."""
-    across, up = found.vary
-    ax.set(xlabel=label(model.column(across)), ylabel=label(model.column(up)))
-    # Without a search, by closed forms, there are none.
-    ends = zip(found.vary, found.undecided.swapaxes(0, 1)[-2:], strict=False)
-    places = (model.column(name).size * of.T for name, of in ends)
+    x_column, y_column = map(model.column, found.vary)
+    ax.set(xlabel=label(x_column), ylabel=label(y_column))
+    # Closed forms search no lines.
+    ends = zip((x_column, y_column), found.undecided.swapaxes(0, 1)[-2:], strict=False)
+    places = (column.size * spans.T for column, spans in ends)
     return ax.plot(*places, color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
 
 
@@ -235,8 +234,8 @@ def _span(ax: Axes, model: Model, vary: Sequence[str], between: Ranges) -> None:
 
 @styled
 def stability_figure(found: OnsetCurves) -> Sheet:
-    """The map of stability in the plane of two parameters: supercritical and subcritical onsets, as
-    a figure.
+    """Map of stability in the plane of two parameters: curves of supercritical and subcritical
+    onsets, as a figure.
 
     Parameters
     ----------
@@ -276,8 +275,9 @@ def draw_plane(
     vary: Sequence[str] | None = None,
     n: int | None = None,
 ) -> tuple[BifurcationSet, bool]:
-    """The bifurcation set, on ``n`` lines if by search, and whether regions are shaded: by a model
-    that counts in closed form.
+    """Draw the bifurcation set; returns it, and whether regions with three equilibria are shaded.
+
+    They are if the model counts equilibria in closed form. A search looks at ``n`` lines.
     """
     model = model_of(p)
     vary = tuple(model.two(vary))
@@ -332,19 +332,16 @@ def bifurcation_figure(
         what = "folds and cusps" if onsets is None else "folds, cusps and onsets"
         _say_none(ax, what, found.complete)
     fixed = [name for name in model.balanced if name not in found.vary]
-    at = ", ".join(
+    values = ", ".join(
         f"{LETTERS.get(name, name)} = {value:g}"
         for name, value in zip(fixed, p.scalars(*fixed), strict=True)
     )
+    at = f" at {values}" if values else ""
+    three = ", three in contact in the shaded regions and one elsewhere" if shaded else ""
+    sets_in = " Oscillation sets in on the black or grey lines." if onsets else ""
     return figure.describe(
-        f"""Bifurcation set of {model.name}{
-            f" at {at}" if at else ""
-        }: two equilibria in contact meet on the lines{
-            ", three in contact in the shaded regions and one elsewhere" if shaded else ""
-        };
-        dots are cusps.{on_undecided(found)}{
-            " Oscillation sets in on the black or grey lines." if onsets else ""
-        }""",
+        f"""Bifurcation set of {model.name}{at}: two equilibria in contact meet on the lines{three};
+        dots are cusps.{on_undecided(found)}{sets_in}""",
         a=_table(found, *model.coordinates),
         **({"onsets": _table(onsets, "omega")} if onsets else {}),
     )

@@ -21,7 +21,7 @@ from ..models.parameters import FloatArray, Span
 from ..numerics.interval_arrays import Int8Array
 from ..numerics.polynomials import eigenvalues
 from ..results import EquilibriumType
-from .curves import LABELS, passages
+from .curves import LABELS, path_pieces
 from .equilibrium_curves import table_of_path
 from .planes import draw_plane
 from .style import (
@@ -64,7 +64,7 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
         up = ss.quasi_static_path(
             p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201)
         )
-        pieces = passages(up)
+        pieces = path_pieces(up)
         lines += [(on_surface(mu0, np.radians(angle), x), color) for mu0, x in pieces]
         for (mu0, x), (_, landed) in itertools.pairwise(pieces):
             ends = [angle, angle], [mu0[-1], mu0[-1]], [x[-1], landed[0]]

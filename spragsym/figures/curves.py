@@ -86,7 +86,7 @@ class Branch(Named):
 
 
 class Branches(list[Branch]):
-    """Curves of equilibria, and ranges of the parameter in which some may be missing.
+    """List of curves of equilibria, with the ranges of the parameter in which some may be missing.
 
     Attributes
     ----------
@@ -164,8 +164,10 @@ def curves_between(
 
 @dataclass(frozen=True, eq=False)
 class _Chain:
-    """A curve between two cuts: indices ``at`` of its states in the columns of ``eq``, and the
-    folds and border points of such states, None for lift-off.
+    """A curve between two cuts.
+
+    ``at`` are the indices of its states in the columns of ``eq``, and ``turns`` the folds and
+    border points of states of the same combination of contacts; None for lift-off.
     """
 
     eq: Equilibria
@@ -239,13 +241,13 @@ def _by_stability(vary: str, piece: _Chain, damping: bool) -> Iterator[Branch]:
 def chains(p: ParameterSet, vary: str, eq: Equilibria, turns: Points | None) -> list[States]:
     """The states of each curve, as indices into the columns of ``eq``."""
     found, ends = list[list[tuple[int, int]]](), dict[int, list[tuple[int, int]]]()
-    # A curve with a link that is not proved with these is drawn as two.
-    halved = ss.ContinuationOptions(halvings=3)
-    for index, pairs in enumerate([{}, *linked(p, vary, eq, turns, options=halved)]):
+    # With few halvings some links are not proved; a curve is then drawn as two.
+    options = ss.ContinuationOptions(halvings=3)
+    for index, pairs in enumerate([{}, *linked(p, vary, eq, turns, options=options)]):
         before = {other: ends[one] for one, other in pairs.items()}
         ends = {slot: before.get(slot, []) for slot in range(eq.count[index])}
         for slot, chain in ends.items():
-            if not chain:
+            if not chain:  # a curve begins here
                 found.append(chain)
             chain.append((index, slot))
     return [(index, slot) for index, slot in map(np.transpose, found)]
@@ -408,9 +410,9 @@ def first_fold(p: ParameterSet) -> float:
 # paths
 
 
-def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArray]]:
-    """The pieces of a quasi-static path between jumps, each up to the exact fold, in the units of
-    the axes.
+def path_pieces(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArray]]:
+    """The pieces of a quasi-static path between jumps, each up to the exact fold: values of the
+    parameter and of the quantity in the units of the axes.
     """
     values, model = path.values, path.parameters.model
     forward = -1.0 if values[0] > values[-1] else 1.0
@@ -438,14 +440,16 @@ def draw_path(
     arrows: Sequence[float] = (0.5,),
     **options: Any,
 ) -> list[Any]:
-    """Draw a quasi-static path, with jumps dotted, and arrow heads on jumps and at ``arrows``,
-    shares of the extent of each piece; returns the artists.
+    """Draw a quasi-static path, with jumps dotted; returns the artists.
+
+    Jumps have arrow heads at their ends, pieces between jumps at ``arrows``, shares of their
+    extent.
     """
     require_kind("path", path, Path, "one of ss.quasi_static_path(...)")
     ax, quantity = own_axes(ax), quantity or path.parameters.model.coordinates[0]
     name_axes(ax, path.parameters.model, path.vary, quantity)
     artists: list[Any] = []
-    pieces = passages(path, quantity)
+    pieces = path_pieces(path, quantity)
     style = {"color": color, "linewidth": 1.1, "zorder": 2.2, **options}
     for value, state in pieces:
         artists += ax.plot(value, state, **style)
@@ -549,8 +553,9 @@ def eigenvalue_figure(
 
 
 def _followed(values: FloatArray, every: ComplexArray) -> ComplexArray:
-    """Eigenvalues (values, n), sorted in each row so that columns are continuous: by the assignment
-    that is closest to a linear extrapolation of the two rows before.
+    """Eigenvalues (values, n) with each row sorted so that columns are continuous.
+
+    The order is the assignment that is closest to a linear extrapolation of the two rows before.
     """
     out = every.copy()
     for row in range(1, len(out)):
@@ -573,30 +578,28 @@ def _drawn(
     contact: bool,
     n: int,
 ) -> tuple[list[Line2D], Table, Table]:
-    """Draw eigenvalues: the lines, and tables of frequencies and of growth rates, with damping and
-    without.
+    """Draw eigenvalues; returns the lines, and tables of frequencies and of growth rates, with
+    damping and without.
     """
     vary, ends, turns = _range(p, vary, between, contact)
-    model, lines, courses = p.model, list[Line2D](), list[Table]()
-    nowhere = complex(np.nan, np.nan)
+    model, lines, tables = p.model, list[Line2D](), list[Table]()
+    hidden = complex(np.nan, np.nan)
     pieces, undecided = _pieces(p, vary, ends, turns, False, n)
     size = model.column(vary).size
     for piece in pieces:
         values = piece.eq.parameters[vary][piece.at[0]]
-        damped, undamped = (
-            _followed(values, every[piece.at])
-            for every in (piece.eq.damped_eigenvalues, piece.eq.eigenvalues)
-        )
-        growing = np.where(damped.real > NEUTRAL_GROWTH * np.abs(damped), damped, nowhere)
-        for every, color, width in (
+        damped = _followed(values, piece.eq.damped_eigenvalues[piece.at])
+        undamped = _followed(values, piece.eq.eigenvalues[piece.at])
+        growing = np.where(damped.real > NEUTRAL_GROWTH * np.abs(damped), damped, hidden)
+        for roots, color, width in (
             (undamped, GREY, 0.7),
             (damped, BLACK, 1.1),
             (growing, VERMILION, 1.5),
         ):
-            upper = np.where(every.imag >= 0, every, nowhere)
-            for ax, part in zip(axes, (upper.imag, upper.real), strict=True):
-                lines += ax.plot(size * values, part, color=color, linewidth=width)
-        courses.append(
+            upper = np.where(roots.imag >= 0, roots, hidden)
+            lines += axes[0].plot(size * values, upper.imag, color=color, linewidth=width)
+            lines += axes[1].plot(size * values, upper.real, color=color, linewidth=width)
+        tables.append(
             {vary: values}
             | {f"damped_{i}": column for i, column in enumerate(damped.T, 1)}
             | {f"undamped_{i}": column for i, column in enumerate(undamped.T, 1)}
@@ -614,7 +617,7 @@ def _drawn(
     axes[0].set_ylim(bottom=max(0.0, axes[0].get_ylim()[0]))
     axes[1].axhline(0.0, color=BLACK, linewidth=0.4)
     axes[1].set_xlabel(label(model.column(vary)))
-    columns = stacked(courses, "curve")
+    columns = stacked(tables, "curve")
     frequencies, rates = (
         {
             name: getattr(column, part) if "damped_" in name else column

@@ -22,7 +22,7 @@ from .curves import (
     draw_branches,
     draw_path,
     mark_folds,
-    passages,
+    path_pieces,
     table_of,
 )
 from .style import (
@@ -341,4 +341,4 @@ def _both_ways(
 def table_of_path(path: Path) -> Table:
     """The pieces of a path between jumps as a table."""
     title = path.parameters.model.column(path.vary).heading
-    return stacked([{title: value, "x": state} for value, state in passages(path)], "piece")
+    return stacked([{title: value, "x": state} for value, state in path_pieces(path)], "piece")

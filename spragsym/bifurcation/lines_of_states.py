@@ -61,6 +61,20 @@ def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
     return ends, point
 
 
+def is_regular_somewhere(family: Family) -> bool:
+    """Whether K of affine forces is proved to be regular at some parameters.
+
+    If it is singular at all, there are no states but the lines of :func:`lines_of_states`.
+    """
+    shares = np.linspace(0.1, 0.9, 5)
+    low, high = family.spans.T[:, :, None]
+    given = family.at(low + shares * (high - low))
+    origin = Intervals.point(np.zeros((family.balance.n, shares.size)))
+    with quiet():
+        at = family.balance.state(origin, family.balance.prepared_at(given))
+        return bool(_signs([determinant(at.slopes)], shares.size).any())
+
+
 def _may_hold_a_line(family: Family, ends: FloatArray, point: IntArray) -> BoolArray:
     """Boxes of parameters in which a line of states is not excluded."""
     system, (number, count) = Augmented(family, FOLD), ends.shape[1:]

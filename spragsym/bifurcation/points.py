@@ -56,7 +56,7 @@ from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
 from ..statics.systems import WithoutTapes
 from .defining_systems import Augmented, Condition, Family, OfFamily, refined_roots, slope
-from .lines_of_states import lines_of_states
+from .lines_of_states import is_regular_somewhere, lines_of_states
 
 
 @dataclass(frozen=True)
@@ -408,11 +408,14 @@ def escapes(family: Family) -> Points:
     parameters, limit points of the curve of these values in the second.
 
     The kind is ``"infinity up"`` if the state exists above the value, ``"infinity down"`` if below.
-    Coordinates are infinite, or NaN where they stay finite. Every point is proved, but there may be
-    others.
+    Coordinates are infinite, or NaN where they stay finite. Every point is proved. Of affine forces
+    there are others only in ``undecided``, boxes of directions and parameters; of other forces,
+    whose states are not known to lie in what is searched, there may be others.
     """
     balance, n = family.balance, family.balance.n
     found, side = _directions(family)
+    proved = family.is_affine() and is_regular_somewhere(family)
+    undecided = found.undecided if proved else found.undecided[:, :, :0]
     z = found.middle
     away = _places(balance, z[:n])
     kind = np.select([side > 0, side < 0], ["infinity up", "infinity down"], "infinity")
@@ -425,7 +428,7 @@ def escapes(family: Family) -> Points:
         family.spans,
         True,
         (),
-        np.empty((0, len(z), 2)),
+        np.moveaxis(spans_of(undecided), 1, 0),
         (),
         columns,
     )
@@ -453,7 +456,7 @@ def _directions(family: Family) -> tuple[Roots, IntArray]:
     found = Roots.none(system.n)
     with suppress(NoChart), quiet():
         found = certified_roots.search(
-            system, with_sides(sides, family.spans), family.begin, family.begin, budget=16_000
+            system, with_sides(sides, family.spans), family.begin, family.begin, budget=200_000
         )
         if not system.order:
             parameters = system.fixed(found.point.size)

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.bifurcation.points import _AtInfinity
 from spragsym.design.jumps import limit_point_passed
+from spragsym.numerics import certified_roots
 from tests.oracles.user_pages import derived, replaced
 
 pytest.importorskip("sympy")
@@ -31,6 +33,27 @@ page.kinetic(m * page.rate(q) ** 2 / 6)
 page.potential(k_t * (q / l - psi) ** 2 / 2)
 page.contact(-sin(theta0) * q, lambda depth: k_c * depth)
 page.friction(cos(theta0) * q, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0)
+'''
+#: K of the mass on the flank is singular at μ = (k_x (1 + k_y) + k_y (1 + k_x) t²)/(t (k_y − k_x)),
+#: t = tan β.
+FLANK = '''"""A mass on a flank."""
+from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin
+
+page = Page("A mass that two springs hold on an inclined flank that runs.")
+m, k_c, L = page.unit("m", "kg", "mass"), page.unit("k_c", "N/m", "stiffness of the flank"), page.unit("L", "m", "a length")
+mu = page.parameter("mu", "1", "friction", ">= 0", 0.3)
+W = page.parameter("W", "N", "weight", ">= 0", 0.1)
+beta = page.parameter("beta", "rad", "inclination of the flank", "(0, pi/2)", 0.7)
+k_x = page.parameter("k_x", "N/m", "spring across", ">= 0", 0.01)
+k_y = page.parameter("k_y", "N/m", "spring down", ">= 0", 0.03)
+V, d = page.parameter("V", "m/s", "speed of the flank", ">= 0", 0.5), page.parameter("d", "s/m", "steepness", "> 0", 10.0)
+x, y = page.coordinate("x", "m", "place across"), page.coordinate("y", "m", "height")
+page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
+page.spring(k_x, along=x)
+page.spring(k_y, along=y)
+page.force(-W, along=y)
+page.contact(y * cos(beta) - x * sin(beta), lambda depth: k_c * depth)
+page.friction(x * cos(beta) + y * sin(beta), V, lambda v: mu * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu)
 '''
 #: The spring pulls back by its length l − 1 only, P pushes out: both states, l = 1/(1 − P), run to
 #: infinity at P = 1.
@@ -89,6 +112,32 @@ def test_the_friction_below_which_it_does_so_at_no_angle() -> None:
     assert [found.mu0, np.tan(found.theta0) ** 2] == pytest.approx(
         [2 * np.sqrt(0.03 * 1.03), 0.03 / 1.03], rel=1e-12
     )
+
+
+@pytest.mark.thorough
+def test_the_least_of_these_in_the_plane_of_two_coordinates(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It is least inside the range; a search that ends before it is found leaves it undecided."""
+    p, window = (
+        ss.load(derived(FLANK, "flank")).Parameters(),
+        {"beta": (0.3, 0.9), "mu": (0.0, 2.0)},
+    )
+    found = ss.critical_friction(p, "mu", "beta", between=window)
+    assert (found.kind, found.complete) == ("infinity", True)
+    least = 2 * np.sqrt(0.01 * 0.03 * 1.01 * 1.03) / 0.02
+    place = np.arctan(np.sqrt(0.01 * 1.03 / (0.03 * 1.01)))
+    assert [float(found), found.beta] == pytest.approx([least, place], rel=1e-9)
+
+    def hasty(system: Any, *given: Any, **limits: Any) -> certified_roots.Roots:
+        if isinstance(system, _AtInfinity):
+            limits["budget"] = 4000
+        return search(system, *given, **limits)
+
+    search = certified_roots.search
+    monkeypatch.setattr(certified_roots, "search", hasty)
+    found = ss.critical_friction(p, "mu", "beta", between=window)
+    assert (found.kind, float(found) < least) == ("undecided", True)
 
 
 @pytest.mark.thorough

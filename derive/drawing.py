@@ -1,11 +1,10 @@
 """The drawing of a page's mechanism, from its statements: ``python -m derive.drawing`` writes those
 of all pages to ``docs/images``.
 
-What a page says of one mass on a belt, with anchors that stand still or run along the belt, is
-drawn; of any other mechanism the docstring's own drawing is shown. The mass stands in the middle.
-What is tied along the direction of sliding goes to a wall on its left, what is tied across it to a
-ceiling on its right; springs and dampers with two ends go where their ends are at the base values,
-with θ₀ = 55°.
+Drawn is one mass on a belt, with anchors that stand still or run along the belt; of any other
+mechanism the docstring's own drawing is shown. The mass stands in the middle. Springs and dampers
+along the belt go to a wall on its left, those across the belt to a ceiling on its right; those with
+two ends lie where their ends are at the base values, with θ₀ = 55°.
 """
 
 import cmath
@@ -23,8 +22,8 @@ from .shapes import Axis, Drawing, arrow, damper, spring, wall
 
 
 def render(page: Page, docstring: str = "") -> str:
-    """The SVG file of a page: its mechanism where that is one that can be drawn, else the drawing
-    in its docstring.
+    """The SVG file of a page: its mechanism where :func:`is_drawn`, else the drawing in its
+    docstring.
     """
     drawing = Drawing()
     if not is_drawn(page):
@@ -34,13 +33,13 @@ def render(page: Page, docstring: str = "") -> str:
     names = list(map(str, page.places))
     if page.normal is not None or page.sliding is not None:
         _belt(drawing, page)
-    for it in page.coordinates[:2]:
-        _tied_to_ground(drawing, page, it)
+    for coordinate in page.coordinates[:2]:
+        _tied_to_ground(drawing, page, coordinate)
     _between_ends(drawing, page)
-    _leaning(drawing, page)
+    _inclined_potentials(drawing, page)
     _body(drawing, page)
     _forces(drawing, page)
-    _frame(drawing, page)
+    _speed_of_frame(drawing, page)
     _axes(drawing, names[: 2 if page.normal is not None and page.normal.gap is not None else 1])
     return drawing.svg(page.summary)
 
@@ -59,8 +58,8 @@ def typed(docstring: str) -> list[str]:
 
 
 def is_drawn(page: Page) -> bool:
-    """Whether every statement of the page is one of a mass on a belt, which is what can be
-    drawn.
+    """Whether every statement of the page is one of a single mass on a belt, or of an anchor that
+    runs along it.
     """
     if any(it.unit == "rad" for it in page.coordinates) or len(page.contacts) > 1:
         return False
@@ -99,7 +98,9 @@ def is_drawn(page: Page) -> bool:
 
 
 def _is_anchor(end: Point, symbols: Symbols) -> bool:
-    """A point that stands still, or runs along the belt with one of the further coordinates."""
+    """Whether a point stands still, or runs along the belt with one of the coordinates that are
+    not the mass's.
+    """
     moving = end[0].free_symbols & set(symbols)
     return not end[1].free_symbols & set(symbols) and (
         not moving
@@ -122,7 +123,9 @@ def _has_one_mass(page: Page) -> bool:
 
 
 def _values(page: Page) -> dict[sp.Symbol, float]:
-    """Base values, 1 for units of measure, and the mass at its origin."""
+    """Every symbol's value in the drawing: parameters at their base values, those without one, the
+    inclinations, at 55°, units of measure at 1, coordinates at 0.
+    """
     inclination = math.radians(55.0)
     values = {
         datum.symbol: inclination if datum.base is None else datum.base for datum in page.parameters
@@ -131,19 +134,19 @@ def _values(page: Page) -> dict[sp.Symbol, float]:
 
 
 def _letter(expression: Expr) -> str:
-    """The symbols of a coefficient: a mass first, then by their names."""
+    """Names of the symbols in a coefficient, a mass first and the others in alphabetical order."""
     return " ".join(sorted(map(str, expression.free_symbols), key=lambda name: (name != "m", name)))
 
 
 def _along(page: Page, coordinate: Coordinate) -> list[Element]:
-    """Elements that tie a coordinate to the ground."""
+    """Springs and dampers from a coordinate to the ground."""
     return [it for it in page.elements if it.along == coordinate.symbol]
 
 
 def _draw(
     drawing: Drawing, part: Element, axis: Axis, beside: complex, anchor: str = "middle"
 ) -> None:
-    """A spring or a damper, with its letter."""
+    """A spring or a damper along an axis, its coefficient's letters at ``beside``."""
     (damper if part.what == "damper" else spring)(drawing, axis)
     drawing.name(_letter(part.strength), beside, anchor=anchor)
 
@@ -153,15 +156,13 @@ def _draw(
 
 
 def _half(page: Page) -> complex:
-    # half its width and half its height
-    mass = 48 + 30j
-    ball = 32 + 32j
-    return ball if _is_ball(page) else mass
+    """Half the width and, as imaginary part, half the height of the mass."""
+    return 32 + 32j if _is_ball(page) else 48 + 30j
 
 
 def _is_ball(page: Page) -> bool:
-    """Whether the contact law is that of a curved body: a power of the penetration that is not
-    whole.
+    """Whether the contact law is no polynomial of the penetration, as Hertz's law of a ball, δ^3/2,
+    is none.
     """
     if page.normal is None or page.normal.gap is None:
         return False
@@ -181,7 +182,7 @@ def _body(drawing: Drawing, page: Page) -> None:
 
 
 def _terms(contact: Contact) -> list[Expr]:
-    """Terms of the contact law by their powers, at a penetration of 1."""
+    """Terms of the contact law by rising powers of the penetration, each at a penetration of 1."""
     depth = Dummy(positive=True)
     terms = sp.Add.make_args(sp.expand(sp.sympify(contact.law(depth))))
     powers = {it: sp.degree(it, depth) if it.is_polynomial(depth) else 0 for it in terms}
@@ -213,8 +214,8 @@ def _belt(drawing: Drawing, page: Page) -> None:
 
 
 def _tied_to_ground(drawing: Drawing, page: Page, coordinate: Coordinate) -> None:
-    """Elements along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn
-    with the trolley.
+    """Springs and dampers along one of the mass's two coordinates: to the wall along the first, to
+    the ceiling along the second.
     """
     parts, width = _along(page, coordinate), _half(page).real
     if not parts:
@@ -240,6 +241,7 @@ def _tied_to_ground(drawing: Drawing, page: Page, coordinate: Coordinate) -> Non
 
 
 def _rows(count: int, apart: float) -> list[float]:
+    """Places of parts that lie side by side, about 0."""
     return [apart * (index - 0.5 * (count - 1)) for index in range(count)]
 
 
@@ -258,19 +260,19 @@ def _between_ends(drawing: Drawing, page: Page) -> None:
     shared: dict[complex, list[Element]] = {}
     for part in (it for it in (*page.springs, *page.dampers) if it.ends is not None):
         shared.setdefault(place_of(part), []).append(part)
-    for count, (index, parts) in enumerate(shared.items()):
-        axis = Axis(top, index)
+    for index, (place, parts) in enumerate(shared.items()):
+        axis = Axis(top, place)
         _side_by_side(drawing, axis, parts)
         moving = [it for it in page.coordinates[2:] if anchor(parts[0])[0].has(it.symbol)]
         if moving:
-            _trolley(drawing, page, index, moving[0])
+            _trolley(drawing, page, place, moving[0])
         else:
-            _anchor(drawing, index)
+            _anchor(drawing, place)
         for torsion in page.torsions:
-            if place_of(torsion) == index:
-                _turning(drawing, index, _letter(torsion.strength))
-        if count == 0:
-            _angle(drawing, axis)
+            if place_of(torsion) == place:
+                _torsion_spring(drawing, place, _letter(torsion.strength))
+        if index == 0:
+            _inclination(drawing, axis)
 
 
 def _anchor(drawing: Drawing, point: complex) -> None:
@@ -278,8 +280,8 @@ def _anchor(drawing: Drawing, point: complex) -> None:
     wall(drawing, point - 8j, 16.0, -1j)
 
 
-def _turning(drawing: Drawing, point: complex, letter: str) -> None:
-    """A torsion spring at an anchor: two arcs around it, and its letter."""
+def _torsion_spring(drawing: Drawing, point: complex, letter: str) -> None:
+    """Two arcs around an anchor, and the letter of the torsion spring there."""
     for radius in (11.0, 17.0):
         arc = (point + cmath.rect(radius, math.radians(10.0 * turn)) for turn in range(17))
         drawing.line(*arc, style="ink thin")
@@ -287,7 +289,7 @@ def _turning(drawing: Drawing, point: complex, letter: str) -> None:
 
 
 def _side_by_side(drawing: Drawing, axis: Axis, parts: list[Element]) -> None:
-    """Parts between the same two ends, joined by bars if there are several."""
+    """Springs and dampers between the same two ends, joined by bars if there are several."""
     rows = _rows(len(parts), 28.0)
     inner = axis
     if len(parts) > 1:
@@ -300,7 +302,8 @@ def _side_by_side(drawing: Drawing, axis: Axis, parts: list[Element]) -> None:
         _draw(drawing, part, inner.shifted(aside), beside, "end" if aside <= 0 else "start")
 
 
-def _angle(drawing: Drawing, axis: Axis) -> None:
+def _inclination(drawing: Drawing, axis: Axis) -> None:
+    """The angle θ of an axis above the horizontal through its start."""
     start, angle = axis.start, -cmath.phase(axis.end - axis.start)
     drawing.line(start, start + 62, style="ink thin dash")
     drawing.arc(start, 46.0, angle)
@@ -308,7 +311,9 @@ def _angle(drawing: Drawing, axis: Axis) -> None:
 
 
 def _trolley(drawing: Drawing, page: Page, point: complex, coordinate: Coordinate) -> None:
-    """An anchor that moves along the belt: a car on a rail, with what ties it to the ground."""
+    """An anchor that moves along the belt: a car on a rail, with the springs and dampers that tie
+    it to the ground.
+    """
     drawing.box(point - 24 - 12j, point + 24 + 4j, style="ink body")
     for wheel in (-14, 14):
         drawing.circle(point + wheel - 17j, 5.0)
@@ -322,16 +327,16 @@ def _trolley(drawing: Drawing, page: Page, point: complex, coordinate: Coordinat
 
 
 def _slopes(page: Page, energy: Expr) -> list[Expr]:
-    """Slopes of a potential along the coordinates; none where it does not act on a mass in the
-    plane.
+    """Derivatives of a potential by the coordinates; an empty list where those by x and y are 0, or
+    there is no y.
     """
     slopes = [diff(energy, symbol) for symbol in page.places]
     return [] if len(slopes) < 2 or slopes[:2] == [0, 0] else slopes
 
 
 def _weight(page: Page, energy: Expr) -> Pair | None:
-    """The force on the mass of a potential that is linear in the coordinates, as gravity's is: no
-    spring, but an arrow.
+    """The force on the mass, drawn as an arrow, of a potential that is linear in the coordinates,
+    as gravity's is; None of any other potential.
     """
     slopes = _slopes(page, energy)
     if not slopes or any(slope.has(*page.places) for slope in slopes):
@@ -340,7 +345,9 @@ def _weight(page: Page, energy: Expr) -> Pair | None:
 
 
 def _ratio(page: Page, energy: Expr) -> Expr | None:
-    """∂/∂y over ∂/∂x of a potential that depends on one combination of x and y."""
+    """∂/∂y over ∂/∂x of a potential that depends on one linear combination of x and y, ∞ of one
+    that depends on y alone; None of any other.
+    """
     slopes = _slopes(page, energy)
     if not slopes or any(slopes[2:]):
         return None
@@ -348,9 +355,9 @@ def _ratio(page: Page, energy: Expr) -> Expr | None:
     return ratio if ratio.is_number else None
 
 
-def _leaning(drawing: Drawing, page: Page) -> None:
-    """A potential that depends on one combination of x and y: a spring along it that keeps its
-    direction.
+def _inclined_potentials(drawing: Drawing, page: Page) -> None:
+    """Every potential that depends on one linear combination of x and y, as a spring in the
+    direction of its force.
     """
     for energy, _ in page.energies:
         ratio = _ratio(page, energy)
@@ -371,8 +378,8 @@ def _leaning(drawing: Drawing, page: Page) -> None:
 
 
 def _forces(drawing: Drawing, page: Page) -> None:
-    """Applied forces as arrows towards the mass or away from it, each with its symbols but those of
-    its direction.
+    """Applied forces as arrows, the first towards the mass and the others away from it, each with
+    the symbols of its size; those inside sin and cos, of its direction, are left out.
     """
     values, half = _values(page), _half(page)
     given = [force.components for force in page.forces if len(force.place) == 2]
@@ -402,9 +409,9 @@ def _forces(drawing: Drawing, page: Page) -> None:
         drawing.name(_letter(bare), beside, anchor=anchor, style="force-name")
 
 
-def _frame(drawing: Drawing, page: Page) -> None:
-    """An arc around the mass where the kinetic energy has terms linear in the rates, with what they
-    hold beside masses: the speed of the frame.
+def _speed_of_frame(drawing: Drawing, page: Page) -> None:
+    """An arc with an arrow and the symbol of the speed at which the frame turns, where the kinetic
+    energy has terms linear in the rates: the symbols of these terms that no mass has.
     """
     energy, _ = page.inertia or (S.Zero, 0)
     still = dict.fromkeys(page.rates, 0)
@@ -419,7 +426,7 @@ def _frame(drawing: Drawing, page: Page) -> None:
 
 
 def _axes(drawing: Drawing, names: list[str]) -> None:
-    """The coordinates of the mass, beside the belt."""
+    """Arrows in the directions of the mass's coordinates, in the lower left corner."""
     start = -188 + 108j
     for name, way in zip(names, (38 + 0j, -38j), strict=False):
         arrow(drawing, start, start + way)

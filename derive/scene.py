@@ -1,11 +1,11 @@
-"""The moving drawing of a mechanism of any number of bodies, contacts and springs, from what its
-page says of them: which coordinates move and turn a body, which springs tie it, where its contacts
-are.
+"""The explorer's moving drawing of a mechanism with any number of bodies, contacts and springs:
+which coordinates move and turn each body, which springs tie it, and where its contacts are, all
+found from the statements of the page.
 
 The contact of a body at (x, y), turned by φ, is a point of the body. Friction opposes its
 displacement A along the belt, and its height over the belt is the gap G, so that ∂(A, G)/∂φ at the
-origin is ±(−r_y, r_x), where (r_x, r_y) leads from the centre of the body to the contact: it is
-read off the statements, and so is the sense in which φ turns.
+origin is ±(−r_y, r_x), where (r_x, r_y) leads from the centre of the body to the contact. So the
+derivatives of A and G give (r_x, r_y), and the sense in which φ turns.
 """
 
 from collections.abc import Callable, Iterator
@@ -22,20 +22,24 @@ from .emit.function import Function, Module, of_page
 from .mechanics import FrictionForce, Mechanics, NormalForce
 from .model import Element, Page
 
-#: What the explorer reads of a scene.
+#: A JSON object that the explorer reads.
 Plain: TypeAlias = dict[str, object]
 
 
 @dataclass
 class RigidBody:
-    """A body by its coordinates: along the belt, across it, and the angle that turns it."""
+    """A body by its coordinates: ``"along"`` the belt, ``"across"`` it, and the ``"angle"`` that
+    turns it.
+    """
 
     parts: dict[str, Symbol] = field(default_factory=dict)
     #: 1 where the angle turns it counter-clockwise, −1 where it does clockwise.
     sense: int = 1
 
     def merge(self, other: "RigidBody") -> bool:
-        """Take the coordinates of another, unless each has one of a kind."""
+        """Take over the coordinates of another body, and return True; False where both have one of
+        the same kind, since they are two bodies then.
+        """
         fits = not self.parts.keys() & other.parts.keys()
         if fits:
             self.parts |= other.parts
@@ -44,7 +48,7 @@ class RigidBody:
 
 @dataclass(frozen=True)
 class Scene:
-    """The scene of a page."""
+    """Bodies, contacts and springs of a page's mechanism."""
 
     model: Mechanics
 
@@ -58,24 +62,28 @@ class Scene:
 
     @property
     def sliding(self) -> list[FrictionForce]:
-        """Every friction that is one."""
-        return [one for one in self.model.frictions if one.along is not None]
+        """Friction forces that oppose a displacement."""
+        return [friction for friction in self.model.frictions if friction.along is not None]
 
     def _at_rest(self, expression: Expr | None, *by: Symbol) -> Expr:
-        """The value or a derivative at the origin."""
+        """The value of an expression where all coordinates are 0, or that of its derivative by some
+        of them.
+        """
         value = S.Zero if expression is None else sp.sympify(expression)
         value = value.diff(*by) if by else value
         return expanded(value.subs(dict.fromkeys(self.model.coordinates, 0)))
 
     def _takes(self, expression: Expr | None) -> list[Symbol]:
-        """Coordinates of an expression, in their order."""
+        """Coordinates that an expression contains, in the page's order, without the phase of a
+        drive.
+        """
         symbols = set() if expression is None else sp.sympify(expression).free_symbols
         return [it for it in self.model.coordinates if it in symbols and it != self.model.clock]
 
     @cached_property
     def kinds(self) -> dict[Symbol, str]:
-        """Of each coordinate whether it is ``"along"`` the belt, ``"across"`` it or an
-        ``"angle"``.
+        """Of each coordinate whether it is ``"along"`` the belt, ``"across"`` it or an ``"angle"``,
+        told by the unit, then by frictions, contacts and the ends of springs.
         """
         units = {it.symbol: it.unit for it in self.page.coordinates}
         found = {symbol: "angle" for symbol, unit in units.items() if unit == "rad"}
@@ -104,22 +112,23 @@ class Scene:
 
     @cached_property
     def bodies(self) -> list[RigidBody]:
-        """Coordinates that move one body: of one end of a spring, of one contact and its
-        friction.
+        """The bodies: coordinates move the same one if they occur together at one end of a spring,
+        or at one contact and its friction.
         """
-        body = {symbol: RigidBody({kind: symbol}) for symbol, kind in self.kinds.items()}
+        owner = {symbol: RigidBody({kind: symbol}) for symbol, kind in self.kinds.items()}
         for group in self._groups():
-            for one in group:
+            for symbol in group:
                 for other in group:
-                    first, second = body[one], body[other]
+                    first, second = owner[symbol], owner[other]
                     if first is not second and first.merge(second):
-                        body |= dict.fromkeys(second.parts.values(), first)
-        found = list({id(it): it for it in body.values()}.values())
-        for one in found:
-            one.sense = self._sense(one)
-        return found
+                        owner |= dict.fromkeys(second.parts.values(), first)
+        bodies = list({id(body): body for body in owner.values()}.values())
+        for body in bodies:
+            body.sense = self._sense(body)
+        return bodies
 
     def _groups(self) -> Iterator[list[Symbol]]:
+        """Coordinates that occur together: at each end of a spring, and at each contact."""
         for element in self.page.elements:
             for end in element.ends or ():
                 yield self._takes(sp.Tuple(*end))
@@ -127,7 +136,9 @@ class Scene:
             yield [*self._takes(self._along(contact)), *self._takes(contact.gap)]
 
     def _body_of(self, symbols: list[Symbol]) -> list[int]:
-        """Numbers of the bodies that coordinates move, each once."""
+        """Indices of the bodies that some coordinates move, each once, in the coordinates'
+        order.
+        """
         owners = (
             index
             for symbol in symbols
@@ -140,12 +151,12 @@ class Scene:
     # contacts
 
     def _along(self, contact: NormalForce) -> Expr:
-        """The displacement that friction opposes at a contact, 0 without."""
+        """The displacement that friction opposes at a contact, 0 where there is no friction."""
         return next((it.along for it in self.sliding if it.normal == contact), S.Zero)
 
     def _outward(self, contact: NormalForce) -> tuple[int, int]:
-        """The direction from the first body to what it touches: down, where nothing else is
-        said.
+        """The unit vector from a contact's body to what it touches: that in which the gap falls,
+        down where the gap contains no displacement.
         """
         for symbol in self._takes(contact.gap):
             slope = self._number(self._at_rest(contact.gap, symbol))
@@ -155,7 +166,7 @@ class Scene:
         return 0, -1
 
     def _number(self, expression: Expr) -> float:
-        """At the base values, any parameter without one at 1."""
+        """The value at the base values of the parameters, those without one at 1."""
         base = {
             mechanics.number(it): it.base for it in self.model.parameters if it.base is not None
         }
@@ -163,13 +174,15 @@ class Scene:
         return float(expression.subs(base | parts))
 
     def _turned(self, contact: NormalForce, angle: Symbol) -> tuple[Expr, Expr]:
-        """Velocity of the contact by the angle at the origin."""
+        """Derivatives of a contact's place, along and across, by an angle at the origin."""
         gap, along = (self._at_rest(it, angle) for it in (contact.gap, self._along(contact)))
         x, y = self._outward(contact)
         return (along, -y * gap) if y else (-x * gap, along)
 
     def _sense(self, body: RigidBody) -> int:
-        """The sense of an angle in which every contact lies on the side where it touches."""
+        """1 if a body's angle turns it counter-clockwise, −1 if clockwise: the one with which the
+        first contact that tells lies on the side of the body where it touches.
+        """
         angle = body.parts.get("angle")
         for contact in self.model.contacts if angle else ():
             x, y = self._outward(contact)
@@ -179,7 +192,9 @@ class Scene:
         return 1
 
     def _arm(self, contact: NormalForce, owners: list[int]) -> tuple[Expr, Expr]:
-        """From the centre of its body to a contact, at the origin."""
+        """The vector from the centre of a contact's body to the contact, at the origin; 0 if the
+        body does not turn.
+        """
         body = self.bodies[owners[0]] if owners else RigidBody()
         if "angle" not in body.parts:
             return S.Zero, S.Zero
@@ -187,14 +202,16 @@ class Scene:
         return body.sense * up, -body.sense * across
 
     def _owners(self, contact: NormalForce) -> list[int]:
-        """Bodies of a contact, first the one that rubs."""
+        """Indices of the bodies at a contact, that of the friction first."""
         return self._body_of([*self._takes(self._along(contact)), *self._takes(contact.gap)])
 
     # ---------------------------------------------------------------------------------------------
     # springs
 
     def _ties(self) -> Iterator[Plain]:
-        """Springs along coordinates, and potentials that are even in one coordinate."""
+        """Springs along coordinates, each once: linear springs, terms of potentials that give one
+        coordinate a stiffness at the origin, and torsion springs.
+        """
         tied = [self._takes(it.along) for it in self.page.springs if it.along is not None]
         stored = (self.model.scaled(energy) for energy, _ in self.page.energies)
         for term in sp.Add.make_args(expanded(sp.Add(*stored))):
@@ -214,13 +231,14 @@ class Scene:
                 yield tie
 
     def _straight(self) -> list[Element]:
+        """Springs between two points of the plane."""
         return [it for it in self.page.springs if it.ends is not None]
 
     # ---------------------------------------------------------------------------------------------
-    # what is read
+    # output
 
-    def said(self) -> Plain:
-        """Bodies, contacts and springs by numbers of coordinates, bodies and contacts."""
+    def as_json(self) -> Plain:
+        """Bodies, contacts and springs for the explorer; each refers to others by their indices."""
         places = {symbol: index for index, symbol in enumerate(self.model.coordinates)}
         return {
             "bodies": [
@@ -236,7 +254,8 @@ class Scene:
                     "outward": self._outward(it),
                     "elastic": it.gap is not None,
                     "friction": next(
-                        (k for k, one in enumerate(self.sliding) if one.normal == it), None
+                        (k for k, friction in enumerate(self.sliding) if friction.normal == it),
+                        None,
                     ),
                 }
                 for it in self.model.contacts
@@ -249,8 +268,8 @@ class Scene:
         }
 
     def module(self) -> Module:
-        """The function of its places: from the centre of its body to every contact at the origin,
-        and then both ends of every straight spring.
+        """The exported function ``places``: the vector from the centre of its body to every contact
+        at the origin, then both ends of every straight spring.
         """
         arms = [self._arm(it, self._owners(it)) for it in self.model.contacts]
         scaled: Callable[[Expr], Expr] = self.model.scaled

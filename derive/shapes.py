@@ -1,6 +1,6 @@
-"""What mechanisms are drawn of, as SVG: springs, dampers, walls, arrows, names with indices.
+"""The parts of a drawn mechanism in SVG: springs, dampers, walls, arrows, names with indices.
 
-A place of the plane is a complex number. Lengths are pixels, y runs down.
+A point of the plane is a complex number. Lengths are pixels, y runs down.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ import math
 from dataclasses import dataclass, field
 from xml.sax.saxutils import escape
 
-#: Colours by light and by dark; the card behind the drawing makes it readable on a page of either
-#: kind.
+#: Colours on a light page and on a dark one; the card behind the drawing makes it readable where
+#: the page does not follow the browser.
 STYLE = """
 .card{fill:#fff}.ink{stroke:#24292f;fill:none;stroke-width:2;stroke-linecap:round;\
 stroke-linejoin:round}
@@ -28,7 +28,9 @@ text{fill:#24292f;font:italic 20px 'STIX Two Text','Times New Roman',serif}\
 
 @dataclass
 class Drawing:
-    """Elements in the order in which they are drawn, and the room that they take."""
+    """SVG elements in the order in which they are drawn, and the points that the picture has to
+    contain.
+    """
 
     elements: list[str] = field(default_factory=list)
     places: list[complex] = field(default_factory=list)
@@ -51,7 +53,7 @@ class Drawing:
         self.places += [centre - radius * (1 + 1j), centre + radius * (1 + 1j)]
 
     def arc(self, centre: complex, radius: float, angle: float) -> None:
-        """From the horizontal to an angle above it."""
+        """An arc from the horizontal, to the right of the centre, up to an angle above it."""
         ends = centre + radius, centre + cmath.rect(radius, -angle)
         size = _number(radius)
         sweep = f"{_pair(ends[0])}A{size} {size} 0 0 0 {_pair(ends[1])}"
@@ -59,7 +61,9 @@ class Drawing:
         self.places += ends
 
     def name(self, text: str, point: complex, anchor: str = "middle", style: str = "") -> None:
-        """A name, its index lowered; Greek letters by their English names."""
+        """Names of symbols, as ``theta_0`` or ``k1``: Greek letters for their English names,
+        indices lowered.
+        """
         words = []
         greek = {
             "alpha": "α",
@@ -99,7 +103,9 @@ class Drawing:
         self.places += [left - 16j, left + width + 8j]
 
     def typed(self, text: str, row: int) -> None:
-        """A line of a drawing that is made of letters, each in its column whatever the font."""
+        """A line of a drawing that is typed in characters, stretched so that each keeps its column
+        in any font.
+        """
         width, baseline = 9.0 * len(text), 18.0j * row
         if text.strip():
             kept = escape(text).replace(" ", "\N{NO-BREAK SPACE}")
@@ -110,7 +116,7 @@ class Drawing:
         self.places += [baseline - 16j, baseline + width + 8j]
 
     def svg(self, title: str) -> str:
-        """The file."""
+        """The text of the SVG file, as large as what is drawn."""
         across, down = ([getattr(it, part) for it in self.places] for part in ("real", "imag"))
         left, top = (math.floor(min(ends)) - 16 for ends in (across, down))
         width, height = math.ceil(max(across)) + 16 - left, math.ceil(max(down)) + 16 - top
@@ -145,11 +151,11 @@ class Axis:
         return abs(self.end - self.start)
 
     def at(self, along: float, aside: float = 0.0) -> complex:
-        """The place at a distance along the line and a distance to its right."""
+        """The point at a distance along the line and a distance to its right."""
         return self.start + complex(along, aside) * (self.end - self.start) / self.length
 
     def shifted(self, aside: float) -> Axis:
-        """The line beside it."""
+        """The parallel line at a distance to the right."""
         return Axis(self.at(0.0, aside), self.at(self.length, aside))
 
 
@@ -175,7 +181,7 @@ def damper(drawing: Drawing, axis: Axis, width: float = 7.0) -> None:
 
 
 def wall(drawing: Drawing, centre: complex, half: float, outward: complex) -> None:
-    """A wall seen from the side, hatched away from what it holds."""
+    """A wall seen from the side, hatched on the side to which ``outward`` points."""
     along = half * 1j * outward
     drawing.line(centre + along, centre - along)
     strokes = max(2, round(half / 6))

@@ -18,8 +18,8 @@ from .nomenclature import s0, sigma, tt, x, y
 from .equilibrium import spell_out
 from .unit_circles import ascending, in_half_angle, polynomial, require
 
-# ---------------------------------------------------------------------------------- the published
-# quartic in L
+# ------------------------------------------------------------------------------------------------
+# the published quartic in L
 
 
 #: D and b in shorthands, for the family in n̄.
@@ -39,8 +39,8 @@ def quartic_in_L() -> Row:
     return tuple(sp.factor_terms(sp.collect(value, (b1, b2))) for value in coefficients)
 
 
-# ------------------------------------------------------------------------------------------ the
-# equation in θ
+# ------------------------------------------------------------------------------------------------
+# the equation in θ
 
 
 @cache

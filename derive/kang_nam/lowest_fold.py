@@ -18,8 +18,8 @@ from .theorem import Step, in_contact
 from .unit_circles import by_inclination, polynomial, require
 
 
-# -------------------------------------------------------------------------------------- where the
-# curve of folds turns back
+# ------------------------------------------------------------------------------------------------
+# where the curve of folds turns back
 
 
 #: What the line and the quadratics below are written in, each in terms of those before it.

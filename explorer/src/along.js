@@ -1,4 +1,4 @@
-// The states along one parameter, searched at many of its values, a few between two pictures.
+// The chart of the states along one parameter, searched at many of its values, a few before each picture.
 
 import uPlot from "uplot";
 import { colours } from "./colours.js";
@@ -7,9 +7,9 @@ import { kept } from "./spans.js";
 import { beside, inward, measured, outward } from "./units.js";
 
 const COLUMNS = 161;
-/** What a picture may wait for, milliseconds. */
+/** How long a search may delay a picture, milliseconds. */
 const BUDGET = 8;
-/** Marks of the kinds: told apart by their shapes too. */
+/** The mark of each kind, told apart by shape as well as by colour. */
 const MARKS = {
   stable: (ctx, x, y, r) => ctx.arc(x, y, r, 0, 7),
   divergent: (ctx, x, y, r) => { ctx.moveTo(x - r, y + r); ctx.lineTo(x, y - r); ctx.lineTo(x + r, y + r); ctx.closePath(); },
@@ -17,8 +17,8 @@ const MARKS = {
 };
 
 /**
- * `field()` is the parameter that is drawn along, `span()` from where to where, `states(value)` those there, `shown()` the value and
- * the first coordinate of the state of now, `go(value)` is called as the drawing is pressed; `coordinate` is how that is shown.
+ * `field()` is the parameter on the horizontal axis, `span()` its range, `states(value)` gives the states there, `shown()` the parameter's value and the
+ * first coordinate of the current state; `go(value)` is called where the chart is pressed. `coordinate` says how the first coordinate is shown.
  */
 export function createAlong(box, { field, span, states, shown, go }, coordinate) {
   let [colour, points, ask, glass] = [colours(), [], 0, null];
@@ -66,7 +66,7 @@ export function createAlong(box, { field, span, states, shown, go }, coordinate)
     ctx.restore();
   }
 
-  /** Search anew, from the left to the right; what is older is given up. */
+  /** Search anew, from left to right; a search that is still running is given up. */
   function renew() {
     ask += 1;
     const mine = ask;

@@ -1,6 +1,6 @@
-// The balance of forces of a model from its page, by the exported algebra: what a search and a motion ask for.
+// The balance of forces of a model at a point of its parameters, by the exported functions: what a search and a motion need.
 
-/** What is known of a point: arguments of the exported functions, angles as cosine and sine. */
+/** The parameters that the exported functions take in statics and in motion, in their order; angles as cosine and sine. */
 function given(about, point) {
   const values = { ...point };
   for (const [angle, [cosine, sine]] of Object.entries(about.angles)) {
@@ -10,15 +10,15 @@ function given(about, point) {
   return { statics: listed("statics"), motion: listed("motion") };
 }
 
-/** Far away: with springs of this length their directions stay as they are. */
+/** A length of springs at which their torques have no force on the mass, so that their directions can be held. */
 const FAR = 1e300;
 
-/** A function of one contact by its name; that of the only contact has none behind it. */
+/** The exported name of a contact's function: the contact's name is appended where there are several contacts. */
 const named = (name, contact) => (contact ? `${name}_${contact}` : name);
 
 /**
- * The functions of a model at one point of its parameters. `q` are coordinates, `regime` is the number of the one that says which contacts touch.
- * A function without any result, as the geometry of a model without springs, is not exported.
+ * The functions of a model at one point of its parameters. `q` are coordinates; `regime`, an index into `about.regimes`, says which contacts touch.
+ * A function without results, as the geometry of a model without springs, is not exported: it is asked for with `?.` or tested.
  */
 export function balanceAt(algebra, about, point) {
   const { statics, motion } = given(about, point);
@@ -34,7 +34,7 @@ export function balanceAt(algebra, about, point) {
     });
   }
 
-  /** The same, and then the least turning of every torsion spring. */
+  /** The same, followed by the angle of every torsion spring, the smallest of those that differ by whole turns. */
   function directions(q) {
     const along = lines(q);
     const turned = about.torsions ? algebra.turnings(...q, ...along, ...statics) : [];
@@ -44,8 +44,8 @@ export function balanceAt(algebra, about, point) {
   const call = (name, q, along, touching, friction = mu) => algebra[name](...q, ...along, ...statics, ...friction, ...touching);
 
   /**
-   * What acts on the mass at a state: the tension of every spring, the normal force of every contact and every friction, and for a mass on
-   * a belt these as vectors. The balance is linear in the friction, so that each is a difference of the generated one, with the other sign.
+   * The forces at a state: the tension of every spring, the normal force of every contact, every friction force, and for a mass on a belt all
+   * of them as vectors. The balance is linear in the friction and in what touches, so each vector is a difference of two balances.
    */
   function acting(q, regime) {
     const along = directions(q);
@@ -70,9 +70,9 @@ export function balanceAt(algebra, about, point) {
     mass: (q) => algebra.mass_matrix(...q, ...motion),
     damping: (q, regime) => algebra.damping?.(...q, ...lines(q), ...motion, ...pushing(regime)) ?? q.map(() => q.map(() => 0)),
     gyroscopic: (q) => algebra.gyroscopic?.(...q, ...motion),
-    /** Of every contact: not positive where it touches. */
+    /** The gap of every contact, ≤ 0 where it touches. */
     gaps: (q) => about.contacts.map(({ name }) => algebra[named("contact_gap", name)]?.(...q, ...statics) ?? -1),
-    /** Directions that do not turn: cosine and sine of every spring, by angles; so far away no torque has a force. */
+    /** Springs held in the given directions, in the form of `directions`: FAR away, so that no torque has a force. */
     held: (angles) => [...angles.flatMap((angle) => [Math.cos(angle), Math.sin(angle), FAR]), ...Array(about.torsions).fill(0)],
   };
 }

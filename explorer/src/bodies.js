@@ -1,16 +1,16 @@
-// The mechanism of any number of bodies, contacts and springs, drawn to scale from a state by what the page's scene says of them; a body
-// can be dragged. Places are in units of length, y upwards, and pixels only where they are written.
+// The drawing of a mechanism of any number of bodies, contacts and springs, to scale, from the model's scene and a state; bodies can be
+// dragged. Places are in the model's length, y upwards; `pixel` and `path` turn them into pixels.
 
 import { written } from "./numbers.js";
 import { arrow, coil, dragged, keyed, part, picture, pushed } from "./svg.js";
 
-/** Pixels of a length 1, and the breadth of a picture at which texts have their size. */
+/** Pixels of a length 1, and the breadth in pixels beyond which texts grow with the picture. */
 const [SCALE, BROAD] = [150, 640];
-/** Half sizes of a body whose contacts say none, half the length of one that only turns, and half its thickness. */
+/** Half the width and height of a body without contacts that tell them, and half the length and thickness of one that only turns. */
 const [WIDE, TALL, LONG, THIN] = [0.3, 0.22, 0.6, 0.05];
-/** What springs along and across and a contact need of room, and a belt's thickness. */
+/** The lengths of a spring along the belt, of one across it and of one at a contact, and a belt's thickness. */
 const [WAY, ROOM, FOOT, BELT] = [1.8, 0.9, 0.18, 0.12];
-/** What lies further away is drawn so far away. */
+/** No coordinate of a drawn place is beyond this. */
 const FAR = 1e3;
 
 const plus = (one, other, times = 1) => one.map((value, k) => value + times * other[k]);
@@ -20,7 +20,7 @@ const turned = ([x, y], angle) => [x * Math.cos(angle) - y * Math.sin(angle), x 
 const path = (points, closed = "") => `M${points.map((point) => pixel(point).map((value) => value.toFixed(2))).join(" L")}${closed}`;
 const only = ({ along, across }) => along === undefined && across === undefined;
 
-/** Corners of a body in itself: around its contacts, or along the arms to them where it only turns. */
+/** Corners of a body about its centre, unturned: a rectangle that reaches its contacts, or a rod to the first of them if it only turns. */
 function outline(body, feet) {
   const reach = (axis) => Math.max(0, ...feet.map((arm) => Math.abs(arm[axis])));
   if (!only(body)) {
@@ -33,7 +33,7 @@ function outline(body, feet) {
   return { wide: Math.max(LONG, reach(0)), tall: reach(1) || TALL, tip: to, corners: [[from, 1], [to, 1], [to, -1], [from, -1]].map(([end, side]) => plus(end, [-y, x], side)) };
 }
 
-/** Where bodies are at the origin: what another lies on below it, what a spring across holds above it, any other to the right. */
+/** The bodies' centres at the origin: below a body that touches it from above, above one to which a spring across ties it, else to the right. */
 function homes({ contacts, ties }, shapes, room) {
   const found = [];
   shapes.forEach(({ wide, tall }, b) => {
@@ -53,7 +53,7 @@ function homes({ contacts, ties }, shapes, room) {
   return found;
 }
 
-/** `on(number, place, done)` is called as a body is dragged, with its coordinates along and across, or its angle. */
+/** `on(body, place, done)` is called as a body is dragged, with its index, and its coordinates `along` and `across` or its `angle`. */
 export function createBodies(box, scene, on) {
   const svg = picture(box, "The mechanism: its bodies, contacts and springs", {});
   const backdrop = part(svg, "g");
@@ -78,7 +78,7 @@ export function createBodies(box, scene, on) {
     keyed(mass, home, moved);
   });
 
-  /** All that the drawing takes from a state. */
+  /** The places in the drawing of a state: of bodies, contacts and springs. */
   function posed(q, balance) {
     const rest = q.map(() => 0);
     const arms = balance.places(rest).slice(0, scene.contacts.length);
@@ -94,7 +94,7 @@ export function createBodies(box, scene, on) {
 
   const spot = ({ centres, angles }, b, local) => plus(centres[b], turned(local, angles[b]));
 
-  /** A line of the drawing; what a part takes of the picture is kept. */
+  /** A line through points, which the picture will contain. */
   function line(parent, points, style, closed = "") {
     points.forEach((point) => now.taken.push(point));
     return part(parent, "path", { d: path(points, closed), class: style });
@@ -105,7 +105,7 @@ export function createBodies(box, scene, on) {
     part(front, "polyline", { points: coil(pixel(from), pixel(to), turns, width), class: style });
   }
 
-  /** Contacts with their feet, and what stands still below them: a belt, or a wall. */
+  /** Every contact with its spring, and the belt or wall that it touches. */
   function touched() {
     scene.contacts.forEach(({ bodies: [b, other], outward, elastic }, k) => {
       if (b === undefined) {
@@ -203,7 +203,7 @@ export function createBodies(box, scene, on) {
     push(forces);
   }
 
-  /** Shows all parts, and in motion what was shown before; in steps, so that the picture stands still meanwhile. */
+  /** Chooses the frame: all parts, and in motion also the previous frame; rounded to steps, so that it rarely changes. */
   function fit(moving, note) {
     const ends = [0, 1].map((axis) => now.taken.map((point) => near(point[axis])));
     const room = ends.flatMap((values) => [4 * (Math.min(...values) - 0.15), -4 * (Math.max(...values) + 0.15)]).map((value) => Math.floor(value) / 4);
@@ -218,7 +218,7 @@ export function createBodies(box, scene, on) {
     legend.textContent = note;
   }
 
-  /** Arrows of what every contact does to its body, the longest of a fixed length. */
+  /** Arrows of the forces of every contact on its body, the longest of a fixed length. */
   function push(forces) {
     const vectors = scene.contacts.map(({ outward: [x, y] }, k) => {
       const [normal, friction] = [forces?.normals[k] ?? 0, forces?.frictions[scene.contacts[k].friction] ?? 0];
@@ -228,7 +228,7 @@ export function createBodies(box, scene, on) {
     arrows.forEach((pair, k) => pair.forEach((one, i) => pushed(one, pixel(now.feet[k] ?? [0, 0]), vectors[k][i], largest)));
   }
 
-  /** Belts by how far each friction's has run. */
+  /** Sets how far the belt of every friction has run. */
   function roll(run) {
     ways = scene.contacts.map(({ friction }) => run[friction]);
   }

@@ -1,17 +1,17 @@
-// A state that is carried along a straight way through the parameters: it stays on its sheet until the sheet ends, and then jumps.
+// A state that follows a straight way through the parameters: it stays on its sheet of equilibria until the sheet ends, then it jumps.
 
 import { belongs, described, newton, search } from "./search.js";
 import { turning } from "./kinds.js";
 import { touchingIn } from "./states.js";
 
-/** A way begins with so many steps over the whole range of a parameter, and a step is halved at most so often. */
+/** The steps of a way over a parameter's whole range, the most of any way, and how often a step may be halved. */
 const STEPS = 200;
 const MOST = 400;
 const HALVINGS = 14;
-/** A way on which the state is lost again and again, as at numbers far from 1, is given up after so many steps or jumps. */
+/** A way is given up after so many tried steps or jumps, as where the numbers are far from 1 and the state is lost again and again. */
 const PATIENCE = 3000;
 const JUMPS = 8;
-/** No coordinate changes by more in one step. */
+/** The largest change of a coordinate in one step. */
 const LONGEST = 0.05;
 
 /** The state that a jump leads to: the nearest that is not divergent. */
@@ -21,13 +21,16 @@ export function landing(states, q) {
   return left.sort((a, b) => far(a) - far(b))[0] ?? null;
 }
 
-/** The regimes that a state comes to where a contact opens or closes: something touches, and one contact is another. */
+/** The regimes in which something touches and exactly one contact is changed: those that a state enters where a contact opens or closes. */
 function beside(about, regime) {
   const { touching } = about.regimes[regime];
   return touchingIn(about).filter((other) => about.regimes[other].touching.filter((one, k) => one !== touching[k]).length === 1);
 }
 
-/** The same state a little further, behind the border of a contact in the regime that it passes into, or null if it is not found there. */
+/**
+ * The same state a little further on the way, in a regime beside its own where a contact opens or closes, or null if it is not found. `sign` is that of the
+ * stiffness matrix's determinant, which the states that meet at a fold do not share.
+ */
 function next(balance, about, { q, regime, sign }) {
   const close = (at) => at && Math.max(...at.map((value, k) => Math.abs(value - q[k]))) <= LONGEST;
   const own = newton(balance, about, q, regime);
@@ -40,8 +43,8 @@ function next(balance, about, { q, regime, sign }) {
 }
 
 /**
- * Carries `state` from one point to another. `at(point)` gives the balance there, `spans` how far each parameter's slider reaches.
- * Returns the state at the end, null if nothing is left, and samples of the way, each `{ point, q, jump }`, without `q` where nothing is.
+ * Carries `state` from one point to another. `at(point)` gives the balance at a point, `spans` the length of each parameter's slider.
+ * Returns the state at the end, null if there is none, and samples of the way, each `{ point, q, jump }`, without `q` where there is no state.
  */
 export function carry(at, about, from, to, state, spans) {
   const samples = [];

@@ -1,20 +1,21 @@
-// Trace, phase portrait and spectrum of a motion.
+// The charts of a motion: trace in time, phase portrait and spectrum.
 
 import FFT from "fft.js";
 import uPlot from "uplot";
 import { colours } from "./colours.js";
 import { beside, measured } from "./units.js";
 
-/** Samples that are kept, and the fewest that give a spectrum. */
+/** The most samples that are kept, and the fewest that give a spectrum. */
 const SAMPLES = 2048;
 const FEWEST = 256;
-const HIGHEST = 2; // angular frequency, in sqrt(k_c/m)
-/** Lines of the coordinates: told apart by their dashes too. */
+const HIGHEST = 2; // angular frequency of the spectrum, in sqrt(k_c/m)
+/** Colours and lines of the coordinates, told apart by dashes as well. */
 const STROKES = ["accent", "flutter", "divergent", "ink"];
 const LINES = [{ width: 2 }, { width: 1.5, dash: [6, 4] }, { width: 1.5, dash: [2, 3] }, { width: 1, dash: [10, 3, 2, 3] }];
 
 /**
- * `coordinates` are those of a state, whose rates follow them, as `coordinatesIn` says, `time` what 1 of the model's is, and its unit.
+ * `coordinates` are as coordinatesIn gives them, the third argument is the model's unit of time: its length and its name. A state holds the coordinates,
+ * then their rates.
  */
 export function createCharts({ trace, phase, spectrum }, coordinates, [lasting, time_name]) {
   const n = coordinates.length;
@@ -32,7 +33,7 @@ export function createCharts({ trace, phase, spectrum }, coordinates, [lasting, 
     label, labelSize: 18, labelGap: 0, stroke: () => colour.ink, font: "11px system-ui", labelFont: "12px system-ui",
     grid: { stroke: () => colour.line, width: 1 }, ticks: { stroke: () => colour.line }, ...more,
   });
-  /** The range of the data, or from 0 to a number without any. */
+  /** The range of an axis: that of the data, or of length `end` where they are constant or missing. */
   const reach = (end) => (plot, low, high) => (low === null || low === high ? [Math.min(0, low ?? 0), (high ?? 0) + end] : uPlot.rangeNum(low, high, 0.05, true));
   const plain = { legend: { show: false }, cursor: { show: false } };
 
@@ -60,7 +61,7 @@ export function createCharts({ trace, phase, spectrum }, coordinates, [lasting, 
     return [low - room, high + room];
   }
 
-  /** Where the mass is off the belt, a band; where it is faster than the belt, a bar at the top. */
+  /** Marks the times at which the mass is off the belt by a band, those at which it is faster than the belt by a bar at the top. */
   function marks(plot) {
     const { ctx, bbox } = plot;
     ctx.save();
@@ -112,7 +113,7 @@ export function createCharts({ trace, phase, spectrum }, coordinates, [lasting, 
     ctx.restore();
   }
 
-  /** Amplitudes over angular frequency of the last values, as many as a power of two, by a Hann window. */
+  /** The spectrum of the first coordinate, over the largest power of two of the last samples, with a Hann window: frequencies and amplitudes. */
   function analysed() {
     const size = 2 ** Math.floor(Math.log2(Math.max(1, history.v.length)));
     if (size < FEWEST) {

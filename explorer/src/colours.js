@@ -1,4 +1,4 @@
-// Colours of the drawings, from the style sheet: one place, and they change with light and dark.
+// Colours of the drawings, read from the style sheet, which has them for light and for dark pages.
 
 const NAMES = ["ink", "faint", "line", "panel", "stable", "divergent", "flutter", "three", "path", "jump", "accent"];
 
@@ -7,7 +7,7 @@ export function colours() {
   return Object.fromEntries(NAMES.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 
-/** Calls back when the reader's preference changes. */
+/** Calls back when the reader's preference for light or dark changes. */
 export function whenColoursChange(callback) {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", callback);
 }

@@ -1,14 +1,14 @@
-// How many states there are over a plane, where no curve tells: sampled on a grid that becomes finer, a few cells between two pictures.
+// The number of states over a plane whose folds are not known: sampled on finer and finer grids, a few cells before each picture.
 
-/** Cells across and up; what a picture may wait for, and all of it may take, milliseconds. */
+/** Cells across and up of each grid; how long cells may delay a picture, and how long all may take, milliseconds. */
 const GRIDS = [[10, 8], [20, 16], [40, 32]];
 const [BUDGET, PATIENCE] = [8, 15_000];
 
-/** `count(x, y)` is how many states there are, null where that is undecided; `show(areas)` draws the cells with more than one. */
+/** `count(x, y)` gives the number of states, null where that is undecided; `show(areas)` draws the cells with more than one or an undecided number. */
 export function createCounts(count, show) {
   let asked = 0;
 
-  /** Over two ranges, anew, or over nothing; what is older is given up. */
+  /** Begin anew over two ranges, or only stop: a count that is still running is given up. */
   return function renew(ranges) {
     asked += 1;
     if (!ranges) {

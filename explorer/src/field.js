@@ -1,18 +1,19 @@
-// The motion of a model in time, by its exported field: in each smooth regime by the classical Runge-Kutta method, and cut where
-// the regime ends: at the border of a contact, where a friction slides no more, where the force of a friction that holds comes to a
-// limit, or where a torsion spring's torque jumps.
+// The motion of a model in time, by its exported field. Each smooth regime is integrated by the classical Runge-Kutta method until it ends:
+// where a contact opens or closes, where sliding stops or turns back, where the friction force in sticking comes to its limit, or where a torsion
+// spring's torque jumps.
 
 import { solved } from "./kinds.js";
 
+/** How often a step is halved to find where a regime ends. */
 const HALVINGS = 40;
-/** Kinks of one contact in one step; beyond them the step ends in the regime that it is in, at the error of a kink. */
+/** Ends of regimes in one step, for each contact; beyond them the step is finished in its last regime, without regard to further ends. */
 const PIECES = 6;
-/** Where a motion that begins at rest on the border goes, by half the square of a short time. */
+/** Half the square of the short time after which a motion that begins at rest on a border is looked at, to see where it goes. */
 const AHEAD = 1e-6;
-/** Sliding speeds up to this are 0 where friction holds. */
+/** A friction that can stick counts as sticking up to this sliding speed. */
 const STILL = 2e-12;
 
-/** All choices of a side of so many frictions, those that stick first. */
+/** All combinations of sides of so many frictions (0 sticks, ±1 slides), those in which most stick first. */
 function choices(count) {
   const slips = (sides) => sides.reduce((sum, side) => sum + Math.abs(side), 0);
   const all = Array.from({ length: count }).reduce((found) => found.flatMap((head) => [0, 1, -1].map((side) => [...head, side])), [[]]);
@@ -20,14 +21,15 @@ function choices(count) {
 }
 
 /**
- * What a panel runs: `regime(state)`, `step(state, h)` and `pieces(state, longest)` at one point. A state is coordinates, then rates; a regime
- * says which contacts are `touching`, on which of its `sides` each friction slides, 0 where it sticks, and the `ways` of the torsion springs.
+ * The field at one point of the parameters, as a motion runs it: `regime(state)`, `step(state, h)` and `pieces(state, time, longest)`. A state holds
+ * coordinates, then rates. A regime, or mode, says which contacts are `touching`, in which direction each friction slides (`sides`: ±1, 0 where it sticks),
+ * and in which direction the turning of each torsion spring is counted (`ways`: ±1).
  */
 export function fieldOf(algebra, about, balance) {
   const n = about.coordinates.length;
   const near = Array(about.layers).fill(1);
   const { contacts, frictions } = about;
-  /** Numbers of the frictions that hold, in the order of what is generated of them. */
+  /** Indices of the frictions that can stick, in the order in which the exported `grip` has them. */
   const holding = frictions.flatMap(({ holds }, j) => (holds ? j : []));
 
   function called(name, state, { touching, sides, ways }) {
@@ -46,16 +48,16 @@ export function fieldOf(algebra, about, balance) {
     return { gaps: levels.slice(0, contacts.length), slips: levels.slice(contacts.length) };
   }
 
-  /** How these change with given accelerations. */
+  /** The rates of the same at given accelerations: of gaps, and of sliding speeds. */
   function headed(state, accelerations) {
     const rates = algebra.border_rates(...state, ...accelerations, ...balance.motion);
     return { gaps: rates.slice(0, contacts.length), slips: rates.slice(contacts.length) };
   }
 
-  /** Of each torsion spring, on a way: not positive where its turning is counted on the other way. */
+  /** Of each torsion spring a number that is negative once its turning has to be counted in the other direction. */
   const turned = (state, ways) => (ways.length ? algebra.turning_borders(...state, ...balance.motion, ...ways) : []);
 
-  /** On which way the turning of each torsion spring is counted: by its sine. */
+  /** In which direction the turning of each torsion spring is counted at a state. */
   function waysOf(state) {
     const [forward, backward] = [1, -1].map((way) => turned(state, Array(about.torsions).fill(way)));
     return forward.map((level, i) => (level >= backward[i] ? 1 : -1));
@@ -63,7 +65,7 @@ export function fieldOf(algebra, about, balance) {
 
   const withSides = (mode, chosen, sides) => ({ ...mode, sides: mode.sides.map((side, j) => (chosen.includes(j) ? sides[chosen.indexOf(j)] : side)) });
 
-  /** Whether each chosen friction that sticks is within its limits, and each that slips can't stick, or is driven the way it slips. */
+  /** Whether in a mode each chosen friction that sticks is within its limits, and each that slides can't stick, or is accelerated the way it slides. */
   function agrees(state, mode, chosen) {
     const margins = called("grip", state, mode);
     return chosen.every((j) => {
@@ -75,7 +77,7 @@ export function fieldOf(algebra, about, balance) {
     });
   }
 
-  /** The regime, over sides of the chosen frictions, that agrees with its own accelerations: of those that do the one in which most stick. */
+  /** The mode with sides of the chosen frictions that agree with its own accelerations: of several the one in which most of them stick. */
   function settled(state, mode, chosen) {
     const stuckIn = (sides) => chosen.filter((_, i) => !sides[i]);
     const found = [];
@@ -92,13 +94,14 @@ export function fieldOf(algebra, about, balance) {
     return withSides(mode, chosen, found[0]);
   }
 
-  /** By the state, and on a border by where it is headed. */
+  /** The regime of a state; on a border that of the motion that follows. */
   function regime(state) {
     const { slips } = borders(state);
     const still = holding.filter((j) => Math.abs(slips[j]) <= STILL);
     return still.length ? settled(state, sliding(state), still) : sliding(state);
   }
 
+  /** The same where every friction slides. */
   function sliding(state) {
     const { gaps, slips } = borders(state);
     const closed = (k, level) => contacts[k].border === null || level < 0;
@@ -125,7 +128,7 @@ export function fieldOf(algebra, about, balance) {
     return state.map((value, i) => value + (h / 6) * (k1[i] + 2 * (k2[i] + k3[i]) + k4[i]));
   }
 
-  /** Which borders lie behind a state that was in a regime. */
+  /** Which borders of its regime a state has passed: of contacts, of frictions, and of torsion springs. */
   function beyond(state, mode) {
     const { gaps, slips } = borders(state);
     const margins = mode.sides.includes(0) ? called("grip", state, mode) : [];
@@ -137,7 +140,7 @@ export function fieldOf(algebra, about, balance) {
     };
   }
 
-  /** The regime behind the borders that lie behind a state. What sticks and what hardly slides may begin and end to stick with others. */
+  /** The regime after the borders that are `past`. Frictions that stick, or hardly slide, are decided together with those that pass a border. */
   function behind(state, mode, past) {
     const next = {
       touching: mode.touching.map((touches, k) => touches !== past.touching[k]),
@@ -152,7 +155,7 @@ export function fieldOf(algebra, about, balance) {
     return settled(state, next, holding.filter((j) => come.includes(j) || mode.sides[j] === 0 || Math.abs(slips[j]) <= STILL));
   }
 
-  /** The state without the sliding speeds that rounding, or a border that is crossed late, leaves where frictions stick. */
+  /** The state with the sliding speeds of the frictions that stick set to 0, of which rounding and late crossings leave some. */
   function stopped(state, stuck) {
     const still = Array(n).fill(0);
     const [from, ...each] = [still, ...still.map((_, i) => still.map((__, k) => Number(k === i)))].map((accelerations) => headed(state, accelerations).slips);
@@ -190,7 +193,7 @@ export function fieldOf(algebra, about, balance) {
     return at;
   }
 
-  /** In how many steps a time is cut, by the largest rates of the linearized field. */
+  /** The number of steps into which a time is cut: each `longest`, less where the linearized field has rates above 1. */
   function pieces(state, time, longest) {
     const q = state.slice(0, n);
     const size = (rows) => Math.max(...rows.map((row) => row.reduce((sum, entry) => sum + Math.abs(entry), 0)));

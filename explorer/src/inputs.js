@@ -3,10 +3,10 @@
 import { parsed, typed, written } from "./numbers.js";
 import { inward, outward } from "./units.js";
 
-/** The name of a box in the page. */
+/** The id of a parameter's input. */
 export const idOf = ({ name, angle }) => (angle ? `${name}_deg` : name);
 
-/** What is wrong with a number that is shown, or an empty text; of `field` what `parametersIn` says, `range` is the model's. */
+/** What is wrong with a typed number, or an empty text; `field` is as parametersIn gives it, `range` in the model's units. */
 export function wrong(field, value, text, range = {}) {
   const { low = -Infinity, high = Infinity, low_open, high_open } = range;
   const [least, most] = [outward(field, low), outward(field, high)].map((end) => Number(end.toPrecision(12)));
@@ -23,7 +23,7 @@ export function wrong(field, value, text, range = {}) {
   return `${field.symbol} must be ${ends}; ${text} is not`;
 }
 
-/** Builds the rows; typing and sliding move the store's point. The model's own number stands beside one with a unit of the reader's. */
+/** Builds the rows; typing and sliding move the store's point. Beside a number in a file's unit stands the model's own. Returns what updates the rows. */
 export function createInputs(box, store, fields, RANGES) {
   const rows = fields.map(row);
 
@@ -41,8 +41,8 @@ export function createInputs(box, store, fields, RANGES) {
     line.querySelector("input[type=range]").setAttribute("aria-label", meaning);
     box.append(line);
     const [number, slider, error, aside] = ["input[type=text]", "input[type=range]", ".error", "i"].map((what) => line.querySelector(what));
-    let taken = ""; // the text that was last taken up: leaving the field does not take it up again
-    let begun = null; // the state when typing began: half a number leaves no trace on the path
+    let taken = ""; // the last text that moved the point: leaving the field does not move it again
+    let begun = null; // the store's state when typing began: a number that is not yet whole leaves no trace on the path
 
     function say(text) {
       error.textContent = text;

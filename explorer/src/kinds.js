@@ -1,14 +1,14 @@
-// Of which kind a state is, by the roots of its linearization, without damping and with it.
+// The stability of a state, by the eigenvalues of its linearization, without damping and with it.
 
 import { determinant, EigenvalueDecomposition, Matrix, solve } from "ml-matrix";
 
-/** Squares of roots with an imaginary part below this share of the largest are real. */
+/** Squared frequencies with an imaginary part below this share of the largest count as real. */
 const REAL = 1e-13;
 
-/** Real parts of roots without damping above this share of the largest root grow, with gyroscopic terms: double ones are known to no more. */
+/** With gyroscopic terms, roots with a real part above this share of the largest root grow; double roots are known no better. */
 const GROWS = 1e-7;
 
-/** "stable", "divergent" or "flutter", as the Python package says it, from mass and stiffness matrices, and what is gyroscopic if anything is. */
+/** The kind without damping, "stable", "divergent" or "flutter", as in the Python package; from the matrices, the gyroscopic one undefined if there is none. */
 export function kindOf(mass, stiffness, gyroscopic) {
   if (gyroscopic) {
     const { realEigenvalues, imaginaryEigenvalues } = spectrum(mass, gyroscopic, stiffness);
@@ -25,12 +25,12 @@ export function kindOf(mass, stiffness, gyroscopic) {
   return realEigenvalues.some((real) => real < 0) ? "divergent" : "stable";
 }
 
-/** From where on eigenvalues are lost without a scale of rates. */
+/** Entries above this make eigenvalues of the companion matrix inaccurate unless rates are scaled. */
 const STIFF = 1e6;
 /** A growth rate below this share of the frequency is practically neutral, as in the Python package. */
 const NEUTRAL = 1e-4;
 
-/** What small deviations do with dampers and the slope of the friction law: stable, neutral or unstable, and at what rate they grow. */
+/** The stability with dampers and the slope of the friction law, "stable", "neutral" or "unstable", and the rate at which small deviations grow. */
 export function stabilityOf(mass, damping, stiffness, undamped, gyroscopic) {
   if (![damping, stiffness].flat(2).every(Number.isFinite)) {
     return { stability: "", rate: NaN };
@@ -44,13 +44,13 @@ export function stabilityOf(mass, damping, stiffness, undamped, gyroscopic) {
   return { stability: Math.abs(rate) <= NEUTRAL * frequency ? "neutral" : rate < 0 ? "stable" : "unstable", rate };
 }
 
-/** The largest real part of the roots λ of λ² = −κ, of which the linearization has no others. */
+/** The largest real part of the roots λ without damping: λ² = −κ for the eigenvalues κ of M⁻¹ K. */
 function withoutDamping(mass, stiffness) {
   const { realEigenvalues, imaginaryEigenvalues } = new EigenvalueDecomposition(solve(new Matrix(mass), new Matrix(stiffness)));
   return Math.max(...realEigenvalues.map((real, i) => Math.sqrt((Math.hypot(real, imaginaryEigenvalues[i]) - real) / 2)));
 }
 
-/** All roots λ of det(λ² M + λ B + K), from M, what the rates bring, and K. */
+/** All roots λ of det(λ² M + λ B + K) = 0, where B holds damping and gyroscopic terms. */
 function spectrum(mass, damping, stiffness) {
   const n = mass.length;
   const [from_damping, from_stiffness] = [damping, stiffness].map((part) => solve(new Matrix(mass), new Matrix(part)).mul(-1));
@@ -61,7 +61,7 @@ function spectrum(mass, damping, stiffness) {
   return new EigenvalueDecomposition(companion);
 }
 
-/** The root of largest real part of the same. */
+/** Real part and frequency of the root with the largest real part. */
 function fastest(mass, damping, stiffness) {
   const { realEigenvalues, imaginaryEigenvalues } = spectrum(mass, damping, stiffness);
   const rate = Math.max(...realEigenvalues);
@@ -80,7 +80,7 @@ export function solved(matrix, right) {
   }
 }
 
-/** The sign of a determinant, in which a state and the one that it meets at a fold differ. */
+/** The sign of a stiffness matrix's determinant, in which two states that meet at a fold differ. */
 export function turning(matrix) {
   return Math.sign(determinant(new Matrix(matrix)));
 }

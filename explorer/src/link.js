@@ -1,15 +1,15 @@
-// The state in the address: what stands after # is all that another reader's page needs.
+// The state of the page as the part of its address after #, from which another reader's page shows the same.
 
 import { degrees, parsed, radians, typed } from "./numbers.js";
 
-/** The text after #: each value by its name; those that `angles` names are written in degrees, with _deg behind their names. */
+/** The text after #: `name=value`, joined by &; values that `angles` names are in degrees, and their names end with _deg. */
 export function linked(values, angles) {
   const written = Object.entries(values).filter(([, value]) => value !== null)
     .map(([name, value]) => (angles.includes(name) ? [`${name}_deg`, degrees(value)] : [name, value]));
   return written.map(([name, value]) => `${name}=${typed(value, 15)}`).join("&");
 }
 
-/** What a link says of `names`, or null: names that are unknown or no numbers are left out, and so is what is out of its range. */
+/** The values of `names` in a link, or null if there are none: those that are no numbers or out of their ranges are left out. */
 export function unlinked(hash, names, RANGES, angles) {
   const said = new URLSearchParams(hash.replace(/^#/, ""));
   const found = {};
@@ -28,7 +28,7 @@ function inside(value, { low = -Infinity, high = Infinity, low_open, high_open }
   return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
 }
 
-/** Puts a link into the address; the frame of a notebook's cell has none of its own. */
+/** Puts a link into the address, but for a page in a notebook's cell, which has no address of its own. */
 export function addressed(text) {
   try {
     history.replaceState(null, "", text);
@@ -37,7 +37,7 @@ export function addressed(text) {
   }
 }
 
-/** Puts a link to what stands after # into the address and into the clipboard, and says which of the two it came to. */
+/** Puts a link into the address and the clipboard, and tells the reader in `says` which of the two worked. */
 export async function copied(after, says) {
   const text = `${location.href.split("#")[0]}#${after}`;
   addressed(text);

@@ -1,5 +1,5 @@
-// The page of a model: parts made, and told of changes. `start` is called by the page with the model's exported algebra, and with
-// what its closed forms bring, if it has any.
+// The page of a model: makes its parts, and tells them of changes. The page calls `start` with the model's exported algebra, and for
+// a model of closed forms with what createClosed gives.
 
 import { createAlong } from "./along.js";
 import { balanceAt } from "./balance.js";
@@ -19,16 +19,16 @@ import { counted, createStates, story } from "./states.js";
 import { createStore, current } from "./store.js";
 import { coordinatesIn, OWN, parametersIn } from "./units.js";
 
-/** A part of the page; inputs of parameters have names of their own, which may be the same. */
+/** The element of the page with an id, but no input of a parameter, which may have the same id. */
 const $ = (id) => document.querySelector(`#${id}:not(#parameters #${id})`);
 const quick = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 /** How long the drawing of a jump takes, milliseconds. */
 const FLIGHT = 450;
-/** An angle of a spring is an anchor's if their directions agree to this. */
+/** A parameter is the inclination of a spring if it agrees with the spring's direction to this, radians. */
 const SAME = 1e-9;
-/** How far a body is dragged. */
+/** How far a body can be dragged from its origin, in the model's length. */
 const REACH = 4;
-/** What an anchor keeps from the ends of a half turn. */
+/** An anchor is dragged no closer to an inclination of 0 or π than this, radians. */
 const EDGE = 1e-4;
 
 export function start({ algebra, closed = null }) {
@@ -59,7 +59,7 @@ export function start({ algebra, closed = null }) {
     $("mechanism_note").textContent = "To scale, drawn from what the page says of bodies, contacts and springs. Drag a body and let go to see it move. Arrows: forces n and μn of the contacts.";
   }
 
-  /** Anchors of the springs as they are drawn, with the parameter that turns each, if there is one. */
+  /** For every spring its anchor `at`, the end `from` of the unloaded spring, and the parameter that is its inclination, if one is. */
   function pinned(point, q) {
     const balance = at(point);
     const place = position(q);
@@ -89,7 +89,7 @@ export function start({ algebra, closed = null }) {
     mechanism.draw({ to: pinned(now.point, q), x, y, ties: ties(now.point), others: pale, ...more });
   }
 
-  /** The state that the mass is on, or on its way to it. */
+  /** Draws the mechanism at rest: in the current state, or at `q` on the way to it. */
   function still(now, q = null) {
     const state = current(now);
     draw(q ?? state?.q ?? rest, {
@@ -99,7 +99,7 @@ export function start({ algebra, closed = null }) {
   }
 
   let flight = null;
-  /** A jump is drawn as a short flight between the two states. */
+  /** Draws a jump as a short flight between the two states. */
   function fly(now) {
     const [from, to] = [flight?.q ?? now.last.from, now.last.to];
     const begun = performance.now();
@@ -136,7 +136,7 @@ export function start({ algebra, closed = null }) {
     draw(state.slice(0, names.length), { kind: touching.every(Boolean) ? "" : "off", note: `in motion, ${units.time[1] ? `at ${typed(units.time[0] * t, 3)} ${units.time[1]}` : `τ = ${t.toFixed(0)}`}; pale: the states` });
   }
 
-  /** The mass as it is dragged, and let go. */
+  /** Draws the mass where it is dragged to; let go, it moves from there. */
   function thrown(x, y, let_go) {
     const place = [Math.max(-1.7, Math.min(2, x)), Math.max(-0.1, Math.min(1.4, y))];
     const q = [...place, ...(current(store.get())?.q.slice(2) ?? rest.slice(2))].slice(0, names.length);
@@ -144,7 +144,7 @@ export function start({ algebra, closed = null }) {
     panel.hold(q, let_go);
   }
 
-  /** A body as it is dragged, and let go; the others stay. */
+  /** Draws body `b` where it is dragged to, the others where they are; let go, all move from there. */
   function carried(b, place, let_go) {
     const q = [...(current(store.get())?.q ?? rest)];
     Object.entries(place).forEach(([kind, value]) => {
@@ -200,7 +200,7 @@ export function start({ algebra, closed = null }) {
   }, coordinates[0]);
 
   let [sampled, searched_along] = ["", ""];
-  /** What is drawn of a whole family, made anew where more has changed than what it spans. */
+  /** Draws plane and curve along a parameter, computed anew where a parameter has changed that is not on their axes. */
   function renewed() {
     const { point } = store.get();
     const without = (...left_out) => JSON.stringify(Object.entries(point).filter(([name]) => !left_out.includes(name)));
@@ -230,7 +230,7 @@ export function start({ algebra, closed = null }) {
 
   // ------------------------------------------------------------------------------------------------- in words
 
-  /** What proves the states of now, or how Python finds them. */
+  /** The command with which the Python package computes the states at a point. */
   function command(point) {
     const options = balanced.map(({ name, angle, flag }) => `${flag} ${Number((angle ? degrees(point[name]) : point[name]).toPrecision(12))}`);
     return `spragsym equilibria --model ${about.quoted} ${options.join(" ")}`;
@@ -302,7 +302,7 @@ export function start({ algebra, closed = null }) {
     store.place({ ...presets[0].point, ...Object.fromEntries(Object.entries(said).filter(([name]) => !marks.includes(name))) }, q);
   }
 
-  /** A state as scripts read it. */
+  /** A state as scripts read it: coordinates, direction and length of every spring, stability. */
   function told({ q, along: lines, stability, undamped, error }) {
     const directed = Array.from({ length: count }, (_, i) => {
       const name = count > 1 ? `_${i + 1}` : "";
@@ -312,7 +312,7 @@ export function start({ algebra, closed = null }) {
   }
 
   window.spragsym = Object.freeze({
-    /** The states that the page finds at a point: `status` is "ok" where they are proved, "searched" where they are not, else why nothing is decided. */
+    /** The states at a point: `status` is "ok" where they are proved, "searched" where they are searched, else the reason why nothing is decided. */
     equilibria: ({ contact = true, ...point }) => {
       const found = source.look({ ...presets[0].point, ...point });
       const regime = about.regimes.findIndex((one) => String(one.contact) === String(contact));

@@ -1,23 +1,23 @@
-// The mechanism, drawn to scale from a state: anchor and mass can be dragged.
+// The drawing of one mass on a belt, to scale, from a state; anchors and mass can be dragged.
 
 import { degrees, written } from "./numbers.js";
 import { arrow, coil, dragged, keyed, part, picture, pushed } from "./svg.js";
 import { numbered } from "./symbols.js";
 
-/** Length 1 of the model in the drawing, and where its origin is. */
+/** Pixels of a length 1 of the model, and the place of its origin. */
 const [SCALE, LEFT, FLOOR] = [150, 300, 250];
 const [WIDTH, HEIGHT] = [64, 44]; // of the mass
-/** Names of what acts on the mass, for a number of springs. */
+/** Names of the forces on the mass, for a number of springs. */
 const arrowsOf = (count) => [...Array.from({ length: count }, (_, i) => numbered("S", i, count)), "n", "μn", "P"];
 
-/** The drawing's size, and how much of it is above and below the floor. */
+/** Width and height of the picture, and its upper edge. */
 const [BROAD, TALL, TOP] = [640, 300, 20];
-/** What lies further away is drawn so far away. */
+/** No coordinate of a drawn place is beyond this. */
 const FAR = 1e3;
 const near = (value) => Math.max(-FAR, Math.min(FAR, value || 0));
 const at = (x, y) => [LEFT + SCALE * near(x), FLOOR - SCALE * near(y)];
 
-/** `on.anchor(angle, number)` and `on.mass(x, y, done)` are called as they are dragged; `count` springs lean on the mass. */
+/** `on.anchor(angle, index)` and `on.mass(x, y, done)` are called as anchors and mass are dragged; `count` inclined springs are tied to the mass. */
 export function createMechanism(box, on, count = 1) {
   const svg = picture(box, "The mechanism: a mass on a moving belt, leaned on by an inclined spring", { viewBox: `0 ${TOP} ${BROAD} ${TALL}` });
   const floor = FLOOR + HEIGHT / 2;
@@ -63,9 +63,9 @@ export function createMechanism(box, on, count = 1) {
   keyed(mass, home, on.mass);
 
   /**
-   * Draw the mass at x, y. `to` are the anchors, each `{ at, angle, symbol }`, and `from` where its unloaded spring ends; without an
-   * angle it can't be dragged. `ties` says whether springs hold the mass along the belt and across it, `others` are further
-   * equilibria, `forces` what acts on the mass, as a balance has it, `note` is a line of text.
+   * Draw the mass at x, y. `to` are the anchors, each `{ at, from, angle, symbol }`, where `from` is the end of the unloaded spring; an anchor without
+   * an angle can't be dragged. `ties` says whether springs hold the mass along the belt and across it, `others` are further equilibria, `forces` are as
+   * the balance's `acting` gives them, `note` is a line of text.
    */
   function draw({ to, x, y, ties, others = [], forces = null, note = "", kind = "" }) {
     now = { x, y, pins: to };
@@ -89,7 +89,7 @@ export function createMechanism(box, on, count = 1) {
     push(forces, centre);
   }
 
-  /** Shows more of the surroundings where the mass is beyond them, by no less than `least`; the floor stays at the bottom. */
+  /** Zooms out until the mass is in the picture, by the factor `least` or more; the floor stays at the bottom. */
   function fit([x, y], least) {
     const wanted = Math.max(least, (LEFT + WIDTH - x) / LEFT, (x + WIDTH - LEFT) / (BROAD - LEFT), (FLOOR + HEIGHT - y) / (FLOOR - TOP));
     const next = Number.isFinite(wanted) ? Math.min(20, wanted > 1 ? Math.ceil(4 * wanted) / 4 : 1) : 1;
@@ -99,7 +99,7 @@ export function createMechanism(box, on, count = 1) {
     }
   }
 
-  /** One anchor with its spring, its angle where it has one, and the unloaded spring. */
+  /** Draws one anchor with its spring, the unloaded spring, and its angle if it has one. */
   function anchored({ arc, free, spring, anchor, text }, { at: place, from = [0, 0], angle, symbol }, centre) {
     const pin = at(...place);
     spring.setAttribute("points", coil(pin, centre));
@@ -130,7 +130,7 @@ export function createMechanism(box, on, count = 1) {
     vectors.forEach((vector, i) => pushed(arrows[i], [x, y], vector, largest));
   }
 
-  /** The belt by how far it has run. */
+  /** Draws the belt's marks where the belt has run to. */
   function roll([way = 0]) {
     const shift = (((way * SCALE) % 32) + 32) % 32;
     marks.setAttribute("d", Array.from({ length: 82 }, (_, i) => `M${i * 32 - BROAD - 32 + shift},${floor + 3} l8,12`).join(" "));

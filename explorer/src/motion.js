@@ -1,14 +1,14 @@
-// The motion in time, by the exported step, at the pace of the screen.
+// The motion in time: integrates a field as fast as the chosen pace asks, a little before each picture.
 
 /** Time from one sample to the next, and the longest step of integration, both in sqrt(m/k_c). */
 const SAMPLE = 0.1;
 const STEP = 0.05;
-/** No frame integrates for longer, milliseconds: on a slow machine the motion is slow, and the page is not. */
+/** The longest time that is integrated before one picture, milliseconds: a slow machine shows a slow motion on a page that still responds. */
 const BUDGET = 10;
 
 /**
- * `on.sample(t, state, regime)` for each sample, `on.frame(t, state)` for each picture, `on.stop()` where it can't go on.
- * A field that is set has `regime(state)`, `step(state, h)` and `pieces(state, time, longest)`, into how many steps it cuts a time.
+ * Calls `on.sample(t, state, regime)` for each sample, `on.frame(t, state, regime)` for each picture, `on.stop()` where the motion can't go on.
+ * `set` takes a field as fieldOf gives it.
  */
 export function createMotion(on) {
   let [run, state, t, running, last, debt, pace] = [null, [], 0, false, 0, 0, 10];

@@ -1,4 +1,4 @@
-// Numbers as people type them, and as they read them.
+// Numbers as people type and read them.
 
 const DEGREE = Math.PI / 180;
 
@@ -6,8 +6,8 @@ export const radians = (degrees) => degrees * DEGREE;
 export const degrees = (angle) => angle / DEGREE;
 
 /**
- * A number as it is typed: with a point or a comma before the decimals, in any script's form of either, with a true minus sign.
- * Returns NaN for everything else, numbers with both point and comma included, since one of them may part thousands.
+ * The value of a typed number: with a decimal point or comma in any script's form, and a hyphen or a true minus sign. NaN for anything else, numbers
+ * with both point and comma among them, since one of the two may separate thousands.
  */
 export function parsed(text) {
   const plain = text.trim().replace(/[,٫،，﹐]/g, ",").replace(/[．。]/g, ".").replace(/[−–]/g, "-").replace(/[\s\u00a0\u202f]+/g, " ");
@@ -17,7 +17,7 @@ export function parsed(text) {
   return Number(plain.replace(",", "."));
 }
 
-/** A number in at most that many significant digits, without trailing zeros. */
+/** A number to be read: with at most so many significant digits, without trailing zeros. */
 export function written(value, digits = 6) {
   if (value === null || value === undefined || Number.isNaN(value)) {
     return "–";
@@ -25,7 +25,7 @@ export function written(value, digits = 6) {
   return String(Number(value.toPrecision(digits))).replace("-", "−");
 }
 
-/** The same for an input or a link: it reads back as the same double where `digits` is 17. */
+/** The same for an input or a link, with a plain minus; with 17 digits it reads back as the same double. */
 export function typed(value, digits = 10) {
   return String(Number(value.toPrecision(digits)));
 }

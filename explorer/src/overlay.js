@@ -1,6 +1,6 @@
-// A sheet of glass over a drawing: what moves in every picture is drawn here, and the drawing beneath stays as it is.
+// A transparent canvas over a drawing: what moves in every picture is drawn on it, and the drawing beneath stays as it is.
 
-/** A canvas over a box, as large as the box. `draw(paint)` clears it and calls paint(context) in pixels of the page. */
+/** Lays a canvas over a box. Returns `draw(paint)`, which clears it and calls paint(context, width, height), in pixels of the page. */
 export function createOverlay(box) {
   const canvas = document.createElement("canvas");
   canvas.className = "overlay";

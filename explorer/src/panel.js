@@ -1,22 +1,22 @@
-// The panel of the motion: where it starts, its buttons, its charts. It knows contacts and frictions by their names alone.
+// The panel of the motion: its start, its buttons and its charts.
 
 import { createCharts } from "./charts.js";
 import { wrong } from "./inputs.js";
 import { createMotion } from "./motion.js";
 import { parsed, typed } from "./numbers.js";
 
-/** A part of the page; inputs of parameters have names of their own, which may be the same. */
+/** The element of the page with an id, but no input of a parameter, which may have the same id. */
 const $ = (id) => document.querySelector(`#${id}:not(#parameters #${id})`);
-/** Pictures between two drawings of the charts, and of the spectrum among them. */
+/** The charts are drawn with every second picture, the spectrum with every sixteenth. */
 const [EVERY, SPECTRUM] = [2, 16];
 /** How the mass moves, by the sign of the sliding speed. */
 const PACE = { 1: "slower than the belt", 0: "held by friction", [-1]: "faster than the belt" };
 const STOPPED = "The motion can't go on from here: a spring has no length, the numbers leave double precision, or dry friction leaves no way to go on, or several (Painlevé's paradox). Choose another start.";
 
 /**
- * `about` describes the model, `coordinates` and `time` are as of the charts. `on.field()` gives the field at the page's point, `on.state()` the
- * state that can be pushed, `on.frame(t, state, regime)` draws, `on.rest()` is called when the mass is back at rest, `on.begun()`
- * when a motion begins.
+ * The first argument describes the model; `coordinates` and `time` are as in createCharts. `on.field()` gives the field at the page's point, `on.state()`
+ * the coordinates of the current state, `on.frame(t, state, regime)` draws the mechanism; `on.begun()` is called when a motion begins, `on.rest()` when the
+ * mechanism is put back to rest.
  */
 export function createPanel({ contacts, frictions }, coordinates, time, on) {
   const charts = createCharts({ trace: $("trace"), phase: $("phase"), spectrum: $("spectrum") }, coordinates, time);
@@ -54,7 +54,7 @@ export function createPanel({ contacts, frictions }, coordinates, time, on) {
     $("still").disabled = !moving;
   }
 
-  /** The state that the fields say, or null with the reason shown. */
+  /** The initial state that is typed, or null after showing what is wrong with it. */
   function said() {
     const found = [];
     for (const { id, symbol, size } of starts) {
@@ -94,7 +94,7 @@ export function createPanel({ contacts, frictions }, coordinates, time, on) {
     starts.forEach(({ id, size }, i) => ($(id).value = typed(size * state[i], 8)));
   }
 
-  /** The mass is held at a place, or let go there. */
+  /** Makes `q`, at rest, the initial state, as a body is held there; let go, the motion begins. */
   function hold(q, let_go) {
     motion.pause();
     moving = true;
@@ -139,7 +139,7 @@ export function createPanel({ contacts, frictions }, coordinates, time, on) {
   return {
     hold, still,
     moving: () => moving,
-    /** The page's point has changed: a running motion goes on under the new forces. */
+    /** To be called when the page's point has changed: a running motion goes on under the new forces. */
     changed: () => {
       if (moving) {
         motion.set(on.field());

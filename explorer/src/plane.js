@@ -1,4 +1,4 @@
-// The plane of two parameters: how many states there are, folds where they are known, and the point, to be dragged by mouse, touch and keys.
+// The plane of two parameters: the number of states, folds where they are known, and the point, which is moved by mouse, touch and keys.
 
 import uPlot from "uplot";
 import { colours } from "./colours.js";
@@ -7,12 +7,12 @@ import { createOverlay } from "./overlay.js";
 import { kept, spanOf } from "./spans.js";
 import { beside, inward, measured, outward } from "./units.js";
 
-/** Shares of a span that a key moves. */
+/** Shares of the ranges by which an arrow key moves the point. */
 const [ACROSS, UP] = [1 / 360, 1 / 200];
 const STEPS = { ArrowLeft: [-ACROSS, 0], ArrowRight: [ACROSS, 0], ArrowDown: [0, -UP], ArrowUp: [0, UP] };
 const ANGLES = [0, 30, 60, 90, 120, 150, 180];
 
-/** `axes` are the two parameters to begin with; the drawing's frame changes with `turn`, what is in it with `show`. */
+/** `axes` are the first two parameters; `turn` changes them, `show` what is drawn over them. */
 export function createPlane(box, store, axes) {
   let [spans, shapes, colour] = [[[0, 1], [0, 1]], null, colours()];
   const handle = document.createElement("div");
@@ -67,7 +67,7 @@ export function createPlane(box, store, axes) {
     });
   }
 
-  /** A curve with a list of values for each parameter. */
+  /** Draws a curve, which has a list of values for each parameter. */
   function line(ctx, curve) {
     const [xs, ys] = axes.map(({ name }) => curve[name]);
     ctx.beginPath();
@@ -102,7 +102,7 @@ export function createPlane(box, store, axes) {
     });
   }
 
-  /** Where the lowest fold is no cusp, a mark of its own. */
+  /** Marks the lowest fold where it is no cusp. */
   function lowest(ctx, dpr) {
     const { kind, ...at } = shapes.lowest;
     if (kind && kind !== "cusp" && values(at)[1] < spans[1][1]) {
@@ -119,7 +119,7 @@ export function createPlane(box, store, axes) {
     }
   }
 
-  /** How many equilibria there are, once in each half: in the middle of the columns that have them over most of their height. */
+  /** Writes the number of equilibria once in each half: in the middle of the columns whose shaded area takes more than half of the height. */
   function label(ctx, dpr) {
     const [[left, right], [bottom, top]] = spans.map((span, i) => span.map((value) => inward(axes[i], value)));
     ctx.fillStyle = colour.ink;
@@ -144,7 +144,7 @@ export function createPlane(box, store, axes) {
     ctx.textAlign = "left";
   }
 
-  /** The path and its jumps, on the glass: the drawing beneath stays as it is while the point is dragged. */
+  /** Draws the path and its jumps on the overlay. */
   function trail() {
     const { path } = store.get() ?? { path: [] };
     glass((ctx) => {
@@ -194,7 +194,7 @@ export function createPlane(box, store, axes) {
     }
   });
 
-  /** The frame that holds the point of now; true if it is another one than before. */
+  /** Makes the ranges contain a point; true if they had to change. */
   function reach(point) {
     const next = axes.map((field) => spanOf(field, point[field.name]));
     const other = JSON.stringify(next) !== JSON.stringify(spans);
@@ -222,16 +222,16 @@ export function createPlane(box, store, axes) {
     draw, reach,
     spans: () => spans.map((span, i) => span.map((value) => inward(axes[i], value))),
     axes: () => axes,
-    /** Other parameters on the axes. */
+    /** Put other parameters on the axes. */
     turn: (fields) => { [axes, shapes] = [fields, null]; spans = [[0, 0], [0, 0]]; },
-    /** Draw what is known over the plane of the parameters `of`; null for nothing. */
+    /** Draw areas and curves over the plane of the parameters `of`, if these are still on the axes; null for none. */
     show: (found, of) => { if (of.every((name, i) => name === axes[i].name)) { shapes = found; plot.redraw(false); } },
     resize: () => plot.setSize(size(box)),
     recolour: () => { colour = colours(); plot.redraw(false); },
   };
 }
 
-/** Round numbers over a range. */
+/** About five round numbers in a range. */
 function ticks(low, high) {
   const rough = (high - low) / 5;
   const unit = 10 ** Math.floor(Math.log10(rough));

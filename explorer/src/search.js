@@ -1,27 +1,27 @@
-// The states of a model, searched by Newton's method from many starts. What is found is a state; that it is all is not proved.
+// The states of a model, searched by Newton's method from many starts. Everything found is a state; that there are no others is not proved.
 
 import { kindOf, solved, stabilityOf } from "./kinds.js";
 
-/** Directions of the springs that a search looks at, all together, and how close they are to a state where all begin. */
+/** Combinations of the springs' directions that a search tries, and the mismatch below which it begins from all of them. */
 const STARTS = 576;
 const CLOSE = 1e-3;
-/** Places about an anchor where searches begin as well. */
+/** A search also begins around every anchor: at these distances, in so many directions. */
 const [RADII, AROUND] = [[0.05, 0.2, 0.5], 12];
-/** Coordinates that a search begins from without springs: of one or two, and of more. */
+/** Values of every coordinate that a search of a model without springs begins from: with one or two coordinates, and with more. */
 const PLAIN = [-3, -2, -1.3, -0.8, -0.4, -0.15, 0, 0.15, 0.4, 0.8, 1.3, 2, 3];
 const FEW = [-0.5, 0, 0.5];
-/** Beside these, where a coordinate is an angle that does not come around: its spring lets it turn farther. */
+/** Further values of an angle at which whole turns are not the same place, as a torsion spring counts them. */
 const FARTHER = [-11, -8, -6, -4.5, 4.5, 6, 8, 11];
 const STEPS = 40;
-/** Newton's method has arrived when a step is no longer than this, relative to the coordinates; states closer than SAME are one. */
+/** Newton's method has converged when a step is no longer than ARRIVED, relative to the coordinates; states closer than SAME are one. */
 const ARRIVED = 1e-12;
 const SAME = 1e-7;
-/** More states than this on one side are one state that is so nearly multiple that steps end all around it. */
+/** More states than this in one regime are one that is so nearly multiple that Newton's method ends all around it. */
 const MANY = 24;
-/** No step of Newton's method is longer. */
+/** The longest step of Newton's method. */
 const LONGEST = 0.5;
 
-/** A state near `q`, or null. `along` holds the springs' directions fixed. */
+/** The state in a regime to which Newton's method leads from `q`, or null. Given `along`, the springs' directions are held there. */
 export function newton(balance, about, q, regime, along) {
   const rooted = about.contacts.flatMap(({ border, polynomial }, k) => (polynomial || !about.regimes[regime].touching[k] ? [] : about.coordinates.findIndex(({ name }) => name === border))).filter((place) => place >= 0);
   let at = q;
@@ -51,13 +51,13 @@ function products(lists) {
   return lists.reduce((found, list) => found.flatMap((head) => list.map((entry) => [...head, entry])), [[]]);
 }
 
-/** How far the springs' directions at `q` are from those that gave it: 0 at a state, at most 1 for each spring. */
+/** How far the springs' directions at `q` are from the held angles that led there: 0 at a state, at most 1 for each spring. */
 function mismatch(balance, q, held) {
   const along = balance.directions(q);
   return held.reduce((sum, angle, i) => sum + 0.5 * (1 - along[3 * i] * Math.cos(angle) - along[3 * i + 1] * Math.sin(angle)), 0);
 }
 
-/** Places around the springs' anchors, where directions turn faster than any grid of them. */
+/** Places around the springs' anchors, where directions change faster than a grid of directions resolves. */
 function aroundAnchors(balance, rest) {
   return balance.vectors(rest).flatMap(([dx, dy]) => RADII.flatMap((radius) => Array.from({ length: AROUND }, (_, k) => {
     const turn = (2 * Math.PI * (k + 0.5)) / AROUND;
@@ -66,8 +66,8 @@ function aroundAnchors(balance, rest) {
 }
 
 /**
- * Where Newton's method begins. With the springs' directions held the balance has one solution; over a grid of directions, those
- * that come closest to the directions at their solution are taken.
+ * Places where Newton's method begins. With the springs' directions held the balance has one solution. Over a grid of held directions the solutions
+ * are taken whose own directions agree best with the held ones.
  */
 function starts(balance, about, regime) {
   const gaps = Object.fromEntries(about.contacts.map(({ border }, k) => [border, about.regimes[regime].touching[k] ? -0.01 : 0.01]));
@@ -95,13 +95,13 @@ function starts(balance, about, regime) {
   return [...places, ...chosen, ...aroundAnchors(balance, rest)];
 }
 
-/** Whether a state lies on the sides of the contacts that it was searched on. */
+/** Whether every contact touches at a state just where its regime says. */
 export function belongs(balance, about, q, regime) {
   const { touching } = about.regimes[regime];
   return balance.gaps(q).every((gap, k) => about.contacts[k].border === null || (touching[k] ? gap <= 0 : gap > 0));
 }
 
-/** A place less whole turns: each angle that comes around in its first turn, with those that turn with it. */
+/** The same place with every angle that has whole turns between −π and π; coordinates that turn with it are moved along. */
 function once({ coordinates }, q) {
   const place = q && [...q];
   for (const [k, { turns }] of place ? coordinates.entries() : []) {
@@ -113,7 +113,7 @@ function once({ coordinates }, q) {
   return place;
 }
 
-/** One state with its kind, which a proof may have told. */
+/** One state with its stability; `told` is the kind without damping where a proof has decided it. */
 export function described(balance, q, regime, told = null) {
   const along = balance.directions(q);
   const [mass, gyroscopic, stiffness] = [balance.mass(q), balance.gyroscopic(q), balance.stiffness(q, regime, along)];
@@ -122,8 +122,8 @@ export function described(balance, q, regime, told = null) {
 }
 
 /**
- * States found at a point, in all regimes or in some, with all contacts first, by ascending first coordinate. Where they can't be told apart the list is empty and has
- * `undecided`.
+ * The states found at a point in some regimes, by default in all, in the order of the regimes and in each by ascending first coordinate. Where they
+ * can't be told apart the list is empty and has the property `undecided`.
  */
 export function search(balance, about, regimes = about.regimes.map((_, regime) => regime)) {
   const found = [];

@@ -1,11 +1,11 @@
-// States by search: what answers for a model that brings no closed forms to the page. Interface: `look`, `begin`, `carry` of a
-// store, and `count` of the states in which something touches, null where that is undecided.
+// States by search: the source of a model without closed forms. It has `look`, `begin` and `carry`, as createStore takes them, and `count`,
+// the number of states in which something touches, null where that is undecided.
 
 import { carry, landing } from "./carry.js";
 import { search } from "./search.js";
 import { touchingIn } from "./states.js";
 
-/** `at(point)` gives the balance of a point, `about` describes the model, `spans` says how far each parameter's slider reaches. */
+/** `at(point)` gives the balance at a point, `about` describes the model, `spans` are the lengths of the parameters' sliders. */
 export function searched(at, about, spans) {
   const rest = about.coordinates.map(() => 0);
   const look = (point) => {

@@ -14,13 +14,13 @@ const ABOUT = {
 
 /** The numbers of the regimes in which something touches: all but the one in which every contact that can open is open. */
 export const touchingIn = (about) => about.regimes.flatMap(({ touching }, regime) => (touching.includes(1) ? regime : []));
-/** A title, and behind it the name of a contact that has one. */
+/** A column's title, followed by the contact's name where there are several contacts. */
 const titled = (title, { name }) => (name ? `${title} ${name}` : title);
 
 /** The unit of a rate, if it has one. */
 const rate_unit = ({ time: [, unit] }) => unit && `1/${unit}`;
 
-/** Columns of the table: each a title and what it says of a state, `of` being what acts on it. */
+/** Columns of the table: each a title, and a function that gives the cell from a state and the forces `of` it, as `acting` gives them. */
 function columns(about, units) {
   const { springs } = about;
   const [[long, length], [strong, force]] = [units.length, units.force];
@@ -40,7 +40,10 @@ function columns(about, units) {
   ];
 }
 
-/** Fills a table from the store; `at(point)` gives the balance there, `about` says how many inclined springs there are, and whether states are proved. */
+/**
+ * Returns what fills a table from the store. `at(point)` gives the balance at a point, `about` the model, with the number of its inclined `springs` and
+ * whether its states are `proved`.
+ */
 export function createStates(table, store, at, about, units) {
   const columned = columns(about, units);
   const titles = ["", "regime", "stability", ...columned.map(([title]) => title)];
@@ -65,7 +68,7 @@ export function createStates(table, store, at, about, units) {
   };
 }
 
-/** How many states there are in each regime, in words; of many regimes in those that have any. */
+/** How many states there are in each regime, in words; with three regimes or more only those that have states. */
 export function counted(about, { states, lost }) {
   if (lost) {
     return "undecided";

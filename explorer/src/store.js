@@ -1,15 +1,15 @@
-// What the page shows, in one object, and the one way to change it.
+// The state of the page in one object, and the ways to change it.
 
 const LONGEST_PATH = 3000;
-/** Coordinates that agree to this are those of one state. */
+/** States whose coordinates agree to this are one. */
 const SAME = 1e-6;
 
 export const near = (a, b) => Math.max(...a.map((value, i) => Math.abs(value - b[i]))) < SAME;
 
 /**
- * A store over what answers: `look(point)` gives the states there, `begin(point, q)` the one that a page begins on, and
- * `carry(from, to, state)` where a state leads to. Listeners are called once a change with the state of now and what happened:
- * `placed` without a way, or `jumped` on it.
+ * A store over a source of states: `look(point)` gives the states at a point, `begin(point, q)` the one on which a page begins, and
+ * `carry(from, to, state)` the one to which a state leads on a way. Listeners are called once for every change, with the new state of the page and what
+ * happened: `placed` there without a way, or `jumped` on it.
  */
 export function createStore({ look, begin, carry }) {
   const listeners = [];
@@ -25,13 +25,13 @@ export function createStore({ look, begin, carry }) {
     listeners.forEach((listener) => listener(now, { placed: false, jumped: false, ...happened }));
   }
 
-  /** Put the page at a point, without a way there: on the state nearest to `q`, or where there is none, to small deformation. */
+  /** Put the page at a point, without a way there, on the state nearest to `q`, or without `q` nearest to no deformation. */
   function place(point, q = null) {
     const { state, decided } = begin(point, q);
     become({ point: { ...point }, anchor: { ...point }, state, decided, path: state ? [{ point, q: state.q, jump: false }] : [], jumps: 0, last: null }, { placed: true });
   }
 
-  /** Move the point slowly on a straight way; the state follows. `base` is an earlier state of the store to start from instead. */
+  /** Move the point on a straight way that the state follows. `base` is an earlier state of the page to start from instead. */
   function move(change, base = now) {
     const to = { ...now.point, ...change };
     const { state, decided, samples } = carry(base.anchor, to, base.state);
@@ -43,7 +43,7 @@ export function createStore({ look, begin, carry }) {
     }, { jumped: jumps > 0 });
   }
 
-  /** The last jump of a way: from where to where, and at which values of the parameters that changed. */
+  /** The last jump of a way: the coordinates before and after it, and the values there of the parameters that change on the way. */
   function lastOf(base, samples, to) {
     const i = samples.findLastIndex(({ jump }) => jump);
     const changed = Object.keys(to).filter((name) => to[name] !== base.anchor[name]);
@@ -58,7 +58,7 @@ export function createStore({ look, begin, carry }) {
   return { get: () => now, listen: (listener) => listeners.push(listener), place, move, forget };
 }
 
-/** The state of the table that the mass is on, or null: where nothing is decided, the nearest. */
+/** The state found at the point in which the mass is, or null: that of its regime nearest to the carried state. */
 export function current({ found, state }) {
   const far = (one) => Math.hypot(...one.q.map((value, k) => value - state.q[k]));
   return state && found.states.filter(({ regime }) => regime === state.regime).sort((a, b) => far(a) - far(b))[0] || null;

@@ -1,4 +1,4 @@
-// What mechanisms are drawn of in SVG, and how a part of one is dragged.
+// The parts of a mechanism's drawing in SVG, and how they are dragged.
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -9,7 +9,7 @@ export function part(parent, name, attributes = {}) {
   return element;
 }
 
-/** A zigzag between two points. */
+/** The points of a spring, a zigzag between two places with straight ends. */
 export function coil([x1, y1], [x2, y2], turns = 9, width = 7) {
   const length = Math.hypot(x2 - x1, y2 - y1) || 1;
   const [ux, uy] = [(x2 - x1) / length, (y2 - y1) / length];
@@ -23,7 +23,7 @@ export function coil([x1, y1], [x2, y2], turns = 9, width = 7) {
   return points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(" ");
 }
 
-/** The picture of a mechanism, with the tip of its arrows. */
+/** The empty picture of a mechanism, with the arrow head that forces use. */
 export function picture(box, label, attributes) {
   const svg = part(box, "svg", { role: "group", "aria-label": label, ...attributes });
   const tip = part(part(svg, "defs"), "marker", { id: "tip", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: "auto-start-reverse" });
@@ -38,7 +38,7 @@ export function arrow(svg, name) {
   return { shaft, label };
 }
 
-/** The arrow at a point, in units of the longest; what is short is not shown. */
+/** Draws a force's arrow at a point, its length relative to the largest force; very short ones are hidden. */
 export function pushed({ shaft, label }, [x, y], [fx, fy], largest) {
   const shown = largest > 0 && Math.hypot(fx, fy) > 0.03 * largest;
   shaft.setAttribute("d", shown ? `M${x},${y} l${(70 * fx) / largest},${(-70 * fy) / largest}` : "");
@@ -48,8 +48,8 @@ export function pushed({ shaft, label }, [x, y], [fx, fy], largest) {
 }
 
 /**
- * A part keeps its distance from the pointer that took it: `home` is where it is, `place` turns pixels of the picture into places. Arrow
- * keys move it too, and Enter lets it go.
+ * Makes an element draggable; it keeps its distance from the pointer. `home()` gives its place, `place` turns pixels of the picture into places,
+ * `moved(x, y)` is called as it is dragged.
  */
 export function dragged(svg, element, { place, home, moved, let_go = () => {} }) {
   let off = [0, 0];
@@ -73,7 +73,7 @@ export function dragged(svg, element, { place, home, moved, let_go = () => {} })
   ["pointerup", "pointercancel"].forEach((name) => element.addEventListener(name, let_go));
 }
 
-/** Arrow keys move by small steps, Enter and space let go. */
+/** Makes arrow keys move an element by small steps, and Enter and space let it go: `moved(x, y, done)`. */
 export function keyed(element, home, moved) {
   element.addEventListener("keydown", (event) => {
     const step = { ArrowLeft: [-0.02, 0], ArrowRight: [0.02, 0], ArrowUp: [0, 0.02], ArrowDown: [0, -0.02] }[event.key];

@@ -1,14 +1,14 @@
-// In which units the page shows what it computes: a file's, or the model's own.
+// The units in which the page shows numbers: those of a file, or the model's own.
 
 import { degrees, radians } from "./numbers.js";
 import { symbolOf } from "./symbols.js";
 
-/** The model's own units; of each what 1 is, and its name. Those of a file have `parameters` too: quantity, what 1 is, unit. */
+/** The model's own units, each as the value of the model's 1 and a name. A file's have `parameters` too: the quantity shown, the value of 1, the unit. */
 export const OWN = { length: [1, ""], time: [1, ""], force: [1, ""], parameters: {} };
 
 /**
- * The parameters as they are shown: `symbol` in `unit`, of which one is `one` of the model's `own`; `low` and `high` are ends of the
- * slider, in that unit. An angle is in degrees.
+ * The parameters as they are shown: as `symbol` in `unit`, of which 1 is `one` of the model's parameter `own`; `low` and `high` are the ends of the
+ * slider in that unit. An angle is shown in degrees.
  */
 export function parametersIn(units, entries) {
   return entries.map((entry) => {
@@ -19,7 +19,7 @@ export function parametersIn(units, entries) {
   });
 }
 
-/** The coordinates and their rates as they are shown: what 1 of the model's is there, and the unit. An angle is in radians. */
+/** The coordinates as they are shown: `size` is the value of the model's 1 in `unit`, `rate` that of the model's rate 1 in `rate_unit`. Angles in radians. */
 export function coordinatesIn({ length: [long, length], time: [lasting, time] }, coordinates) {
   return coordinates.map(({ name, angle }) => {
     const [size, unit] = angle ? [1, "rad"] : [long, length];
@@ -27,11 +27,11 @@ export function coordinatesIn({ length: [long, length], time: [lasting, time] },
   });
 }
 
-/** A number that is shown as one of the model, and back. */
+/** A shown number in the model's units, and back. */
 export const inward = ({ one }, value) => value * one;
 export const outward = ({ one }, value) => value / one;
-/** What something is called, with its unit. */
+/** A name with its unit. */
 export const measured = (text, unit) => text + (unit && ` in ${unit}`);
 
-/** Room beside an axis that goes up: as much as its widest number takes. */
+/** Pixels beside a vertical axis: as many as its widest number takes. */
 export const beside = (_, numbers) => Math.max(46, 18 + 7 * Math.max(...(numbers ?? []).map((text) => text.length)));

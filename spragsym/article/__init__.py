@@ -1,8 +1,7 @@
-"""Every computable statement of the article's text, computed: what is stated, what comes out, how
-far apart they are.
+"""Every computable statement of the article's text, computed: what is stated, and what comes out.
 
-:func:`run` computes all rows; :func:`drifted` holds them against the committed record, which
-``python -m spragsym.article`` writes anew.
+:func:`run` computes the row of every statement; :func:`drifted` compares the rows with the
+committed record, which ``python -m spragsym.article`` writes anew.
 """
 
 from .ledger import STATEMENTS, ArticleStatement, drifted, record_text, recorded, run

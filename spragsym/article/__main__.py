@@ -1,4 +1,4 @@
-"""``python -m spragsym.article`` writes the record of the claims anew."""
+"""``python -m spragsym.article`` computes every statement and writes record.json anew."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
-"""The computation that decides each statement: it returns whether the statement holds, and the
-values behind it.
+"""One function for each statement of statements.toml, which names it: it returns whether the
+statement's outcome holds, and the values behind that.
 """
 
 from __future__ import annotations
@@ -35,29 +35,30 @@ from ..statics.equilibria import equilibria
 from .assumed import MU0_RANGE, ON_CYCLE, D, V
 from .ledger import printed, rounded
 
-#: What a computation says: whether the row's outcome holds, and the values behind it.
+#: Whether the statement's outcome holds, and the values behind that by their names.
 Outcome: TypeAlias = tuple[Any, dict[str, Any]]
-#: V and d of other belts, of which the article states neither: between rest and oscillation the
-#: motions of these are regular.
+#: V and d of other belts than ours, since the article states neither value; with these too the
+#: motion from rest ends either at rest or in an oscillation.
 OTHER_BELTS = ((0.3, 10.0), (0.5, 5.0), (0.4, 12.5))
 
 
 _article = Parameters.article
 #: Inclinations of grids, degrees.
 _GRID = np.linspace(0.1, 179.9, 900)
-#: Inclinations as they rise, radians.
+#: Inclinations of a quasi-static path, radians, rising.
 _RISING = np.radians(np.linspace(0.1, 179.9, 361))
-#: Frictions from 0 to the largest.
+#: Frictions of the article's figures, rising.
 _FRICTIONS = np.linspace(*MU0_RANGE, 201)
 _deg = np.degrees
 
 
 def _at(degrees: ArrayLike, **changes: Any) -> Parameters:
+    """The article's parameters at some inclinations, with changes to others."""
     return _article(theta0=np.radians(degrees), **changes)
 
 
-# ------------------------------------------------------------------------------------------ the
-# linear model
+# ------------------------------------------------------------------------------------------------
+# the linear model
 
 
 def linear_critical() -> Outcome:
@@ -76,12 +77,14 @@ def linear_bounded() -> Outcome:
 
 
 def _highest(of: Callable[[float], Any], low: float, high: float) -> OptimizeResult:
+    """The maximum of a function between two values; ``fun`` is its negative."""
     return minimize_scalar(
         lambda at: -float(of(at)), bounds=(low, high), method="bounded", options={"xatol": 1e-10}
     )
 
 
 def _poles() -> FloatArray:
+    """Inclinations at which the linear model's displacements are infinite, for μ₀ = 0.7."""
     return np.sort(linear_sprag(_article(theta0=1.0, mu0=0.7)).poles)
 
 
@@ -101,8 +104,8 @@ def no_linear_sliding() -> Outcome:
 
 
 def _linear_gap(angle: FloatArray, mu0: float) -> FloatArray:
-    """Relative distance of x between the two models, the nonlinear one at its smallest |x|, less a
-    tenth.
+    """Relative difference of x between the linear model and the nonlinear state of smallest |x|,
+    less a tenth: negative where they agree within 10 %.
     """
     p = _article(theta0=angle, mu0=mu0)
     x = equilibria(p).x
@@ -128,8 +131,8 @@ def linear_approximates() -> Outcome:
     return holds, values
 
 
-# ------------------------------------------------------------------------------------- equilibria
-# in contact
+# ------------------------------------------------------------------------------------------------
+# equilibria in contact
 
 
 def one_or_three() -> Outcome:
@@ -177,8 +180,8 @@ def base_stability() -> Outcome:
 
 
 def _middle_diverges(eq: Equilibria) -> bool:
-    """Whether of three states the middle one diverges and the others are stable, and of one that
-    is.
+    """Whether the middle one of three states is divergent and the outer two are stable, and a
+    single state is stable.
     """
     stable, three = EquilibriumType.STABLE, eq.undamped[eq.count == 3]
     return bool(
@@ -200,7 +203,7 @@ def lift_off() -> Outcome:
 
 
 def roots_of_21() -> Outcome:
-    """Real roots of the quartic in L, counted exactly, beside the equilibria."""
+    """The number of real roots of the quartic in L, counted exactly, beside that of equilibria."""
     angles, real = (30, 49, 90, 160), []
     numbers = [Fraction(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
     for angle in map(math.radians, angles):
@@ -320,8 +323,8 @@ def hopf() -> Outcome:
     }
 
 
-# ----------------------------------------------------------------------------------- set, cusp,
-# trajectories
+# ------------------------------------------------------------------------------------------------
+# set, cusp, trajectories
 
 
 def separates() -> Outcome:
@@ -409,12 +412,12 @@ def amplitude_jump() -> Outcome:
     }
 
 
-# ----------------------------------------------------------------------- where the oscillation
-# lives, and the fate of rest
+# ------------------------------------------------------------------------------------------------
+# where the oscillation exists, and the fate of the motion from rest
 
 
 def lives_below() -> Outcome:
-    """Stable cycles beside stable sliding, far below the fold."""
+    """Stable cycles exist beside stable sliding, far below the fold."""
     near, found = cycle(_at(42.0), near=ON_CYCLE, patient=False), dict[tuple[float, ...], Cycle]()
     # Inclinations far below the fold, degrees.
     far_below = (10.0, 20.0, 30.0, 40.0)
@@ -439,29 +442,30 @@ def lives_below() -> Outcome:
 
 
 def _of_others() -> dict[str, Any]:
+    """V and d of the other belts, as they stand in a row."""
     speeds, creeps = zip(*OTHER_BELTS, strict=True)
     return {"V of other belts": speeds, "d of other belts": creeps}
 
 
 def _working(p: Parameters) -> FloatArray:
-    """The friction of steady sliding on the belt."""
+    """The friction coefficient that the friction law gives in steady sliding."""
     return p.model.friction(p)
 
 
 def _slides_stably(degrees: float, speed: float, creep: float) -> bool:
-    """Whether the state of smallest deformation is stable at the friction of this belt."""
+    """Whether the equilibrium of smallest |x| is stable at the friction that this belt gives."""
     p = _at(degrees, V=speed, d=creep)
     rest = equilibria(p.replace(mu0=_working(p)))
     return bool(rest.undamped[int(np.nanargmin(np.abs(rest.x)))] == EquilibriumType.STABLE)
 
 
 def fate_of_rest() -> Outcome:
-    """Friction at which the motion from rest changes its fate, and the saddle at which it hovers
-    there.
+    """Inclination at which the motion from rest changes from coming to rest to oscillating, and the
+    saddle that it approaches there.
     """
     belts = [_article(V=speed, d=creep) for speed, creep in ((V, D), *OTHER_BELTS)]
-    # Inclinations, degrees, at which the motion from rest comes to rest and at which it goes
-    # on: of our belt, and of each of these.
+    # Inclinations, degrees, at which the motion from rest comes to rest and at which it
+    # oscillates: with our belt, then with each of the others.
     found, *others = [
         fate_boundary(p, "theta0", between={"theta0": (low, high)})
         for p, (low, high) in zip(
@@ -484,8 +488,8 @@ def fate_of_rest() -> Outcome:
     }
 
 
-# -------------------------------------------------------------------------------------- under dry
-# friction, d → ∞
+# ------------------------------------------------------------------------------------------------
+# under dry friction, d → ∞
 
 
 def _dry(degrees: ArrayLike) -> ParameterSet:
@@ -494,16 +498,14 @@ def _dry(degrees: ArrayLike) -> ParameterSet:
 
 
 def statics_without_d() -> Outcome:
-    # Inclinations, degrees, at which equilibria are compared with those under dry friction;
-    # one, and a state, on cycles under it.
-    of_statics = (10.0, 30.0, 49.0, 90.0, 160.0)
-    eq, dry = (equilibria(p) for p in (_at(of_statics), _dry(of_statics)))
+    degrees = (10.0, 30.0, 49.0, 90.0, 160.0)
+    eq, dry = (equilibria(p) for p in (_at(degrees), _dry(degrees)))
     same = np.array_equal(eq.undamped, dry.undamped) and np.allclose(
         eq.x, dry.x, rtol=0.0, atol=1e-12, equal_nan=True
     )
     undamped = np.abs(dry.growth[dry.undamped == EquilibriumType.STABLE]).max() < 1e-15
     return same and undamped, {
-        "theta0_deg": of_statics,
+        "theta0_deg": degrees,
         "counts for every d": dry.count,
         "x of the first state": dry.x[:, 0],
         "its growth with our d": eq.growth[:, 0],
@@ -511,6 +513,7 @@ def statics_without_d() -> Outcome:
 
 
 def oscillation_without_d() -> Outcome:
+    # An inclination, degrees, and a state on the cycle there, without sticking and with it.
     on_dry_cycle = (42.0, (2.9429144682, 3.3611284180, 0.0, 0.3671196394))
     on_sticking = (60.0, (2.818, 1.213, 0.0, 0.22))
     near, sticking = (
@@ -532,13 +535,13 @@ def oscillation_without_d() -> Outcome:
     }
 
 
-# ------------------------------------------------------------------------------------------
+# ------------------------------------------------------------------------------------------------
 # cross-references
 
 
 def printed_with(mark: str, what: str, among: list[str], expected: list[str]) -> Outcome:
-    """Equations among some that are printed with a mark, as L⁴, or two primes of an
-    acceleration.
+    """The equations among some whose printed form contains a mark, as L⁴, or the two primes of an
+    acceleration, are those expected.
     """
     equations = {row["id"]: row["printed"] for row in printed()["rows"]}
     found = [id for id in among if mark in equations[id]]
@@ -546,8 +549,8 @@ def printed_with(mark: str, what: str, among: list[str], expected: list[str]) ->
 
 
 def reference_10() -> Outcome:
-    """A path at constant θ₀ does not appear in Figure 10, where the friction is constant and θ₀ is
-    the axis.
+    """The path a-a′ has constant θ₀ and so can't be in Figure 10, which has constant friction and
+    θ₀ as its axis.
     """
     path = quasi_static_path(_at(60.0), "mu0", np.linspace(*MU0_RANGE, 11))
     return path.vary == "mu0" and np.ptp(path.values) > 0, {"what varies along a-a'": path.vary}

@@ -1,5 +1,5 @@
-"""Rows of the ledger of claims: what is stated, what was computed, and what has drifted; and the
-referee's page of them.
+"""Rows of the ledger of claims, one for each statement of the article: what is stated, what was
+computed, what has changed since the record; and the report for a referee.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ..core.progress import doing
 from ..files.text import filled, shipped_text
 from .assumed import D, V
 
-#: What a row may hold: numbers, words, or lists of them.
+#: A computed value as it is recorded: a number, words, or a list of either.
 Value: TypeAlias = float | int | str | list[float] | list[int] | list[str]
 #: A row of the ledger of claims.
 Row: TypeAlias = dict[str, Any]
@@ -27,7 +27,9 @@ Row: TypeAlias = dict[str, Any]
 
 @dataclass(frozen=True, kw_only=True)
 class ArticleStatement:
-    """A statement of the article and the computation that decides it, as statements.toml has it."""
+    """A statement of the article and the computation that decides it: an entry of
+    statements.toml.
+    """
 
     id: str
     where: str
@@ -39,11 +41,11 @@ class ArticleStatement:
     tolerance: str = "none: a yes or no"
     command: str
     test: str  #: in tests/article/test_claims.py, unless its file is named
-    #: For those who use the article, where a statement does not hold as it stands.
+    #: What it means for those who use the article, if the statement does not hold as it stands.
     consequence: str = ""
 
     def row(self, holds: bool, values: dict[str, Value]) -> Row:
-        """A row of the ledger of claims: what is stated and what was found."""
+        """The statement's row of the ledger of claims, with the computed values."""
         test = self.test if "::" in self.test else f"tests/article/test_claims.py::{self.test}"
         row = vars(self) | {"test": test, "values": values}
         del row["computed"]
@@ -53,7 +55,7 @@ class ArticleStatement:
 
 
 def printed() -> dict[str, Any]:
-    """The ledger of the printed equations, as it was derived."""
+    """The derived ledger of the article's printed equations, ledger.json."""
     return json.loads(shipped_text("spragsym.generated", "ledger.json"))
 
 
@@ -64,7 +66,7 @@ STATEMENTS = tuple(
 
 
 def run(statements: Sequence[ArticleStatement]) -> list[Row]:
-    """Compute the row of every statement; nothing is read from the record."""
+    """The row of every statement, computed now."""
     from . import computed
 
     rows = []
@@ -84,14 +86,14 @@ def run(statements: Sequence[ArticleStatement]) -> list[Row]:
 
 
 def recorded(statements: Sequence[ArticleStatement] = STATEMENTS) -> list[Row]:
-    """The rows of statements with the committed values: each held when they were written."""
+    """The row of every statement with the committed values, for which all of them held."""
     values = json.loads(shipped_text("spragsym.article", "record.json"))
     return [statement.row(True, values[statement.id]) for statement in statements]
 
 
 def drifted(rows: Sequence[Row], record: Sequence[Row]) -> list[str]:
-    """Differences from the record, one line each: statuses, words, and numbers beyond their
-    digits.
+    """Differences of rows from the recorded ones, a line each: in status, words, and numbers by
+    more than their last digit.
     """
     before = {row["id"]: row for row in record}
     return sorted(
@@ -100,8 +102,12 @@ def drifted(rows: Sequence[Row], record: Sequence[Row]) -> list[str]:
 
 
 def record_text(rows: Sequence[Row]) -> str:
-    """The record as JSON, numbers rounded to their digits; rows that do not hold can't be
-    recorded.
+    """The text of record.json: the values of every row.
+
+    Raises
+    ------
+    ConvergenceError
+        If a row does not hold.
     """
     if lost := [row["id"] for row in rows if row["status"] == "not reproduced"]:
         raise ConvergenceError(
@@ -114,9 +120,7 @@ def record_text(rows: Sequence[Row]) -> str:
 
 
 def rounded(value: object, digits: int) -> Value:
-    """A number, or several, to so many digits; of some numbers of a row fewer are known than of the
-    others.
-    """
+    """A number, or every number of a list, rounded to so many significant digits."""
     if isinstance(value, np.ndarray | list | tuple):
         items: list[Any] = [rounded(item, digits) for item in value]
         return items
@@ -142,8 +146,8 @@ def _differences(now: Row, before: Row) -> list[str]:
 
 
 def _close(one: object, other: object, digits: int) -> bool:
-    """Whether values are equal; floats may differ by a unit of the last recorded digit, those below
-    1 by that unit of 1.
+    """Whether two values are equal; floats may differ by one unit of the last recorded digit, those
+    below 1 by that of a number between 1 and 10.
     """
     if isinstance(one, list) and isinstance(other, list):
         return len(one) == len(other) and all(
@@ -156,8 +160,8 @@ def _close(one: object, other: object, digits: int) -> bool:
     return bool(one == other)
 
 
-#: Growth of the states at 30°, for the friction's own slope at V and d: μ₀, what (27) says, largest
-#: real part of λ.
+#: Growth of the equilibria at 30° with the slope that the friction law has at V and d: μ₀, which
+#: state, what (27) says of it, the largest real part of its eigenvalues.
 PARADOX = (
     (0.5, "before the jump", "stable", -4.4e-6),
     (0.5, "after the jump", "stable", 4.9e-6),
@@ -166,13 +170,13 @@ PARADOX = (
 
 
 def page() -> str:
-    """The page, in Markdown: reproduction.md, filled in (extra ``plot``)."""
+    """The referee's report in Markdown: reproduction.md, filled in (extra ``plot``)."""
     rows = printed()["rows"]
     claims = recorded()
     forms = shipped_text("spragsym.generated", "LEDGER.md")
 
     def both_forms(id: str) -> str:
-        """Printed form above the derived one, as the ledger's page shows the row."""
+        """The printed form of an equation above the derived one, as LEDGER.md shows them."""
         section = forms.partition(f"\n### {id}\n")[2]
         return section[section.index("```math") :].partition("\n```\n")[0] + "\n```"
 

@@ -1,5 +1,5 @@
-"""The page of a model: template, bundled libraries and drawings, exported modules, and what it
-starts from.
+"""The explorer of a model as one HTML file: the template filled in with the bundled libraries, the
+drawing, the exported module, and the model's data as JSON.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ class ExplorerPage:
 
 
 def explore(p: ParameterSet | None = None) -> ExplorerPage:
-    """The explorer, beginning at ``p``: the mechanism, its states and its motion; as a file,
-    ``spragsym explore``.
+    """The explorer in a notebook, beginning at ``p``: the mechanism, its states and its motion.
+    ``spragsym explore`` writes the same page to a file.
 
     Parameters
     ----------
@@ -51,8 +51,8 @@ def explore(p: ParameterSet | None = None) -> ExplorerPage:
 
     Returns
     -------
-    Page
-        A notebook shows it.
+    ExplorerPage
+        A notebook shows it; ``text`` is the HTML file.
 
     Raises
     ------
@@ -82,29 +82,30 @@ def explorer_page(
     """The explorer as one HTML page that needs no network: mechanism, plane, states, and the motion
     in time.
 
-    States are proved where the model brings a solver in JavaScript, else they are searched, and the
-    page says so.
+    The page says whether its states are proved, by the solver that a model of closed forms has in
+    JavaScript, or searched.
 
     Parameters
     ----------
     model : Model, optional
         As :func:`spragsym.load` gives it; the article's by default.
     presets : sequence of (str, Parameters)
-        Points of the user's own, each with what the page's list says. The page begins at the first;
-        the model's follow.
+        Points of the user's own, each with its title in the page's list. The page begins at the
+        first; the model's cases follow.
     units : mapping of str to tuple, optional
-        Units of the user's own, in which all numbers are typed and shown: of ``length``, ``time``
-        and ``force`` what 1 is, and the unit; and ``parameters``, of each that has a quantity with
-        a unit the name of that, what 1 is, and the unit.
+        Units of the user's own, in which all numbers are typed and shown. ``length``, ``time`` and
+        ``force`` are each the value of the model's 1 and the unit; ``parameters`` maps a
+        parameter's name to the name of the quantity that is shown for it, the value of the
+        parameter's 1, and the unit.
     source : str
-        Where these are from, in words that the page shows.
+        Where the units are from; the page shows this sentence.
     onsets : pair of str
-        The map of stability as SVG, and the command that prints its numbers.
+        The map of stability as SVG, and the command that prints its numbers; empty without a map.
 
     Returns
     -------
     str
-        The page. Same arguments, same text.
+        The HTML file, the same for the same arguments.
 
     Raises
     ------
@@ -159,8 +160,8 @@ def explorer_page(
 
 
 def _solver(model: Model) -> dict[str, str]:
-    """The parts of a page that depend on how states are found: by search, or by the exported solver
-    of closed forms.
+    """The parts of a page that differ with how states are found: by search, or by the exported
+    solver of closed forms.
     """
     folder, bundle = _ASSETS / model.name, _in_a_script(_asset("explorer.js"))
     words = {"TITLE": _escaped(model.name), "SUMMARY": _escaped(model.about["summary"])}
@@ -189,8 +190,8 @@ def _asset(name: str) -> str:
 
 
 def _filled(template: str, parts: Mapping[str, str]) -> str:
-    """A template with its parts in the places of ``@NAME@``; what stands in a part is not looked at
-    again.
+    """A template with every ``@NAME@`` replaced by its part; a part may contain such marks
+    itself.
     """
     return re.sub(r"@([A-Z]+)@", lambda found: parts[found[1]].strip(), _asset(template))
 
@@ -210,7 +211,7 @@ def _escaped(text: str) -> str:
 
 
 def _words(blocks: Sequence[str]) -> str:
-    """Text of a page below its drawing as HTML, formulas that are set apart too."""
+    """Paragraphs of a page's docstring as HTML, indented ones preformatted."""
     texts = ((_escaped(block), block.startswith(" ")) for block in blocks)
     return "\n".join(
         f"<pre>{text}</pre>" if formula else f"<p>{text}</p>" for text, formula in texts
@@ -218,8 +219,8 @@ def _words(blocks: Sequence[str]) -> str:
 
 
 def _derived(model: Model) -> tuple[str, dict[str, object] | None]:
-    """The module that comes with the package, or what is derived now (extra ``derive``): that, and
-    the scene of a mechanism that is not of one mass.
+    """The model's functions in JavaScript, as the package holds them or derived now (extra
+    ``derive``), and of a mechanism that is not one mass on a belt its scene.
     """
     folder = resources.files("spragsym.generated") / "models" / model.name
     module = folder / f"{model.name}.mjs"
@@ -236,11 +237,13 @@ def _derived(model: Model) -> tuple[str, dict[str, object] | None]:
     text = export.for_the_browser(
         read, f"Generated by ``spragsym explore`` from {model.name}.py. Do not edit."
     )
-    return text, None if model.about["drawn"] else Scene(read.mechanics).said()
+    return text, None if model.about["drawn"] else Scene(read.mechanics).as_json()
 
 
 def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, Any]:
-    """Names, ranges, sliders that reach some points, and what its functions take."""
+    """The model as the page's scripts read it: coordinates, parameters with sliders that reach the
+    given points, contacts, frictions, regimes, and the arguments of its functions.
+    """
     about, turns = model.about, model.whole_turns
     contacts = [entry["name"] for entry in model.contacts]
     return {
@@ -248,11 +251,11 @@ def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, 
         "quoted": shlex.quote(model.where),
         "coordinates": [
             {
-                "name": one["name"],
+                "name": coordinate["name"],
                 "turns": turns.get(index, {}),
-                "angle": one["unit"] == "rad",
+                "angle": coordinate["unit"] == "rad",
             }
-            for index, one in enumerate(about["coordinates"])
+            for index, coordinate in enumerate(about["coordinates"])
         ],
         "parameters": [
             {key: entry[key] for key in ("name", "meaning", "role")}
@@ -288,7 +291,7 @@ def described(model: Model, points: Sequence[Mapping[str, float]]) -> dict[str, 
 
 
 def _touching(model: Model, contact: Touching) -> list[int]:
-    """Of every contact 1 where it touches in a regime: one that can't open always does."""
+    """Of every contact 1 if it touches in a regime, else 0; one that can't open always touches."""
     return [
         int(contact is True or not entry["border"] or label_of(entry) in (contact or ()))
         for entry in model.contacts
@@ -296,24 +299,14 @@ def _touching(model: Model, contact: Touching) -> list[int]:
 
 
 def _slider(entry: Mapping[str, Any], values: Sequence[float]) -> dict[str, float]:
-    """Range of a slider, angles in degrees: the allowed range where it ends, else what holds base
-    value and points.
+    """Ends of a slider, angles in degrees: those of the allowed range, and where that is infinite
+    twice the base value, or 3 without one, or 1.2 times the largest of some values.
     """
     low, high, base = entry["low"], entry["high"], entry["base"]
-    # How far a slider reaches where there is no base value, or it is 0.
-    without_base = 3.0
-    # How far a slider reaches, times the base value.
-    times_base = 2.0
-    # How far it reaches at least, times the largest value of a preset.
-    reach = max(
-        [
-            times_base * abs(base) if base else without_base,
-            *(1.2 * abs(value) for value in values),
-        ]
-    )
+    reach = max([2.0 * abs(base) if base else 3.0, *(1.2 * abs(value) for value in values)])
     first = -reach if low is None else low
     last = reach if high is None else high
-    # Share of a range that a slider keeps from ends that are not allowed.
+    # The slider keeps away from ends that are not allowed.
     room = 0.003 * (last - first)
     first = first + room * bool(entry["low_open"])
     last = last - room * (high is not None and bool(entry["high_open"]))

@@ -42,7 +42,7 @@ def arms(scene: Scene) -> list[tuple[str, ...]]:
 def test_legs_and_a_stop_are_where_their_page_has_them(scene_of: SceneOf) -> None:
     """Legs a before and behind the centre and h below it, the stop to the right."""
     scene = scene_of(FOUR)
-    said = scene.said()
+    said = scene.as_json()
     assert said["bodies"] == [{"sense": 1, "along": 0, "across": 1, "angle": 2}]
     assert arms(scene)[:3] == [("-1", "-h"), ("1", "-h"), ("0", "-h")]
     assert [one["outward"] for one in said["contacts"]] == [(0, -1)] * 3 + [(1, 0)]
@@ -50,7 +50,7 @@ def test_legs_and_a_stop_are_where_their_page_has_them(scene_of: SceneOf) -> Non
 
 
 def test_blocks_in_a_row_are_bodies_that_springs_join(scene_of: SceneOf) -> None:
-    said = scene_of(ROW).said()
+    said = scene_of(ROW).as_json()
     count = len(said["bodies"])
     assert count > 2
     assert said["bodies"] == [{"sense": 1, "along": index} for index in range(count)]
@@ -60,8 +60,11 @@ def test_blocks_in_a_row_are_bodies_that_springs_join(scene_of: SceneOf) -> None
 def test_what_only_turns_lies_on_the_side_of_its_contact(scene_of: SceneOf) -> None:
     """Of shoes that turn alone, and of a disc whose angle runs clockwise."""
     shoes, disc = scene_of(SHOES), scene_of(shipped_page("disc_between_pads"))
-    assert [body.keys() & {"along", "across"} for body in shoes.said()["bodies"]] == [set(), set()]
-    assert [one["sense"] for one in disc.said()["bodies"]] == [-1]
+    assert [body.keys() & {"along", "across"} for body in shoes.as_json()["bodies"]] == [
+        set(),
+        set(),
+    ]
+    assert [one["sense"] for one in disc.as_json()["bodies"]] == [-1]
     assert arms(disc) == [("0", "1"), ("0", "-1")]
 
 

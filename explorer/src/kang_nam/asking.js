@@ -2,12 +2,12 @@
 
 import { answer } from "./shapes.js";
 
-/** What the page's own start comes after, in the script that holds the exported module. */
+/** The mark in the page's script between the exported module and the call of `start`. */
 const BEGIN = "//# start";
-/** What takes longer, seconds, is given up: curves of extreme parameters may have no end, and a slow machine needs a while. */
+/** How long the worker may take for one question, seconds: curves of extreme parameters may never end. */
 const PATIENCE = 20;
 
-/** `ask(what, point, top, done)`; of several questions of one kind only the last is answered. */
+/** Returns `ask(what, point, top, done)`, where `what` is "curves" or "surface"; of several questions of one kind only the last is answered. */
 export function createAsking(solver) {
   const latest = {};
   const waiting = {};

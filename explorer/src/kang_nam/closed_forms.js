@@ -1,4 +1,4 @@
-// The article's model by its closed forms: states that the exported solver proves, the curves of its plane, and its surface.
+// The article's model by its closed forms: states proved by the exported solver, the curves of its plane, and its surface.
 
 import { described } from "../search.js";
 import { createAsking } from "./asking.js";
@@ -16,7 +16,7 @@ const WHY = {
   out_of_range: "numbers of this size are beyond double precision.",
 };
 
-/** What the model's page has beside that of any model. */
+/** What the page of the article's model has that others have not: a source of proved states, drawings of curves and surface, and walks. */
 export function createClosed(solver) {
   const statics = (point) => Object.fromEntries(solver.NAMES.map((name) => [name, point[name]]));
   const solve = (point) => solver.equilibria(statics(point), { contact: true });
@@ -24,7 +24,7 @@ export function createClosed(solver) {
   const told = (balance, { x, y, theta, L, stability }, regime) => ({ ...described(balance, [x, y], regime, stability), along: [Math.cos(theta), Math.sin(theta), L] });
   const onBelt = (state) => state && { q: [state.x, state.y], regime: 0, undamped: state.stability };
 
-  /** What a store asks, see createStore, and the number of states in contact, null where it is undecided. `at(point)` gives the balance. */
+  /** The source of states of a store, see createStore, and `count`, the number of those in contact, null where undecided. `at(point)` gives the balance. */
   function source(at) {
     function look(point) {
       const found = SIDES.map(([, contact]) => solver.equilibria(statics(point), { contact }));
@@ -55,7 +55,7 @@ export function createClosed(solver) {
     return { look, begin, carry, count };
   }
 
-  /** The drawings of a whole family, made anew where more than the plane's two parameters changed; `page` has elements, store, plane. */
+  /** The drawings over the plane: `family` computes them anew where a parameter has changed that is not on the plane's axes. */
   function drawings({ element, store, plane }) {
     const ask = createAsking(solver);
     const space = createSpace(element("space"), store);
@@ -88,7 +88,7 @@ export function createClosed(solver) {
     return { family, forget: () => { key = ""; }, draw: () => space?.draw(), resize: () => space?.resize(), recolour: () => space?.recolour() };
   }
 
-  /** The walks of the page's head; `begin()` is called before each, and gives the point that they begin from. Returns what stops one. */
+  /** Makes the buttons start walks; `begin()` is called before each, and gives the values of the parameters that do not change. Returns what stops a walk. */
   function walks({ store, begin, quick }) {
     let stop = null;
     document.querySelectorAll("[data-walk]").forEach((button) => {

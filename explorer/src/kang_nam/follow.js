@@ -1,20 +1,20 @@
-// The quasi-static state along a straight way through the parameters: it stays on its sheet until the sheet ends at a fold.
+// The quasi-static state along a straight way through the parameters: it stays on its sheet of equilibria until the sheet ends at a fold.
 //
-// Equilibria before and after a step are matched in their order by theta. A step is halved until the match is beyond doubt, so that
-// a fold, or a pair of folds, cannot be stepped over unseen but within FINEST of the way, or less where the way is long.
+// Equilibria before and after a step are matched in their order by theta. A step is halved until the match is clear, so that two folds are
+// stepped over unseen only where they are closer than FINEST of the way, or less on a long way.
 
 const FINEST = 2 ** -30;
-/** A match counts if every other one moves the states this much further, and if states move less than this share of their gaps. */
+/** A match is clear if every other one moves the states this many times further; where there is no other, if they move less than this share of their gaps. */
 const CLEARLY = 4;
 const SHARE = 0.3;
-/** No step changes a state's direction by more than this, radians; longer ones are halved. */
+/** The largest change of a state's direction in one step, radians; steps with more are halved. */
 const LONGEST = 0.1;
 /** A fold is located within this share of a first step. */
 const LOCATED = 2 ** -14;
-/** What a first step may change of each parameter. */
+/** The largest change of each parameter in a first step. */
 const FIRST = { theta0: 0.035, mu0: 0.02, kappa: 0.002, alpha: 0.05, sigma: 0.02, beta: 0.1 };
 
-/** A way begins with no more steps than this, however long it is: a million of friction is typed as quickly as a half. */
+/** The largest number of first steps of a way, however far apart the typed values are. */
 const MOST = 200;
 
 /** The point at a share of the way; the ends exactly. */
@@ -25,7 +25,7 @@ export function between(from, to, share) {
   return Object.fromEntries(Object.keys(to).map((name) => [name, from[name] + share * (to[name] - from[name])]));
 }
 
-/** All ways to pick n of 0 … m − 1, ascending. */
+/** All choices of n of the numbers 0 … m − 1, each ascending. */
 function picks(m, n, from = 0) {
   if (n === 0) {
     return [[]];
@@ -38,8 +38,8 @@ function picks(m, n, from = 0) {
 }
 
 /**
- * Which of the directions `after` continue which of `before`: pairs of ranks, and whether that is beyond doubt. Both ascend, and the
- * shorter list is matched whole.
+ * Which of the directions `after` continue which of `before`: pairs of ranks, and whether that is clear (`sure`). Both lists ascend, and every direction
+ * of the shorter is matched.
  */
 export function matched(before, after) {
   const turned = before.length > after.length;
@@ -62,7 +62,7 @@ function landing(states, theta) {
 /** Whether the model is its own mirror image at a point. */
 const mirrored = ({ mu0, alpha }) => mu0 === 0 && alpha === 0;
 
-/** Where a state goes on from a pitchfork: among those that are not divergent the one next to it, of larger x where two are as near. */
+/** The state after a pitchfork: the nearest that is not divergent, of two about as near that of larger x. */
 function beside(states, theta) {
   const near = landing(states, theta);
   const two = states.filter(({ stability }) => stability !== "divergent");
@@ -82,7 +82,7 @@ export function follow(solve, from, to, theta) {
   const located = LOCATED / Math.max(1, size);
   const finest = Math.min(FINEST, located);
   const samples = [];
-  // Where double precision can't decide, the way is taken up again beyond: by longer and longer steps once the short ones are used up.
+  // Where double precision can't decide, even after the shortest step, longer and longer steps look for a point beyond that is decided.
   const shortest = longest * 2 ** -12;
   let [at, step, here, now, across] = [0, longest, solve(from), theta, false];
   if (here.status !== "ok" || now === null) {
@@ -134,7 +134,7 @@ export function nearest(states, theta) {
   return best;
 }
 
-/** Without a decided start there is nothing to follow: the state nearest to the last one, or to small deformation. */
+/** Ends a way on which there is no state to follow: with the state at its end nearest to the last one, or else to no deformation. */
 function settled(solve, to, theta, samples) {
   const { status, states } = solve(to);
   const state = status === "ok" ? landing(states, theta ?? to.theta0) : null;

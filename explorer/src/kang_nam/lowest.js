@@ -1,10 +1,10 @@
-// What the lowest fold means, in a sentence.
+// The lowest fold of the plane in a sentence.
 
 import { degrees, written } from "../numbers.js";
 
 const KINDS = { cusp: "a cusp", turn: "where the curve of folds turns back", end: "as θ₀ goes to 0" };
 
-/** `shapes` may be null: then there is nothing to say. */
+/** Of the curves as curvesOf gives them; empty where these are null. */
 export function lowestFold(shapes) {
   if (!shapes) {
     return "";

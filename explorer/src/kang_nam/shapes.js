@@ -1,20 +1,20 @@
-// What is drawn of a whole family, that is at given kappa, alpha, sigma and beta: curves, strips of three equilibria, the surface.
+// The drawings at given kappa, alpha, sigma and beta: curves and areas of three equilibria over theta0 and mu0, and the equilibrium surface.
 
 const COLUMNS = 240;
-/** Nodes of the surface along each of its two coordinates, how much closer they are in the middle, and nodes of a ruling. */
+/** Nodes of the surface along each of its two coordinates, how much denser they are in the middle, and nodes of a ruled line. */
 const NODES = 140;
 const GRADING = 3.5;
 const RULED = 360;
-/** Cells over which friction changes by more than this share of the drawing's are cut into this many strips. */
+/** Cells over which friction changes by more than this share of its drawn range are cut into this many strips. */
 const STEEP = 0.25;
 const STRIPS = 10;
-/** How far from 0 and pi the surface ends, and how far outside a node is still moved to the edge, radians. */
+/** How far from 0 and pi the surface ends, and how far outside 0 … pi a node may lie to be moved to the edge, radians. */
 const EDGE = 1e-3;
 const OUTSIDE = 0.2;
-/** Of the set's finer features none is visible beyond this many directions of the spring. */
+/** Directions of the spring at which the bifurcation set is computed; more would show nothing more. */
 const FINE = 120;
 
-/** Curves of folds and flutter onsets, cusps, the lowest fold, and where there are how many equilibria, for friction up to `top`. */
+/** Curves of folds and flutter onsets, cusps, the lowest fold, and the areas with several equilibria, for friction up to `top`. */
 export function curvesOf(solver, point, top) {
   const { curves, cusps } = solver.bifurcation_set(point, { n: FINE });
   const flutter = solver.flutter_boundary(point, { n: FINE });
@@ -22,7 +22,7 @@ export function curvesOf(solver, point, top) {
   return { curves, cusps, lowest, flutter, areas: strips(solver, point, curves, top) };
 }
 
-/** Friction at which a polyline meets a column. */
+/** Frictions at which a curve crosses an inclination. */
 function crossings({ theta0, mu0 }, at) {
   const found = [];
   for (let i = 1; i < theta0.length; i++) {
@@ -35,8 +35,8 @@ function crossings({ theta0, mu0 }, at) {
 }
 
 /**
- * Per column of the plane the intervals of friction with more than one equilibrium: the folds end them, and the solver says which.
- * For drawing only.
+ * In every column of the plane the intervals of friction with more than one equilibrium: between neighbouring folds, where the solver finds several in
+ * the middle. For drawing only.
  */
 function strips(solver, point, curves, top) {
   const found = [];
@@ -61,9 +61,9 @@ const graded = Array.from({ length: NODES }, (_, i) => Math.sinh(GRADING * ((2 *
 const kept = (angle) => Math.min(Math.PI - EDGE, Math.max(EDGE, angle));
 
 /**
- * The surface as a grid over theta − theta0 and theta + theta0: its steep parts run along theta = theta0 and theta = pi − theta0.
- * Nodes a little outside 0 … pi are moved to the edge. Friction is NaN where there is no state. Where friction changes much from
- * node to node, cells are cut into strips: `fine` holds the corners of their triangles, `coarse` says which cells are whole.
+ * The surface as a grid over theta − theta0 and theta + theta0, since its steep parts run along theta = theta0 and theta = pi − theta0. Nodes a little
+ * outside 0 … pi are moved to the edge. Friction is NaN where there is no state. Cells over which friction changes much are cut into strips: `fine` holds
+ * the corners of their triangles, `coarse` is 1 for the cells that are whole.
  */
 export function surfaceOf(solver, point, top) {
   const size = NODES * NODES;
@@ -98,8 +98,8 @@ function nodeOf(solver, point, u, v) {
 }
 
 /**
- * Along which of its coordinates the cell that ends at a node is to be cut, "u", "v" or null: where it is seen, and friction changes
- * too much over it, or its corners are of different kinds.
+ * Along which coordinate, "u" or "v", the cell that ends at a node is to be cut: if it is visible, and friction changes too much over it or its corners
+ * are of different kinds; else null.
  */
 function steepness({ mu0, kind }, at, top) {
   const nodes = [at - NODES - 1, at - NODES, at - 1, at];
@@ -125,7 +125,7 @@ function strip(solver, point, i, j, along) {
   });
 }
 
-/** A triangle whose corners outside the drawing have the kind of what is seen of it. */
+/** The corners of a triangle, those outside the drawing with the kind of its visible part. */
 function seen(solver, point, corners, top) {
   const outside = ({ mu0 }) => mu0 < 0 || mu0 > top;
   if (!corners.some(outside)) {
@@ -135,7 +135,7 @@ function seen(solver, point, corners, top) {
   return corners.map((node) => (outside(node) ? { ...node, kind } : node));
 }
 
-/** Where the surface crosses all of the drawing within a triangle: the kind of the state there, at half of its friction. */
+/** The kind of a triangle that crosses the drawing without a corner in it: that of the state in its middle, at half of the drawn friction. */
 function kindAmid(solver, point, corners, top) {
   const mean = (name) => corners.reduce((sum, node) => sum + node[name], 0) / 3;
   const { states } = solver.equilibria({ ...point, theta0: mean("theta0"), mu0: top / 2 });
@@ -144,7 +144,7 @@ function kindAmid(solver, point, corners, top) {
   return nearest ? KINDS[nearest.stability] : corners[0].kind;
 }
 
-/** Lines of equal inclination on the surface: its shape is seen without colour. Runs of [theta0, mu0, theta]. */
+/** Lines of equal inclination on the surface, which show its shape without colour: lists of [theta0, mu0, theta]. */
 function rulings(solver, point) {
   const lines = [];
   for (let theta0 = 15; theta0 < 180; theta0 += 15) {

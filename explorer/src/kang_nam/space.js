@@ -9,9 +9,9 @@ import { colours } from "../colours.js";
 import { createOverlay } from "../overlay.js";
 
 const [WIDTH, HEIGHT, DEPTH] = [2.6, 1.7, 1.8];
-/** Friction is drawn no further outside than this many times the drawing's. */
+/** Friction is drawn up to this many times its range in the drawing. */
 const FAR = 30;
-/** Pixels of the drawing for one of the page, and the smallest share of them while it turns; a picture is late after so long, ms. */
+/** Pixels of the drawing for one of the page, and the smallest share of them while it turns; the time after which a picture is late, milliseconds. */
 const FULL = Math.min(2, devicePixelRatio);
 const [COARSEST, LATE] = [0.25, 34];
 
@@ -92,7 +92,7 @@ export function createSpace(box, store) {
     replace("surface", [...geometries.map((geometry) => new Mesh(geometry, material.clone())), ...lines.map((run) => line(run.map((at) => put(...at)), ruled()))]);
   }
 
-  /** Places and colours of nodes. */
+  /** The geometry of nodes with their places and colours, still without triangles. */
   function painted({ theta0, theta, mu0, kind }) {
     const [places, paint] = [new Float32Array(3 * mu0.length), new Float32Array(3 * mu0.length)];
     const hues = [colour.stable, colour.divergent, colour.flutter].map((hue) => new Color(hue));
@@ -107,7 +107,7 @@ export function createSpace(box, store) {
     return geometry;
   }
 
-  /** Two triangles of a cell, where the surface has all of their corners and one is not far outside the drawing. */
+  /** Appends the two triangles of a cell, each if all of its corners are on the surface and it reaches into the drawing. */
   function triangles(a, b, c, d, mu0, faces) {
     for (const corners of [[a, b, c], [b, d, c]]) {
       const values = corners.map((corner) => mu0[corner]);
@@ -170,7 +170,7 @@ export function createSpace(box, store) {
     return sprite;
   }
 
-  /** Draws the surface anew with the next picture, and what lies over it. */
+  /** Draws the surface and its overlay anew with the next picture. */
   function draw_soon() {
     if (!pending) {
       pending = true;
@@ -183,7 +183,7 @@ export function createSpace(box, store) {
     draw();
   }
 
-  /** While the surface turns and pictures come late, as without a graphics card, it is drawn in fewer pixels; at rest in all. */
+  /** Halves the number of pixels a side while the surface turns and pictures come late, as without a graphics card. */
   function pace(now) {
     const late = turning && last_turn && now - last_turn > LATE;
     last_turn = turning ? now : 0;
@@ -203,8 +203,8 @@ export function createSpace(box, store) {
   controls.addEventListener("end", () => { [turning, last_turn] = [false, 0]; sharp(1); draw_soon(); });
 
   /**
-   * The path, whole where the state followed and dashed where it jumped, and the state: over the surface, on glass. So while the
-   * point is dragged nothing is drawn in 3D.
+   * Draws the path, solid where the state followed and dashed where it jumped, and the state, on the overlay: while the point is dragged nothing is
+   * drawn in 3D.
    */
   function draw() {
     const { path, point, state } = store.get() ?? { path: [], state: null };

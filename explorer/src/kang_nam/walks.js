@@ -1,11 +1,11 @@
-// Walks over the plane that show what a cusp does, as buttons.
+// Walks over the plane, started by buttons, that show what a cusp does.
 
 import { degrees, radians } from "../numbers.js";
 
-const PACE = 14; // degrees a second, and what friction takes as long as a degree
-const PER_DEGREE = 0.012;
+const PACE = 14; // degrees a second
+const PER_DEGREE = 0.012; // change of friction that takes as long as a degree
 
-/** Ways as corners (inclination in degrees, friction), by the name of their button. Values of the article's base parameters. */
+/** The corners of each walk, inclination in degrees and friction, by the name of its button; chosen for the article's base parameters. */
 export const WAYS = {
   across: [[30, 0.5], [60, 0.5]],
   back: [[60, 0.5], [30, 0.5]],
@@ -15,7 +15,7 @@ export const WAYS = {
 
 const length = ([a, b], [c, d]) => Math.hypot(c - a, (d - b) / PER_DEGREE);
 
-/** Walks from where the point is along the corners; returns a function that stops it. */
+/** Moves the point from where it is along the corners, at once if `quick`; returns a function that stops it. */
 export function walk(store, corners, quick, done) {
   const { theta0, mu0 } = store.get().point;
   const way = [[degrees(theta0), mu0], ...corners];

@@ -1,4 +1,4 @@
-// Runs in a worker, behind the exported module's text: answers what the page asks for, so that its drawings never stand still.
+// Runs in a worker, together with the exported module's text: computes the drawings that the page asks for, while the page goes on.
 
 import { answer } from "./shapes.js";
 

@@ -208,19 +208,19 @@ def _vocabulary(
         subject = derived(derivation, statement.about)
         gives_names, is_steady = gives_names or subject.is_value, subject.steady
     names = {*derivation.names, *given, *(["frequency"] if has_roots else [])}
-    names -= {str(TIME)} if statement.word != "scale" else set()
     renamed = dict(book.renamed)
     if is_steady:  # nothing moves, and a speed is that of the belt
         at_rest = ((text, re.sub(r"\w+'+", "0", page)) for text, page in renamed.items())
         renamed |= {text: page for text, page in at_rest if page != "0"}
-    if (
-        derivation.model.clock is not None and statement.word != "scale"
-    ):  # the time, as in the phase ω t
-        phase = f"{derivation.model.clock}/({derivation.spelled(derivation.model.speed)})"
-        renamed = dict.fromkeys(("t", r"\tau")[: 1 + derivation.scaled], phase) | renamed
+    model = derivation.model
+    if statement.word != "scale" and derivation.names[str(TIME)] == TIME:
+        names.remove(str(TIME))
+        if model.clock is not None:  # of which the phase is ω t
+            phase = f"{model.clock}/({derivation.spelled(model.speed)})"
+            renamed = dict.fromkeys(("t", r"\tau")[: 1 + derivation.scaled], phase) | renamed
     return Vocabulary(
         frozenset(names),
-        tuple(str(it) for it in derivation.model.coordinates if it != derivation.model.clock),
+        tuple(str(it) for it in model.coordinates if it != model.clock),
         renamed,
         shapes | book.shapes,
         frozenset(map(str, (*derivation.normals, *derivation.coefficients))),

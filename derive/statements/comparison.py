@@ -13,7 +13,6 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
 
-import numpy as np
 import sympy as sp
 from sympy import Expr, S, Symbol
 from sympy.core.relational import Relational
@@ -23,7 +22,7 @@ from .derivatives import expressions
 from .identities import is_zero, quotients
 from .objects import LAMBDA
 from .reading import Item
-from .repair import Values, evaluated, same, same_but_for_constant
+from .repair import Values, evaluated, same, same_but_for_constant, same_but_for_factor
 from .samples import numeric
 from .tree import Equation, Node, printed, residual, to_sympy
 
@@ -269,13 +268,10 @@ class Comparison:
         if self.item.subject.factor != "parameters":
             return False
         print_values, values = evaluated(part.tree, self.values), self.item.values
-        divisors = (divisor for divisor, _ in self._quotients(part.targets[0][1]))
-        for divisor in (S.One, *divisors):
-            with np.errstate(all="ignore"):
-                ratio = print_values * numeric(divisor, values) / part.targets[0][0]
-            if same(ratio[::2], ratio[1::2]):
-                return True
-        return False
+        target, entry = part.targets[0]
+        divisors = (S.One, *(divisor for divisor, _ in self._quotients(entry)))
+        divided = (print_values * numeric(divisor, values) for divisor in divisors)
+        return any(same_but_for_factor(it, target) for it in divided)
 
     def holds(self, tree: Node, target: Values) -> bool:
         """Whether a tree has its target's values, up to a constant in an energy."""

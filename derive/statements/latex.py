@@ -362,18 +362,8 @@ class _LatexReader:
             return found
         if function := self.function(here):
             return self.call(function, here, start)
-        if diagonal := self.diagonal(here):
-            return diagonal
-        if text == r"\det":
-            here.take()
-            inner = _bracket(here.item, ("(", "["))
-            if inner is None:
-                raise Unread(f"{text} is not read", start)
-            inside = self.expression(inner)
-            here.take()
-            if isinstance(inside, Node):
-                raise Unread("the determinant of what is no matrix", start)
-            return self.powered(replace(determinant(inside), at=(start, here.end)), here, start)
+        if (value := self.of_matrix(here)) is not None:
+            return self.powered(value, here, start)
         name, power = self.name(here)
         if name is None:
             return self.powered(self.base(here), here, start)
@@ -570,19 +560,26 @@ class _LatexReader:
             raise Unread("rows of different length", item.at[0])
         return of_blocks([[self.expression(cell) for cell in row] for row in rows], item.at[0])
 
-    def diagonal(self, here: Cursor) -> Factor | None:
-        """A diagonal matrix, printed as \\mathrm{diag}(m, m); else None, and nothing is read."""
-        count = 2 if here.text in _ROMAN else 1
+    def of_matrix(self, here: Cursor) -> Value | None:
+        """A determinant, or a diagonal matrix as \\mathrm{diag}(m, m); else None, and nothing is
+        read.
+        """
+        count, start = 2 if here.text in _ROMAN else 1, here.at
         following = here.items[here.place :][: count + 1]
         word = "".join(texts(_flat(following[:count]))).removeprefix("\\")
         inside = _bracket(following[-1], ("(", "[", r"\{")) if following[count:] else None
-        if word != "diag" or inside is None:
+        if word not in ("diag", "det") or inside is None:
             return None
         here.place += count + 1
+        if word == "det":
+            matrix = self.expression(inside)
+            if isinstance(matrix, Node):
+                raise Unread("the determinant of what is no matrix", start)
+            return replace(determinant(matrix), at=(start, here.end))
         entries = [self.number(it) for it in split(inside, ",")]
         found = np.full((len(entries), len(entries)), ZERO)
         np.fill_diagonal(found, entries)
-        return Factor(found)
+        return found
 
     def choice(self, rows: list[list[list[Token]]], item: Token) -> Node:
         """A piecewise value, from rows of a value and its condition."""
@@ -725,12 +722,18 @@ class _LatexReader:
             if len(down) < 2 or down[0] not in ("d", r"\partial") or up[:1] != down[:1]:
                 here.place = begin
                 return None
-            if down[1].removeprefix("\\") not in self.names.times():
-                return self.slope(above, below, here, start)
-            is_partial, order = down[0] == r"\partial", 1 + (down[2:] == ["^", "2"])
-            if (down[2:] and order == 1) or (order == 2 and up[1:3] != ["^", "2"]):
+            what, power = [*_inside(above)[1:]], "1"
+            if texts(what[:1]) == ["^"]:
+                power, what = _label(what[1:2]), what[2:]
+            steps: list[Tokens] = []
+            for part in split(_inside(below), down[0])[1:]:
+                times = _label(part[-1:]) if texts(part[-2:-1]) == ["^"] else ""
+                steps += [part[:-2]] * int(times) if times.isdigit() else [part]
+            if str(len(steps)) != power:
                 raise Unread("a derivative of this order is not read", start)
-            what = [*_inside(above)[2 * order - 1 :]]
+            if not all(map(self.is_time, steps)):
+                return self.slope(what, steps, here, start)
+            is_partial, order = down[0] == r"\partial", len(steps)
         if what:
             value = self.expression(what)
         elif not (is_fraction or is_partial):
@@ -766,13 +769,8 @@ class _LatexReader:
         here.place = begin
         return 0
 
-    def slope(self, above: Tokens, below: Tokens, here: Cursor, start: int) -> Factor:
-        """The derivative of a name by its argument, or a partial derivative by another name."""
-        sign, *what = _inside(above)
-        order = ONE
-        if texts(what[:1]) == ["^"]:
-            order = self.number(what[1:2])
-            what = what[2:]
+    def slope(self, what: list[Token], steps: Sequence[Tokens], here: Cursor, start: int) -> Factor:
+        """The derivative of a name by its argument, or a partial derivative by other names."""
         if not what and here.text == "(":
             what = [*(here.take().items or ())]
         named = Cursor(what)
@@ -783,12 +781,6 @@ class _LatexReader:
         is_called = argument is not None and not argument.at_rest
         if node.kind != "symbol" or named.items[named.place + is_called :]:
             raise Unread("a derivative of what is no name; define it", start)
-        steps: list[Tokens] = []
-        for part in split(_inside(below), sign.text)[1:]:
-            times = _label(part[-1:]) if texts(part[-2:-1]) == ["^"] else ""
-            steps += [part[:-2]] * int(times) if times.isdigit() else [part]
-        if str(len(steps)) != order.value:
-            raise Unread("a derivative of this order is not read", start)
         for step in steps:
             by = self.number(step)
             argument = self.argument(node, step)

@@ -11,8 +11,8 @@ import sympy as sp
 
 from ..model import acceleration_of
 from .lexer import Tokens
-from .tree import FUNCTIONS, Node, Unread, Vocabulary, joined, leaf, printed, read_sympy, renamed
-from .tree import to_sympy, with_part
+from .tree import FUNCTIONS, ONE, Node, Unread, Vocabulary, joined, leaf, printed, read_sympy
+from .tree import renamed, to_sympy
 
 
 #: Words for the columns of all coordinates, of their rates and of their accelerations.
@@ -151,15 +151,9 @@ class Names:
                 return replace(node, value=self.next[node.value])
             case "symbol" if self.derivative is not None and node.value not in self.columns:
                 return self.derived(node, "t")
-            case "add" | "neg":
-                return replace(node, args=tuple(map(self.rate, node.args)))
-            case "mul":
-                moving = [place for place, it in enumerate(node.args) if self.moves(it)]
-                terms = [with_part(node, (place,), self.rate(node.args[place])) for place in moving]
-                return joined("add", terms, node.at)
-            case "div" if not self.moves(node.args[1]):
-                return replace(node, args=(self.rate(node.args[0]), node.args[1]))
-            case "div" | "pow" | "call" if node.value in ("", *FUNCTIONS):
+            case "symbol":
+                pass
+            case _ if node.value in ("", *FUNCTIONS):
                 return moved(self._by_chain(node), node.at)
         raise Unread(f"the rate of {printed(node)} is not read; print it in rates", node.at[0])
 
@@ -174,7 +168,8 @@ class Names:
             if self.moves(operand):
                 text = str(sp.diff(value, names[name]))
                 partial = read_sympy(text, Vocabulary(frozenset(names), (), {}))[0].left
-                terms.append(Node("mul", (renamed(partial, operands), self.rate(operand))))
+                factors = [renamed(partial, operands), self.rate(operand)]
+                terms.append(joined("mul", factors[partial == replace(ONE, at=partial.at) :]))
         return joined("add", terms)
 
     def moves(self, node: Node) -> bool:

@@ -7,7 +7,6 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
 import sympy as sp
 from sympy import Expr
 
@@ -19,7 +18,7 @@ from .derivatives import Slope
 from .matrices import matrix_of
 from .objects import Derivation, NoObject, Object, derived
 from .papers import Paper, Statement
-from .repair import Values, evaluated, same
+from .repair import Values, evaluated, same, same_but_for_factor
 from .samples import numeric
 from .tree import Equation, Node, Unread, printed, residual, symbols, to_sympy
 
@@ -253,13 +252,11 @@ def _as_matched(
     for place in index if len(index) > 1 else ():
         for equation in others:
             tree = residual(equation)
-            if symbols(tree) <= known.keys():
-                with np.errstate(all="ignore"):
-                    ratio = evaluated(tree, known) / targets[place]
-                if same(ratio[::2], ratio[1::2]):
-                    found[place] = equation
-                    others = [one for one in others if one is not equation]
-                    break
+            is_known = symbols(tree) <= known.keys()
+            if is_known and same_but_for_factor(evaluated(tree, known), targets[place]):
+                found[place] = equation
+                others = [one for one in others if one is not equation]
+                break
     return [found[place] if place in found else others.pop(0) for place in index]
 
 

@@ -120,6 +120,13 @@ def same(one: Values, other: Values) -> bool:
     return bool(np.isfinite(size).all() and (np.abs(one - other) <= CLOSE * size).all())
 
 
+def same_but_for_factor(one: Values, other: Values) -> bool:
+    """Whether the ratio is that in the other state of every pair with the same parameters."""
+    with np.errstate(all="ignore"):
+        ratio = one / other
+    return same(ratio[::2], ratio[1::2])
+
+
 def same_but_for_constant(one: Values, other: Values) -> bool:
     """Whether the difference of values is equal in both states of every pair of samples."""
     gap, size = one - other, np.abs(one) + np.abs(other)

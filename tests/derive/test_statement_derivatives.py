@@ -263,3 +263,14 @@ def test_a_derivative_of_one_form_does_not_hinder_statements_in_the_other() -> N
         ("motion x", "ax + c*vx + x + kappa_3*x**3 - mu", {"form": "scaled", "is_latex": False}),
     )
     assert [it.status for it in found] == ["confirmed", "definition", "confirmed"]
+
+
+def test_a_quantity_of_the_page_may_be_called_t(tmp_path: Path) -> None:
+    """As a thickness: it is no time, of which nothing else is there."""
+    source = Path(__file__).parents[2] / "validation/papers/stick_slip/page.py"
+    page = tmp_path / "page.py"
+    page.write_text(source.read_text().replace('k = page.unit("k"', 'k = page.unit("t"'))
+    text = r"m\ddot x + d\dot x + t x = \mu N"
+    for printed_one, status in ((text, "confirmed"), (text.replace("+ t x", "+ m x"), "misprint")):
+        (row,) = rows(pages.read(page), ("motion x", printed_one))
+        assert row.status == status

@@ -30,7 +30,7 @@ from ..numerics.precise_roots import narrowed
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Evaluation
-from ..statics.precise_balance import reduced_by_turns
+from ..statics.precise_balance import exact_in_part, is_zero, reduced_by_turns
 from ..statics.regions import region
 from ..statics.search import ContactArgument, balances_of, roots_of
 from ..statics.stability import type_at
@@ -146,7 +146,7 @@ def _state(
     system: PreciseBalance, digits: int, box: FloatArray, alone: FloatArray
 ) -> PreciseEquilibrium | None:
     """The equilibrium in a box; None if it lies beyond the contact's border."""
-    q = _narrowed(system, box, alone)
+    q = exact_in_part(system, _narrowed(system, box, alone))
     at = system.state(q)
     if not _on_contact_side(at):
         return None
@@ -282,8 +282,12 @@ def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> lis
 
 
 def _on_contact_side(at: Evaluation) -> bool:
-    """Whether a state lies on the required side of all borders."""
-    return all(
-        (balls.decided(gap, "a gap that is zero") < 0) == touches
-        for gap, touches in zip(at.gaps(), at.balance.closed, strict=True)
-    )
+    """Whether a state lies on the required side of all borders; it may lie on these."""
+    balance = at.balance
+    for gap, touches in zip(at.gaps(), balance.closed, strict=True):
+        sign = balls.sign_or_zero(gap, "a gap that is zero", partial(is_zero, gap))
+        if sign == 0 and not touches and balance.apart:
+            return False
+        if sign != 0 and (sign < 0) != touches:
+            return False
+    return True

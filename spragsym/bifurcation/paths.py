@@ -224,7 +224,8 @@ def border_ends(
             break
     else:
         raise ConvergenceError(
-            f"whether equilibria leave the contact along {vary} is not decided; shorten the range"
+            f"whether equilibria leave the contact along {vary} is not decided; shorten the range, "
+            "or change another parameter where a contact just touches at every value"
         )
     if not (
         turns.whole and np.isfinite(turns.region).all()

@@ -51,6 +51,8 @@ class ProvedJumps:
         pieces, (count,) = self.pieces, p.shape
         loading, *free = (np.broadcast_to(p[name], count) for name in (self.vary, *self.free))
         part = self._parts(free) if free else np.zeros(count, dtype=int)
+        nothing = (pieces.safe <= self.begin) & np.isinf(pieces.top)
+        part[nothing[part]] = -1
         proved = (part >= 0) & self.known[part] & (p.followed is None)
         given = {name: np.broadcast_to(p[name], count) for name in p.ranges if p[name] is not None}
         unknown = np.flatnonzero((part >= 0) & ~proved)

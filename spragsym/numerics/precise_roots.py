@@ -82,15 +82,20 @@ class Digits(Protocol):
 
 
 def narrowed(
-    system: Digits, box: FloatArray, alone: FloatArray, enough: Fraction = Fraction(1, 2**160)
+    system: Digits,
+    box: FloatArray,
+    alone: FloatArray | None,
+    enough: Fraction = Fraction(1, 2**160),
 ) -> list[Ball] | None:
     """A small box of balls that contains the root in ``box``, (2, n); None if that is not proved.
 
-    ``alone``, (2, n), is a larger box in which the root is unique. ``enough`` is the Newton step at
-    which the iteration ends, in a point z. If |1 − Y J| ≤ 1/2 in the box of half-width
-    r ≥ 2 |Y F(z)| around z, the operator x − Y F(x) maps this box into itself, so that it contains
-    a root. It is the given root if the box is inside ``alone``, or if |1 − Y J| ≤ 1/2 over a box
-    that contains both.
+    ``alone``, (2, n), is a larger box in which the root is unique. If it is None, the root is
+    proved to be the only one in both boxes, and may lie beside ``box``.
+
+    ``enough`` is the Newton step at which the iteration ends, in a point z. If |1 − Y J| ≤ 1/2 in
+    the box of half-width r ≥ 2 |Y F(z)| around z, the operator x − Y F(x) maps this box into
+    itself, so that it contains a root. It is the given root if the box is inside ``alone``, or if
+    |1 − Y J| ≤ 1/2 over a box that contains both.
     """
     z = [ball(float(value), system.bits) for value in Intervals(box).middle]
     with suppress(UndecidedSign, ZeroDivisionError):
@@ -111,14 +116,13 @@ def _proved(
     r: Fraction,
     Y: Sequence[Sequence[Ball]],
     box: FloatArray,
-    alone: FloatArray,
+    alone: FloatArray | None,
 ) -> list[Ball] | None:
     """The box of half-width r around z if it is proved to contain the root; else None."""
     with balls.precision(system.bits):
         enclosed = [part + balls.between(-r, r) for part in z]
-        sides = zip(map(balls.ends, enclosed), exact_ends(alone), strict=True)
         domain = enclosed
-        if not all(low <= least and most <= high for (least, most), (low, high) in sides):
+        if alone is None or not lies_in(enclosed, alone):
             pairs = zip(enclosed, exact_ends(box), strict=True)
             domain = [balls.union(part, balls.between(*side)) for part, side in pairs]
     columns = list(zip(*as_balls(system.slopes(domain), system.bits), strict=True))
@@ -127,6 +131,12 @@ def _proved(
         for i, row in enumerate(Y)
     ]
     return enclosed if max(map(_norm, contraction)) <= Fraction(1, 2) else None
+
+
+def lies_in(numbers: Sequence[Ball], box: FloatArray) -> bool:
+    """Whether a box of balls lies in a box of floats, (2, n)."""
+    sides = zip(map(balls.ends, numbers), exact_ends(box), strict=True)
+    return all(low <= least and most <= high for (least, most), (low, high) in sides)
 
 
 def exact_ends(box: FloatArray) -> Box:

@@ -20,12 +20,13 @@ import numpy as np
 
 from ..numerics import balls, contractors
 from ..numerics.balls import Ball, UndecidedSign
-from ..numerics.certified_roots import Roots, different
+from ..numerics.certified_roots import Roots, different, distinct
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, width_of
 from ..numerics.precise_roots import (
     Reduced,
     as_intervals,
     exact_ends,
+    lies_in,
     narrowed,
     outward,
     reduced_roots,
@@ -189,16 +190,62 @@ def on_contact_side(system: StateSystem, given: FloatArray, found: Roots) -> Roo
     inside, beyond = beside_border(found.ends, found.point)
     for row in np.flatnonzero(~(inside | beyond)).tolist():
         precise = PreciseBalance(system, given[:, found.point[row]], system.options.root_bits)
-        with suppress(UndecidedSign, ZeroDivisionError):
-            root = narrowed(precise, found.ends[:, :, row], found.alone[:, :, row])
-            gaps = [] if root is None else precise.state(exact_in_part(precise, root)).gaps()
-            if gaps and all(isinstance(gap, Ball) for gap in gaps):
-                # As floats they are rounded outward, but for a gap that is exactly 0.
-                nonzero = np.array([[not _is_zero(gap)] for gap in gaps])
-                bounds = Intervals(as_intervals(gaps).ends * nonzero)
-                inside[row : row + 1], beyond[row : row + 1] = precise.balance.sides(list(bounds))
+        root = _located(precise, found.ends[:, :, row], found.alone[:, :, row])
+        inside[row : row + 1], beyond[row : row + 1] = _sides(precise, root)
     found = found.reopened(inside, ~(inside | beyond))
     return found.select(undecided=~beside_border(found.undecided, found.undecided_point)[1])
+
+
+def decided_at_edges(system: StateSystem, given: FloatArray, found: Roots) -> Roots:
+    """The result with undecided boxes that hold one root as roots, if that is a state in the box.
+
+    Where the gap of a contact is a coordinate, the searched region ends at the border, and a search
+    does not decide a root on an end of its region.
+    """
+    most, roots = 24, dict[int, FloatArray]()
+    count = found.undecided_point.size
+    for row in range(count) if count <= most else ():
+        box = found.undecided[:, :, row]
+        precise = PreciseBalance(
+            system, given[:, found.undecided_point[row]], system.options.root_bits
+        )
+        root = _located(precise, box)
+        if root and lies_in(root, box) and _sides(precise, root)[0].all():
+            roots[row] = as_intervals(root).ends
+    if not roots:
+        return found
+    rows = [*roots]
+    decided = Roots.at(
+        np.concatenate([*roots.values()], axis=2),
+        found.undecided[:, :, rows],
+        found.undecided_point[rows],
+    )
+    found = found.select(undecided=~np.isin(np.arange(count), rows))
+    return distinct(found.concatenated(decided))
+
+
+def _located(
+    precise: PreciseBalance, box: FloatArray, alone: FloatArray | None = None
+) -> list[Ball]:
+    """The root in a box in balls, with coordinates that are floats as these; empty if none is
+    proved. Arguments as of :func:`narrowed`.
+    """
+    with suppress(UndecidedSign, ZeroDivisionError):
+        root = narrowed(precise, box, alone)
+        return [] if root is None else exact_in_part(precise, root)
+    return []
+
+
+def _sides(precise: PreciseBalance, root: Sequence[Ball]) -> tuple[BoolArray, BoolArray]:
+    """Masks of shape (1,) whether a root is on the required side of all borders, and beyond one."""
+    unknown = np.zeros(1, dtype=bool)
+    with suppress(UndecidedSign, ZeroDivisionError):
+        gaps = precise.state(root).gaps() if root else []
+        if gaps and all(isinstance(gap, Ball) for gap in gaps):
+            # As floats they are rounded outward, but for a gap that is exactly 0.
+            nonzero = np.array([[not is_zero(gap)] for gap in gaps])
+            return precise.balance.sides([*Intervals(as_intervals(gaps).ends * nonzero)])
+    return unknown, unknown
 
 
 def exact_in_part(system: PreciseBalance, root: Sequence[Ball]) -> list[Ball]:
@@ -209,8 +256,10 @@ def exact_in_part(system: PreciseBalance, root: Sequence[Ball]) -> list[Ball]:
     is not 0, the coordinate is that float, by the mean value theorem.
     """
     found, floats = list(root), [_nearest_float(part) for part in root]
+    if all(number is None for number in floats):
+        return found
     at = [part if number is None else number for part, number in zip(found, floats, strict=True)]
-    if None not in floats and all(_is_zero(value) for value in system.values(at)):
+    if None not in floats and all(is_zero(value) for value in system.values(at)):
         return at
     slopes = system.slopes(found)
     for _ in found:  # what is exact may make the residual of another coordinate exact
@@ -219,7 +268,7 @@ def exact_in_part(system: PreciseBalance, root: Sequence[Ball]) -> list[Ball]:
                 continue
             at = [*found[:j], number, *found[j + 1 :]]
             rows = zip(system.values(at), slopes, strict=True)
-            if any(_is_zero(value) and balls.sign(row[j]) for value, row in rows):
+            if any(is_zero(value) and balls.sign(row[j]) for value, row in rows):
                 found = at
     return found
 
@@ -231,7 +280,7 @@ def _nearest_float(part: Ball) -> Ball | None:
     return balls.ball(number, part.bits) if low <= Fraction(number) <= high else None
 
 
-def _is_zero(value: Ball | Fraction | int) -> bool:
+def is_zero(value: Ball | Fraction | int) -> bool:
     """Whether a number is proved to be 0."""
     low, high = balls.ends(value)
     return low == high == 0

@@ -42,7 +42,13 @@ from .forces import as_intervals
 from .namespaces import XP
 from .options import SearchOptions
 from .polar import around_anchors, stiff_points, turned_points
-from .precise_balance import on_contact_side, reduced_by_turns, refined, refined_in_digits
+from .precise_balance import (
+    decided_at_edges,
+    on_contact_side,
+    reduced_by_turns,
+    refined,
+    refined_in_digits,
+)
 from .regions import region, requested_region
 from .states import Held
 
@@ -203,7 +209,7 @@ def roots_of(
     rest = np.flatnonzero(~(found_in_angles | found_in_tension))
     others = _by_boxes(balance, given[:, rest], box[:, :, rest]).numbered(rest)
     found = refined(balance, given, in_angles.concatenated(in_tension, others))
-    found = on_contact_side(balance, given, found)
+    found = decided_at_edges(balance, given, on_contact_side(balance, given, found))
     return reduced_by_turns(balance.periodic, found), box, complete
 
 

@@ -5,10 +5,12 @@ import time
 from fractions import Fraction
 from pathlib import Path
 
+import mpmath
 import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym import precise
 from spragsym.report.example import example
 from tests.oracles.user_pages import model_of
 
@@ -60,11 +62,22 @@ LEVER = 'b = page.parameter("b", "m", "lever", "> 1", 1.6)'
 
 
 @pytest.mark.thorough
-def test_a_state_that_just_touches_is_no_line_of_states() -> None:
-    eq = ss.equilibria(model_of(TOUCHING, "just_touching").Parameters())
-    assert not eq.complete
-    assert [it.low == pytest.approx((0, 0), abs=1e-300) for it in eq.undecided] == [True]
-    assert "just touches" in eq.undecided[0].reason
+def test_a_state_at_the_edge_of_the_searched_region_is_decided() -> None:
+    """Where the gap is a coordinate, only y ≤ 0 is searched, or y ≥ 0."""
+    p = model_of(TOUCHING, "just_touching").Parameters()
+    for contact in (True, False):
+        eq = ss.equilibria(p, contact=contact)
+        assert (eq.complete, eq.count.tolist()) == (True, 1)
+        assert max(abs(float(column[0])) for column in eq.coordinates.values()) < 1e-300
+    assert ss.equilibria(p.replace(P=[-1e-9, 0.0, 1e-9])).count.tolist() == [0, 1, 1]
+
+
+def test_digits_of_a_state_that_just_touches() -> None:
+    """With y = −s in floats, in as many digits as one likes."""
+    p = model_of(FLOOR, "floor").Parameters(F=0.3, s=0.3)
+    for contact in (True, False):
+        (state,) = precise.equilibria(p, contact=contact, dps=40).states
+        assert abs(state.numbers["y"] + mpmath.mpf(0.3)) < mpmath.mpf(10) ** -40
 
 
 @pytest.mark.thorough

@@ -36,7 +36,7 @@ from .paths import QuasiStaticContinuation
 from .points import arranged, isolated, nothing
 from .shares import belt_speeds, held
 from .sticking_regions import NotLinear, line, region
-from .sticking_sets import Patches, Touches, sets, sets_of
+from .sticking_sets import Patches, StickingSystem, sets, sets_of
 
 
 @question
@@ -113,7 +113,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     mesh = np.unique(np.concatenate([[-1.0, 1.0], *(points[share] for points in turns)]))
     try:
         continuation = QuasiStaticContinuation(own, share, mesh)
-        return _sets(p, Touches(model, own, True), continuation, turns)
+        return _sets(p, StickingSystem(model, own, True), continuation, turns)
     except ConvergenceError as error:
         raise ConvergenceError(
             "not all states of sticking are told apart over the share of the static "
@@ -141,7 +141,10 @@ def _turns(own: ParameterSet, share: str, index: int) -> Points:
 
 
 def _sets(
-    p: ParameterSet, it: Touches, continuation: QuasiStaticContinuation, turns: Sequence[Points]
+    p: ParameterSet,
+    it: StickingSystem,
+    continuation: QuasiStaticContinuation,
+    turns: Sequence[Points],
 ) -> StickingStates:
     """Connected sets of sticking states, from curves followed from node to node of the mesh of
     shares, with the folds and borders at which they end.

@@ -28,7 +28,7 @@ from ..numerics.jets import Jet, constant, gradient, is_linear, variables
 from ..numerics.vectors import TURN
 from ..results.points import StickingStates
 from .shares import held
-from .sticking_sets import Touches, sets_of, solved
+from .sticking_sets import StickingSystem, sets_of, solved
 
 
 class NotLinear(ModelError):
@@ -42,7 +42,7 @@ class _Linear:
     ``most`` are μ_s N of all frictions that hold, (m, 1); None if a contact does not press.
     """
 
-    it: Touches
+    it: StickingSystem
     K: Intervals
     b: Intervals
     S: Intervals
@@ -55,7 +55,7 @@ class _Linear:
         Raises NotLinear if the forces are not linear.
         """
         key, *others = own.model.regimes
-        it, shape = Touches(p.model, own, key), (1,)
+        it, shape = StickingSystem(p.model, own, key), (1,)
         balance, n = it.balance, it.balance.n
         if others or balance.opens or balance.springs:
             raise NotLinear(f"forces of {p.model.name} are not linear, or a contact opens")
@@ -71,7 +71,7 @@ class _Linear:
                 )
             slopes = matrix([gradient(row, len(moved)) for row in rows], shape)[:, :, 0]
             b = stacked([constant(row) for row in rows], shape)[:, 0]
-            origin = it.unused()
+            origin = it.origin()
             most = abs(it.pulls(origin))
             pressed = it.pressed(origin)[0] and most.magnitude.all()
         return cls(it, slopes[:, :n], b, slopes[:, n:], most if pressed else None)

@@ -1,5 +1,5 @@
-"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``; one page is
-``spragsym derive PAGE.py --out DIR``.
+"""``python -m derive [--out DIR] [--variant]`` derives the article's model, checks the article, and
+writes generated/; for a single page there is ``spragsym derive PAGE.py --out DIR``.
 """
 
 import argparse
@@ -36,14 +36,16 @@ T = TypeVar("T")
 
 
 def readable() -> None:
-    """On a console that can't print Greek letters, their names instead of an exception."""
+    """Make a console that can't print Greek letters print their names."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="namereplace")
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Exit code 0: written; 1: a check failed and nothing was written; 2: usage."""
+    """Run all steps; the exit code is 0 if the files were written, 1 if a check failed and nothing
+    was written, 2 for wrong usage.
+    """
     parser = argparse.ArgumentParser(
         prog="python -m derive", description="Derive the model, check the article, emit generated/."
     )
@@ -105,14 +107,13 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def models(*, variant: bool = False) -> dict[str, str]:
-    """The folders of the shipped pages below ``generated/models``; in a variant that of the
-    article's only.
+    """The files of ``generated/models``, a folder for each shipped page; in a variant only that of
+    the article's page.
     """
     shared: folder.Shared = {}
     files = {
         "models/__init__.py": f'"""Models from pages, one folder each.\n\n{write.header()}\n"""\n'
     }
-    # The page that functions without a model mean.
     article = "kang_nam"
     for path in pages.shipped():
         if variant and path.stem != article:
@@ -131,7 +132,7 @@ def models(*, variant: bool = False) -> dict[str, str]:
 
 
 def _step(title: str, work: Callable[[], T]) -> T:
-    """Run one step of the argument and say how long it took."""
+    """Run one step and print how long it took."""
     begin = time.perf_counter()
     result = work()
     print(f"{time.perf_counter() - begin:6.2f} s  {title}", flush=True)

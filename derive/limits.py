@@ -1,12 +1,12 @@
-"""What a page can't say, each with what can be done instead: the list of the guide, and the words
-of the refusals.
+"""The list of what a page can't describe, each with what can be written instead; the guide lists
+them, and errors quote them.
 """
 
 from enum import Enum
 
 
 class Limit(Enum):
-    """What a page can't say, and what to say instead, in the order of the guide."""
+    """Something that a page can't describe, and what to write instead, in the guide's order."""
 
     CONTACT_DAMPING = (
         "damping in the contact",

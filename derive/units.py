@@ -1,9 +1,9 @@
-"""Units: what a page's quantities are measured in, whether its sums add up, and the dimensionless
-groups that follow.
+"""Dimensions of a page's quantities: reading units, checking sums, and making quantities
+dimensionless.
 
-A dimension is a triple of exponents of kilogram, metre and second; angles and numbers have none.
+A dimension is a triple of exponents of kilogram, metre and second, all 0 for angles and numbers.
 With three quantities as units of measure (those that become 1) every other quantity becomes a
-number: itself over the one product of their powers that has its dimension.
+number: it is divided by the one product of powers of these three that has its dimension.
 """
 
 import re
@@ -29,7 +29,7 @@ RATE = _of(0, 0, -1)
 
 
 class UnitsError(ArithmeticError):
-    """Units that do not add up, in words."""
+    """An expression whose units do not fit together, or a text that is no unit."""
 
 
 def times(one: Dimension, other: Dimension, power: Fraction | int = 1) -> Dimension:
@@ -39,7 +39,7 @@ def times(one: Dimension, other: Dimension, power: Fraction | int = 1) -> Dimens
 
 
 def read(text: str) -> Dimension:
-    """The dimension of a unit as it is written: ``N/m``, ``N s/m``, ``kg m/s^2``, ``N/m^(3/2)``."""
+    """The dimension of a written unit: ``N/m``, ``N s/m``, ``kg m/s^2``, ``N/m^(3/2)``."""
     dimension, power = NONE, 1
     named: dict[str, Dimension] = {
         "1": NONE,
@@ -77,13 +77,12 @@ def spelled(dimension: Dimension) -> str:
 
 
 def of(expression: Expr, dimensions: Mapping[Symbol, Dimension]) -> Dimension | None:
-    """The dimension of an expression, None for zero, which has any.
+    """The dimension of an expression; None for zero, which fits any dimension.
 
     Raises
     ------
     UnitsError
-        Where a sum adds different dimensions, or a function is taken of something that is no
-        number.
+        If a sum adds different dimensions, or a function is taken of a quantity with a unit.
     """
     match expression:
         case Symbol():

@@ -19,19 +19,19 @@ class Printer:
     end: ClassVar[str] = "}"  #: last line of a loop
     gives: ClassVar[str] = "return {};"  #: return statement
 
-    def __init__(self, it: Routine, source: Source, syntax: Syntax) -> None:
-        self.it, self.source = it, source
+    def __init__(self, routine: Routine, source: Source, syntax: Syntax) -> None:
+        self.routine, self.source = routine, source
         self.expressions = Expressions(source, syntax)
-        self.written = Counter(name for statement in it.body for name in assigned(statement))
+        self.written = Counter(name for statement in routine.body for name in assigned(statement))
         self.used = {
             node.id
-            for statement in it.body
+            for statement in routine.body
             for node in ast.walk(statement)
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
         }
 
     def body(self, indent: str) -> str:
-        return "".join(self._explained(statement, indent) for statement in self.it.body)
+        return "".join(self._explained(statement, indent) for statement in self.routine.body)
 
     def _explained(self, node: ast.stmt, indent: str) -> str:
         """A statement with the comment that stands above it in the kernel."""

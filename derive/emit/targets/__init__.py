@@ -59,8 +59,8 @@ class Edge:
     contact: str  #: name of the contact, if there are several
     row: int = -1  #: index among the dry frictions
 
-    def said(self, what: str) -> str:
-        """A name for the border: ``what``, with the name of the contact behind it."""
+    def label(self, what: str) -> str:
+        """``what``, followed by the name of the border's contact if there is one."""
         return f"{what}.{self.contact}" if self.contact else what
 
 

@@ -1,5 +1,5 @@
-"""Python on an array library that differentiates: one module of functions, each with the statements
-of NumPy's; results are lists.
+"""Python for a library that differentiates, JAX or CasADi: one module, whose functions have the
+statements of those for NumPy; results are lists.
 """
 
 import re
@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from ..definitions import NAMES, WIDTH, Definition, nested, ported
 from . import Angles, Material, taken
 
-#: Kinks are choices: both sides have derivatives, and the one that is taken gives its own.
+#: Functions with kinks choose one of two sides, so that the library takes the derivative of that
+#: side.
 _HEAD = """
 import {module} as xp
 
@@ -29,7 +30,9 @@ def _abs(u):
 
 
 def render(material: Material, module: str, where: str, names: Mapping[str, str]) -> dict[str, str]:
-    """A module of the library's name."""
+    """The module, written with ``module``'s functions under ``xp``: ``where`` is its choice, and
+    ``names`` says which of its functions have other names than NumPy's.
+    """
     functions = material.algebra.values()
     meanings = {
         name: material.quantities[name].meaning
@@ -55,7 +58,9 @@ def render(material: Material, module: str, where: str, names: Mapping[str, str]
 
 
 def _expression(text: str, ports: Mapping[str, str]) -> str:
-    """The expression on the library's names; a whole number beyond JAX's 32 bits is a float."""
+    """An expression with the library's functions; integers that do not fit into JAX's 32 bits are
+    floats.
+    """
     return re.sub(r"(?<![\w.])\d{10,}(?![\w.])", r"\g<0>.0", ported(text, ports))
 
 

@@ -1,5 +1,5 @@
-"""C99: the algebra, the kernel if there is one, and what the model brings with it; no allocation,
-no global state.
+"""C99: the algebra, the kernel if the model has one, and the model's own functions; without
+allocation or global state.
 """
 
 import re
@@ -15,9 +15,7 @@ from .layout import plain
 
 
 def render(material: Material) -> dict[str, str]:
-    """The header and the source, and for a model that has an example the example with its
-    makefile.
-    """
+    """The header and the source; for a model with an example also that and its makefile."""
     library = material.library
     own = material.runtime.get("c", {})
     example = "main.c"
@@ -58,7 +56,7 @@ def render(material: Material) -> dict[str, str]:
 
 
 def _words(material: Material) -> dict[str, str]:
-    """Texts of comments: where the library comes from, what it is, and the nomenclature's words."""
+    """Words for comments: source and summary of the library, meanings and ranges of quantities."""
     said = {
         "source": material.digest[:16],
         "header": textwrap.fill(material.header.replace("``", ""), WIDTH, subsequent_indent=" * "),
@@ -79,15 +77,15 @@ def _words(material: Material) -> dict[str, str]:
 
 
 def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
-    """Cost of every function, and whole numbers that the source defines."""
+    """Words for comments: the cost of every function, and the integers that the source defines."""
     costs, constants = cost.costs(source, emitted), cost.constants(source)
     said = {f"cost:{name}": cost.describe(value) for name, value in costs.items()}
     return said | {f"constant:{name}": str(value) for name, value in constants.items()}
 
 
 def _filled(text: str, parts: Mapping[str, str]) -> str:
-    """Put emitted text in the places marked ``/* @name@ */``; a text that is put in may hold
-    further such places.
+    """A text with its marks ``/* @name@ */`` replaced by parts, which may have marks of later parts
+    in them.
     """
     for name, part in parts.items():
         text = text.replace(f"/* @{name}@ */\n", f"{part}\n" if part else "")
@@ -95,7 +93,7 @@ def _filled(text: str, parts: Mapping[str, str]) -> str:
 
 
 def _kernel(material: Material, definitions: str) -> str:
-    """Constants, records and the functions that the definitions call."""
+    """The kernel's constants and records, and the functions that the definitions call."""
     source = material.both_kernels
     asked = source.routines.keys() & {*words(definitions, r"/\*.*?\*/"), *material.asked}
     numbers = {item.name: (item.value, item.comment) for item in source.constants}

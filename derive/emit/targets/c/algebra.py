@@ -1,4 +1,4 @@
-"""Generated algebra in C: the statements of Python, operation for operation."""
+"""Generated algebra in C: the same statements as in Python, operation for operation."""
 
 import re
 import textwrap
@@ -11,7 +11,7 @@ from .layout import broken, comment, definition, plain
 
 
 def _expression(text: str) -> str:
-    """The expression in C: whole numbers are doubles, and a square is a call."""
+    """An expression in C: integers become doubles, and a square a call."""
     text = re.sub(
         r"(?<!\w)\((\w+)\*\1\)|\b(\w+)\*\2\b", lambda found: f"square({found[1] or found[2]})", text
     )
@@ -29,7 +29,7 @@ def _whole(found: re.Match[str]) -> str:
 
 
 def c_name(name: str) -> str:
-    """A name of the algebra as C has it."""
+    """The C name of a function of the algebra."""
     return SPELLED.get(name, name)
 
 
@@ -45,7 +45,7 @@ def _signature(start: str, names: Iterable[str], result: str | None) -> str:
 
 
 def static(name: str, function: Definition) -> str:
-    """The algebra itself, unchecked: one result is returned, several are written to an array."""
+    """The function without checks: one result is returned, several are written to an array."""
     several = isinstance(function.results, tuple)
     said = comment(f"{function.summary} {function.origin}")
     start = f"INLINE {'void' if several else 'double'} {name}"
@@ -59,8 +59,8 @@ def static(name: str, function: Definition) -> str:
 
 
 def _statements(function: Definition, result: str) -> list[str]:
-    """Shorthands, then the results: into an array, or for one result behind what begins its
-    statement.
+    """The statements of the shorthands, then those of the results; ``result`` is the array, or the
+    beginning of the statement for a single result.
     """
     if isinstance(function.results, tuple):
         results = [(f"{result}[{index}] =", value) for index, value in enumerate(function.leaves)]
@@ -76,8 +76,8 @@ def _statements(function: Definition, result: str) -> list[str]:
 
 
 def public(function: Definition, library: str, angles: Angles, *, inside: bool) -> str:
-    """The public function: no null pointer in, no NaN out. What the library calls itself,
-    ``inside``, stands in a function of its own.
+    """The public function, which refuses a null pointer and a NaN. If the library calls the
+    function itself, ``inside``, the public one calls the one without checks.
     """
     count = len(function.leaves)
     several = isinstance(function.results, tuple)
@@ -129,7 +129,7 @@ def prototype(function: Definition, library: str, angles: Angles) -> str:
 def symbols(
     functions: Iterable[Definition], quantities: Mapping[str, Quantity], angles: Angles
 ) -> str:
-    """Meanings of all arguments of the public functions, as lines of a comment."""
+    """The meanings of all arguments of some public functions, as lines of a comment."""
     by_name = {c_name(name): quantity for name, quantity in quantities.items()}
     names = dict.fromkeys(
         c_name(name) for function in functions for name in taken(function, angles)

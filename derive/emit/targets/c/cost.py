@@ -1,5 +1,5 @@
-"""Worst-case operations of C functions, counted in their text: every branch, and every pass of
-every loop.
+"""The worst-case number of operations of C functions, counted in their text: in every branch, and
+in every pass of a loop.
 """
 
 import re
@@ -10,13 +10,12 @@ LIBM = ("sqrt", "exp", "sin", "cos", "atan")
 
 
 def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
-    """Cost of each function of ``source``; ``emitted`` gives the operations of those functions that
-    were counted before.
+    """The cost of each function of ``source``; ``emitted`` are the operations of the functions that
+    are counted already.
     """
-    # Length of the longest array that the algorithms pass to a loop over all items of an
-    # array: the passes counted for such a loop.
+    # A loop over an array counts as many passes as the longest array has that is passed to it.
     named = constants(source) | {"length": 4}
-    # The loop over blocks of points: costs are stated for one block.
+    # The loop over blocks of points is left out: costs are those of one block.
     blocks = re.compile(r"for \(size_t \w+ = 0; \w+ < points; \w+ \+= BLOCK\)")
     source = blocks.sub("", re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL))
     cost_of: dict[str, Counter[str]] = {name: Counter({name: 1}) for name in LIBM}
@@ -34,7 +33,7 @@ def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
 
 
 def constants(source: str) -> dict[str, int]:
-    """Whole numbers that ``source`` defines by name."""
+    """The integers that ``source`` defines, by their names."""
     return {
         name: int(value)
         for name, value in re.findall(r"#define (\w+) (\d+)$", source, re.MULTILINE)

@@ -14,7 +14,7 @@ from .layout import broken, comment, definition
 
 
 def structure(record: Record) -> str:
-    """A record's definition."""
+    """The definition of a record as a structure."""
     of_a_kind = itertools.groupby(record.fields, key=lambda field: field[1])
     fields = [
         f"    {declared(kind)} {', '.join(name for name, _ in names)};\n"
@@ -24,20 +24,22 @@ def structure(record: Record) -> str:
 
 
 def declared(kind: str) -> str:
-    """The type of a kind."""
+    """The C type of a kernel's type."""
     return {"Real": "double", "Flag": "int"}.get(kind) or kind
 
 
-def routine(it: Routine, kinds: Kinds, prefix: str) -> str:
-    """A function's definition; generated algebra is called by ``prefix`` and its name."""
-    return _CPrinter(it, kinds, prefix).definition()
+def routine(routine: Routine, kinds: Kinds, prefix: str) -> str:
+    """The definition of a kernel's function; calls of generated algebra have ``prefix`` before the
+    name.
+    """
+    return _CPrinter(routine, kinds, prefix).definition()
 
 
 class _CPrinter(Printer):
     step = "    "
     begin = "for (int i = 0; i < {}; i++) {{"
 
-    def __init__(self, it: Routine, kinds: Kinds, prefix: str) -> None:
+    def __init__(self, routine: Routine, kinds: Kinds, prefix: str) -> None:
         logic: dict[type[ast.operator] | type[ast.unaryop], str] = {
             ast.BitAnd: "&",
             ast.BitOr: "|",
@@ -52,18 +54,20 @@ class _CPrinter(Printer):
             "cube_root": "cube_root",
         }
         super().__init__(
-            it, kinds.source, Syntax(primitives, logic, algebra=lambda name: f"{prefix}{name}")
+            routine, kinds.source, Syntax(primitives, logic, algebra=lambda name: f"{prefix}{name}")
         )
         self.kinds = kinds
-        self.names: dict[str, str] = dict(it.arguments)
+        self.names: dict[str, str] = dict(routine.arguments)
 
     def definition(self) -> str:
-        arguments = ", ".join(f"{declared(kind)} {name}" for name, kind in self.it.arguments)
-        head = f"INLINE {declared(self.it.returns)} {self.it.name}({arguments}) {{"
+        arguments = ", ".join(f"{declared(kind)} {name}" for name, kind in self.routine.arguments)
+        head = f"INLINE {declared(self.routine.returns)} {self.routine.name}({arguments}) {{"
         unused = "".join(
-            f"    (void){name};\n" for name, _ in self.it.arguments if name not in self.used
+            f"    (void){name};\n" for name, _ in self.routine.arguments if name not in self.used
         )
-        return f"{comment(self.it.summary)}{definition(broken(head), unused + self.body('    '))}"
+        return (
+            f"{comment(self.routine.summary)}{definition(broken(head), unused + self.body('    '))}"
+        )
 
     def line(self, text: str, indent: str) -> str:
         return f"{broken(indent + text)}\n"
@@ -83,7 +87,7 @@ class _CPrinter(Printer):
         return self.line(f"{start} = {self.expressions.print(value)};", indent)
 
     def unpacking(self, target: ast.Tuple, called: ast.Call, indent: str) -> str:
-        """From an array, and double-doubles from a record."""
+        """Results of generated algebra come in an array, those of the kernel in a record."""
         assert isinstance(called.func, ast.Name)
         name, names = called.func.id, list(places(target))
         results, function = f"{name}_results", self.expressions.called(name)
@@ -116,14 +120,13 @@ class _CPrinter(Printer):
         )
 
     def several(self, values: list[ast.expr], indent: str) -> str:
-        return self.record(self.it.returns, values, indent)
+        return self.record(self.routine.returns, values, indent)
 
 
 def constants(values: Mapping[str, tuple[float, str]]) -> str:
-    """Named numbers with their comments."""
-    # Of infinity C has a name.
-    finite = {name: it for name, it in values.items() if not math.isinf(it[0])}
+    """Definitions of named numbers with their comments; infinity has a name in C already."""
     return "".join(
         f"{comment(text) if text else ''}#define {name} {number(value)}\n"
-        for name, (value, text) in finite.items()
+        for name, (value, text) in values.items()
+        if not math.isinf(value)
     )

@@ -1,9 +1,8 @@
-"""Layout of C as clang-format has it with the project's settings: where a long line is broken, and
-how comments are spelled.
+"""The layout of C that clang-format gives with the project's settings: where long lines are broken,
+and how comments are written.
 
-Lines are broken only where clang-format leaves a break: after an operator outside of all brackets,
-or after a comma of the outermost ones. Text inside further brackets stays on one line, however
-long.
+Lines are broken only where clang-format breaks them: after an operator outside all brackets, or
+after a comma in the outermost ones. Text in further brackets stays on one line, however long.
 """
 
 import itertools
@@ -64,7 +63,7 @@ def _depths(line: str) -> Iterator[int]:
 
 
 def comment(text: str, indent: str = "") -> str:
-    """A comment of its own, paragraph by paragraph."""
+    """A comment on lines of its own, paragraph by paragraph."""
     width = WIDTH - len(" */")
     paragraphs = [
         textwrap.fill(plain(paragraph), width - len(indent) - 3, subsequent_indent=f"{indent} * ")
@@ -74,7 +73,7 @@ def comment(text: str, indent: str = "") -> str:
 
 
 def plain(text: str) -> str:
-    """The words with letters and signs that every compiler reads."""
+    """A text in ASCII, which every compiler reads."""
     # Signs as C sources have them, and what would end a comment or begin one; letters are
     # spelled by their names.
     spelled = {
@@ -111,7 +110,7 @@ def plain(text: str) -> str:
 
 
 def _ascii(character: str) -> str:
-    """A Greek letter by its name, another letter without its accent; what is left by its name in
+    """The name of a Greek letter, another letter without its accent, or the character's name in
     Unicode, in brackets.
     """
     if character.isascii():

@@ -1,5 +1,5 @@
-"""CasADi: a module of functions of numbers, SX and MX, to be differentiated and handed to its
-optimizers and integrators.
+"""CasADi: a module of functions of numbers, SX and MX, which CasADi differentiates and passes to
+its optimizers and integrators.
 """
 
 from .. import Material, python

@@ -1,8 +1,8 @@
-"""FMU: a model of a page for importers of FMI 3.0, for Model Exchange and Co-Simulation, on the C
-library of the same page.
+"""FMU: a page's model as an archive for importers of FMI 3.0, for Model Exchange and Co-Simulation,
+built on the page's C library.
 
-An importer sees quantities and motion in their units where data came with units of measure; inside
-all is dimensionless.
+The archive's variables have units where the data of the page came with units of measure; inside,
+everything is dimensionless.
 """
 
 import hashlib
@@ -30,20 +30,20 @@ from ..c.layout import plain
 
 
 def render(material: Material) -> dict[str, str]:
-    """The texts of the archive by their paths: the description and all sources."""
-    library, source, seen = material.library, c.render(material), material.motion
-    assert seen, "an FMU is made of a page"
+    """The text files of the archive by their paths: the description and all sources."""
+    library, source, motion = material.library, c.render(material), material.motion
+    assert motion, "an FMU is made of a page"
     words = {"header": material.header.replace("``", ""), "library": library}
     own = ("buildDescription.xml", "fmi3.h", "motion.h", "fmu.c")
     texts = {name: source[name] for name in (f"{library}.c", f"{library}.h")} | {
-        "model.h": _model(material, seen, words)
+        "model.h": _model(material, motion, words)
     }
     texts |= {name: spoken(runtime(__file__, name), words) for name in own}
     token = {"token": hashlib.sha256("".join(texts.values()).encode()).hexdigest()}
     texts["model.h"] = spoken(texts["model.h"], token)
     described = spoken(
         runtime(__file__, "modelDescription.xml"),
-        words | token | _description(material.summary, seen),
+        words | token | _description(material.summary, motion),
     )
     return {"modelDescription.xml": described} | {
         f"sources/{name}": text for name, text in texts.items()
@@ -51,10 +51,13 @@ def render(material: Material) -> dict[str, str]:
 
 
 def packed(files: Mapping[str, str]) -> bytes:
-    """The archive, the same bytes for the same files and compiler; a warning where this machine has
-    no compiler.
+    """The archive, the same bytes for the same files and compiler; without a binary, and with a
+    warning, where this machine has no compiler.
 
-    A compiler that ``CC`` names and that is not there, or one that fails, is a ChildProcessError.
+    Raises
+    ------
+    ChildProcessError
+        If the compiler that ``CC`` names is missing, or the compiler fails.
     """
     members = {name: text.encode() for name, text in files.items()}
     try:
@@ -73,9 +76,7 @@ def packed(files: Mapping[str, str]) -> bytes:
 
 
 def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
-    """The shared library for this machine, by its path, from the compiler that CC names or the
-    usual ones.
-    """
+    """The shared library for this machine, by its path in the archive."""
     systems = {
         "linux": ("linux", ".so"),
         "darwin": ("darwin", ".dylib"),
@@ -117,7 +118,7 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
 
 
 def _compiler(given: str) -> list[str]:
-    """The words of the command that ``CC`` gives, as ``ccache gcc``, or a usual compiler."""
+    """The words of the command in ``CC``, as ``ccache gcc``, or without it a usual compiler."""
     if not given:
         usual = next(filter(None, map(shutil.which, ("cc", "gcc", "clang"))), None)
         if usual is None:
@@ -141,22 +142,26 @@ def _compiler(given: str) -> list[str]:
 # model.h
 
 
-def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -> str:
-    """Sizes, quantities with their units, and adapters of the library's functions, which take
-    arrays.
+def _model(material: Material, motion: MotionMaterial, words: Mapping[str, str]) -> str:
+    """The text of model.h: sizes, quantities with their units, and adapters through which the
+    motion calls the library's functions with arrays.
     """
-    algebra, parameters, count = material.algebra, len(material.parameters), len(seen.accelerations)
+    algebra, parameters, count = (
+        material.algebra,
+        len(material.parameters),
+        len(motion.accelerations),
+    )
     layers, turnings = (
         len(algebra[name].leaves) if name in algebra else 0
         for name in ("layers", "turning_borders")
     )
-    kinds = [one.kind for one in seen.borders]
-    contacts, sides = len(seen.rooted), len(seen.rubbing)
+    kinds = [one.kind for one in motion.borders]
+    contacts, sides = len(motion.rooted), len(motion.rubbing)
     near = contacts + sides
     sizes = {
         "coordinates": count,
         "parameters": parameters,
-        "units": len(seen.given) - parameters,
+        "units": len(motion.given) - parameters,
         "contacts": contacts,
         "sides": sides,
         "lifts": kinds.count("gap") + kinds.count("face"),
@@ -166,7 +171,7 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
         "turnings": turnings,
         "clock": "clock" in algebra,
         "springs": len(algebra["geometry"].leaves) // 3 if "geometry" in algebra else 0,
-        "outputs": len(seen.outputs),
+        "outputs": len(motion.outputs),
     }
     places = {
         "s": [f"s[{i}]" for i in range(2 * count)],
@@ -176,8 +181,9 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
         "m": [f"m[{i}]" for i in range(near + layers + turnings)],
         "w": [f"m[{i}]" for i in range(near + layers, near + layers + turnings)],
     }
-    # Functions of the library that the motion calls, and what they are given: state,
-    # accelerations, parameters, numbers of the mode.
+    # Functions of the library that the motion calls, and their arguments, a letter each: s is the
+    # state, a accelerations, p parameters, m the mode, l its sides of frictions, w its ways of
+    # torsion springs.
     in_c = {
         "rhs": "sp",
         "regime_rhs": "spm",
@@ -207,17 +213,17 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
         own = [variables[name] for name in taken(geometry, material.angles)]
         called.append(_calling(material, geometry, "sp", own))
     texts = {
-        "quantities": ",\n    ".join(map(_quantity, (*seen.given, Variable("", "")))),
-        "powers": ", ".join(map(_powers, (*seen.states[:count], seen.time))),
-        "angles": ", ".join(f"{bool(one.dimension[3]):d}" for one in seen.states[:count]),
-        "output_powers": ", ".join(map(_powers, seen.outputs)),
-        "rooted": ", ".join(f"{one:d}" for one in seen.rooted),
-        "of_place": ", ".join(f"{one:d}" for one in seen.of_place),
+        "quantities": ",\n    ".join(map(_quantity, (*motion.given, Variable("", "")))),
+        "powers": ", ".join(map(_powers, (*motion.states[:count], motion.time))),
+        "angles": ", ".join(f"{bool(one.dimension[3]):d}" for one in motion.states[:count]),
+        "output_powers": ", ".join(map(_powers, motion.outputs)),
+        "rooted": ", ".join(f"{one:d}" for one in motion.rooted),
+        "of_place": ", ".join(f"{one:d}" for one in motion.of_place),
         "rubbing": ", ".join(
-            f"{{{contact}, {_row(seen, contacts + side)}}}"
-            for side, contact in enumerate(seen.rubbing)
+            f"{{{contact}, {_row(motion, contacts + side)}}}"
+            for side, contact in enumerate(motion.rubbing)
         ),
-        "event_borders": ", ".join(map(_event_border, seen.borders)) or '{LIFT, 0, -1, ""}',
+        "event_borders": ", ".join(map(_event_border, motion.borders)) or '{LIFT, 0, -1, ""}',
         "adapters": "\n".join(called),
     }
     return spoken(
@@ -226,26 +232,33 @@ def _model(material: Material, seen: MotionMaterial, words: Mapping[str, str]) -
     )
 
 
-def _row(seen: MotionMaterial, index: int) -> int:
-    """The number of a friction among those that hold, by that of a mode; −1 of one that doesn't."""
-    return max((one.row for one in seen.borders if one.place == index), default=-1)
+def _row(motion: MotionMaterial, index: int) -> int:
+    """The index among the frictions that can stick of that at an index of the mode; −1 if it can't
+    stick.
+    """
+    return max((one.row for one in motion.borders if one.place == index), default=-1)
 
 
-def _event_border(one: Edge) -> str:
-    kind = {"gap": "lift", "face": "lift"}.get(one.kind, one.kind).upper()
-    return f'{{{kind}, {one.place}, {one.row}, "{one.contact and f" of {plain(one.contact)}"}"}}'
+def _event_border(edge: Edge) -> str:
+    kind = {"gap": "lift", "face": "lift"}.get(edge.kind, edge.kind).upper()
+    return (
+        f'{{{kind}, {edge.place}, {edge.row}, "{edge.contact and f" of {plain(edge.contact)}"}"}}'
+    )
 
 
 def _adapter(
     material: Material, function: Definition, kinds: str, places: Mapping[str, list[str]]
 ) -> str:
-    """A function of the library, given arrays; not 0 where it has no result."""
+    """The adapter of a function to arrays in the order of ``kinds``."""
     given = [one for kind in kinds for one in places[kind]]
     assert len(given) == len(taken(function, material.angles)), function.name
     return _calling(material, function, kinds, given)
 
 
 def _calling(material: Material, function: Definition, kinds: str, given: list[str]) -> str:
+    """A C function that calls the library's with the given arguments; it returns 0 if that has a
+    result.
+    """
     arrays = dict.fromkeys("m" if kind in "lw" else kind for kind in kinds)
     head = ", ".join(f"const double *{name}" for name in arrays)
     called = f"{material.library}_{function.name}({', '.join(given)}, result)"
@@ -255,54 +268,66 @@ def _calling(material: Material, function: Definition, kinds: str, given: list[s
     )
 
 
-def _quantity(one: Variable) -> str:
-    ends = (f"{'-' * (end < 0)}HUGE_VAL" if math.isinf(end) else number(end) for end in _ends(one))
-    numbers = [number(one.start), *ends, f"{one.input == 'continuous':d}", number(one.factor)]
-    return f'{{"{plain(one.name)}", {", ".join(numbers)}, {_powers(one)}}}'
+def _quantity(variable: Variable) -> str:
+    ends = (
+        f"{'-' * (end < 0)}HUGE_VAL" if math.isinf(end) else number(end) for end in _ends(variable)
+    )
+    numbers = [
+        number(variable.start),
+        *ends,
+        f"{variable.input == 'continuous':d}",
+        number(variable.factor),
+    ]
+    return f'{{"{plain(variable.name)}", {", ".join(numbers)}, {_powers(variable)}}}'
 
 
-def _ends(one: Variable) -> tuple[float, float]:
-    """The least and the largest double that is allowed: FMI has no open ends.
-
-    Beside an open 0 it is the least normal one.
+def _ends(variable: Variable) -> tuple[float, float]:
+    """The smallest and the largest allowed double, since FMI has no open ends; next to an open 0
+    the smallest normal one.
     """
-    low, high = one.allowed.low, one.allowed.high
+    low, high = variable.allowed.low, variable.allowed.high
     above, below = (
         math.copysign(sys.float_info.min, to) if end == 0.0 else math.nextafter(end, to)
         for end, to in ((low, math.inf), (high, -math.inf))
     )
     return (
-        above if one.allowed.low_open and math.isfinite(low) else low,
-        below if one.allowed.high_open and math.isfinite(high) else high,
+        above if variable.allowed.low_open and math.isfinite(low) else low,
+        below if variable.allowed.high_open and math.isfinite(high) else high,
     )
 
 
-def _powers(one: Variable) -> str:
-    return f"{{{', '.join(map(number, (*one.powers, 0.0, 0.0, 0.0)[:3]))}}}"
+def _powers(variable: Variable) -> str:
+    return f"{{{', '.join(map(number, (*variable.powers, 0.0, 0.0, 0.0)[:3]))}}}"
 
 
 # -----------------------------------------------------------------------------------------------
 # modelDescription.xml
 
 
-def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
-    """Units, variables in the order of their value references, and what each of them is in the
-    structure of the model.
+def _description(summary: str, motion: MotionMaterial) -> dict[str, str]:
+    """The texts of modelDescription.xml: units, variables in the order of their value references,
+    and the model's structure.
     """
-    everything = (seen.time, *seen.states, *seen.accelerations, *seen.given, *seen.outputs)
+    everything = (
+        motion.time,
+        *motion.states,
+        *motion.accelerations,
+        *motion.given,
+        *motion.outputs,
+    )
     variables = list[ET.Element]()
     structure = {
         part: list[str]()
         for part in ("Output", "ContinuousStateDerivative", "InitialUnknown", "EventIndicator")
     }
 
-    def add(parts: str, one: Variable, kind: str = "Float64", **more: str) -> None:
+    def add(parts: str, variable: Variable, kind: str = "Float64", **more: str) -> None:
         index = str(len(variables))
         attributes = {
-            "name": one.name,
+            "name": variable.name,
             "valueReference": index,
-            "description": one.meaning,
-            "unit": one.unit,
+            "description": variable.meaning,
+            "unit": variable.unit,
             **more,
         }
         variables.append(
@@ -311,8 +336,8 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
         for part in parts.split():
             structure[part].append(f'<{part} valueReference="{index}"/>')
 
-    add("", seen.time, causality="independent", variability="continuous")
-    for one in seen.states:
+    add("", motion.time, causality="independent", variability="continuous")
+    for one in motion.states:
         nominal = "" if one.nominal == 1.0 else repr(one.nominal)
         add(
             "Output",
@@ -323,8 +348,10 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
             nominal=nominal,
             reinit="true" if one.reset else "",
         )
-    for index, one in enumerate((*seen.states[len(seen.accelerations) :], *seen.accelerations)):
-        rate = replace(one, name=f"der({seen.states[index].name})")
+    for index, one in enumerate(
+        (*motion.states[len(motion.accelerations) :], *motion.accelerations)
+    ):
+        rate = replace(one, name=f"der({motion.states[index].name})")
         add(
             "ContinuousStateDerivative InitialUnknown",
             rate,
@@ -332,14 +359,14 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
             initial="calculated",
             derivative=str(index + 1),
         )
-    turned = [f"turning{count}" for count in range(1, seen.turnings + 1)]
-    for name in (*(one.said(one.kind) for one in seen.borders), *turned):
+    turned = [f"turning{count}" for count in range(1, motion.turnings + 1)]
+    for name in (*(edge.label(edge.kind) for edge in motion.borders), *turned):
         add(
             "EventIndicator",
             Variable(f"clearance.{name}", f"event indicator, dimensionless: {name}"),
             causality="local",
         )
-    for one in seen.given:
+    for one in motion.given:
         least, most = (repr(end) if math.isfinite(end) else "" for end in _ends(one))
         kind = (
             {"causality": "input", "variability": one.input}
@@ -347,20 +374,20 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
             else {"causality": "parameter", "variability": "tunable", "initial": "exact"}
         )
         add("", one, start=repr(one.start), min=least, max=most, **kind)
-    for one in seen.outputs:
+    for one in motion.outputs:
         add("Output InitialUnknown", one, causality="output", initial="calculated")
-    # Outputs that a border brings.
+    # Outputs that say on which side of a border the state is.
     flagged = {
         "gap": ("mode.contact", "whether there is contact"),
         "face": ("mode.face", "whether the normal force is not negative"),
         "slip": ("mode.belt_ahead", "whether the belt is ahead"),
         "ahead": ("mode.sticks", "whether friction holds the mass"),
     }
-    for edge in (edge for edge in seen.borders if edge.kind in flagged):
+    for edge in (edge for edge in motion.borders if edge.kind in flagged):
         name, meaning = flagged[edge.kind]
         add(
             "Output InitialUnknown",
-            Variable(edge.said(name), ", ".join(filter(None, (meaning, edge.contact)))),
+            Variable(edge.label(name), ", ".join(filter(None, (meaning, edge.contact)))),
             "Boolean",
             causality="output",
             variability="discrete",
@@ -369,16 +396,16 @@ def _description(summary: str, seen: MotionMaterial) -> dict[str, str]:
         "summary": quoteattr(summary),
         "names": "structured" if all(one.name.isascii() for one in everything) else "flat",
         "units": _units({one.unit: one for one in everything if one.unit}.values()),
-        "duration": repr(1000 * seen.step),
-        "step": repr(seen.step),
+        "duration": repr(1000 * motion.step),
+        "step": repr(motion.step),
         "variables": "\n    ".join(ET.tostring(one, encoding="unicode") for one in variables),
         "structure": "\n    ".join(line for lines in structure.values() for line in lines),
     }
 
 
 def _units(variables: Iterable[Variable]) -> str:
-    """Every unit with its dimension and what one of it is in SI; the standard has none with broken
-    powers.
+    """Definitions of units with their dimensions and values in SI; the standard has no fractional
+    powers, so that those units have a name only.
     """
     units = ET.Element("UnitDefinitions")
     for one in variables:

@@ -1,5 +1,5 @@
-"""JavaScript: one ES module without dependencies, its types, and for a model that has one an
-example.
+"""JavaScript: one ES module without dependencies, its declarations in TypeScript, and the model's
+example if it has one.
 """
 
 import json
@@ -12,7 +12,7 @@ from . import algebra, kernel
 
 
 def render(material: Material) -> dict[str, str]:
-    """The module, its declarations, and an example."""
+    """The module, its declarations, and the model's example."""
     own = material.runtime.get("javascript", {})
     example = "example"
     parts = [
@@ -47,7 +47,7 @@ def render(material: Material) -> dict[str, str]:
 
 
 def _words(material: Material) -> dict[str, str]:
-    """Text for ``@name@``, or for a comment that holds nothing else."""
+    """The texts that replace ``@name@``, or a comment with nothing else in it."""
     functions = material.algebra
     return {
         "library": material.library,
@@ -83,8 +83,8 @@ def _words(material: Material) -> dict[str, str]:
 
 
 def _ranges(material: Material) -> str:
-    """The allowed values of what the algebra takes, one a line; what may have any value is left
-    out, and infinite ends.
+    """The ranges of the algebra's arguments as an object, one a line, without infinite ends and
+    without arguments that may have any value.
     """
     lines = []
     for name, allowed in ranges(material).items():

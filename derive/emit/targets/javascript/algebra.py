@@ -1,5 +1,5 @@
-"""Generated algebra in JavaScript: the statements of Python, operation for operation, for one
-number at a time.
+"""Generated algebra in JavaScript: the same statements as in Python, operation for operation, for
+single numbers.
 """
 
 import textwrap
@@ -34,7 +34,7 @@ def _printed(expression: str) -> str:
 
 
 def meanings(functions: Iterable[Definition], quantities: Mapping[str, Quantity]) -> str:
-    """Meanings of all arguments of the algebra, as a comment."""
+    """The meanings of all arguments of some functions, as a comment."""
     return "".join(
         f"{comment(f'{name}: {quantities[name].meaning}')}\n" for name in symbols(functions)
     )
@@ -48,7 +48,7 @@ def comment(text: str, indent: str = "") -> str:
 
 
 def declaration(function: Definition) -> str:
-    """Type of a function, as a member of an object."""
+    """The type of a function, as a member of an interface."""
     given = ", ".join(
         f"{name}{'?' if name in function.further else ''}: number" for name in function.accepted
     )

@@ -13,7 +13,7 @@ from .algebra import comment, wrapped
 
 
 def render(material: Material) -> str:
-    """Constants, then every routine."""
+    """The kernel's constants, then its functions."""
     source = material.both_kernels
     lines = ["// Counts of roundings, derived from the statements of this file.\n"]
     lines += [f"const {name} = {number(value)};\n" for name, value in material.counts.items()]
@@ -36,7 +36,7 @@ def _said(text: str, indent: str = "") -> str:
 class _JavaScriptPrinter(Printer):
     begin = "for (let pass = 0; pass < {}; pass++) {{"
 
-    def __init__(self, it: Routine, source: Source) -> None:
+    def __init__(self, routine: Routine, source: Source) -> None:
         syntax = Syntax(
             primitives={
                 "maximum": "larger",
@@ -49,13 +49,13 @@ class _JavaScriptPrinter(Printer):
             algebra=lambda name: f"algebra.{name}",
             signs={"==": "==="},
         )
-        super().__init__(it, source, syntax)
-        self.declared = {name for name, _ in it.arguments}
+        super().__init__(routine, source, syntax)
+        self.declared = {name for name, _ in routine.arguments}
 
     def definition(self) -> str:
-        said = "//\n".join(map(_said, self.it.summary.split("\n\n")))
-        arguments = ", ".join(name for name, _ in self.it.arguments)
-        return f"{said}function {self.it.name}({arguments}) {{\n{self.body('  ')}}}\n"
+        said = "//\n".join(map(_said, self.routine.summary.split("\n\n")))
+        arguments = ", ".join(name for name, _ in self.routine.arguments)
+        return f"{said}function {self.routine.name}({arguments}) {{\n{self.body('  ')}}}\n"
 
     def line(self, text: str, indent: str) -> str:
         return f"{wrapped(indent + text, indent + '  ')}\n"
@@ -84,8 +84,8 @@ class _JavaScriptPrinter(Printer):
         return self.line(f"return [{self.expressions.listed(values)}];", indent)
 
     def _pattern(self, target: ast.expr) -> str:
-        """Names for the results of generated algebra, which come in an array; an empty place for
-        one that is not used.
+        """The destructuring pattern for an array of results, with empty places for those that are
+        not used.
         """
         if isinstance(target, ast.Tuple):
             return f"[{', '.join(map(self._pattern, target.elts)).rstrip(', ')}]"

@@ -1,5 +1,5 @@
-"""MATLAB and Octave: a package folder, a file for each function that is called by hand and one for
-each namespace, and examples.
+"""MATLAB and Octave: a package folder with a file for each of the model's own functions and for
+each namespace, and examples beside it.
 
 A namespace is a class without objects, whose static methods are called
 ``library.algebra.name(...)``.
@@ -18,12 +18,12 @@ from ...quantities import Interval
 from .. import Material, ranges, runtime, spoken
 from . import algebra, kernel
 
-#: The model's files that begin with this stand beside the package folder.
+#: The model's files whose names begin with this are written beside the package folder.
 _EXAMPLE = "example_"
 
 
 def render(material: Material) -> dict[str, str]:
-    """The files of the package, and examples."""
+    """The files of the package, and the examples."""
     if material.of_a_page:  # no function or constant of MATLAB ends with an underscore
         material = replace(material, library=f"{material.library}_")
     package = f"+{material.library}"
@@ -71,7 +71,7 @@ def _namespace(name: str, summary: str, functions: Iterable[str]) -> str:
 
 
 def _words(material: Material) -> dict[str, str]:
-    """Text for ``@name@``."""
+    """The texts that replace ``@name@``."""
     return {
         "library": material.library,
         "source": material.digest[:16],
@@ -84,7 +84,7 @@ def _words(material: Material) -> dict[str, str]:
 
 
 def _contents(material: Material, own: dict[str, str]) -> str:
-    """Text of ``help`` on the package."""
+    """Contents.m, which ``help`` shows on the package."""
     lines = textwrap.wrap(f"{material.summary} {material.header.replace('``', '')}", WIDTH)
     lines.append("")
     for name, text in own.items():
@@ -109,7 +109,7 @@ def _listed(text: str, indent: int) -> list[str]:
 
 
 def _ranges(material: Material) -> str:
-    """A function that knows the allowed values of what the algebra takes."""
+    """The function ``range``, which gives the allowed values of each argument of the algebra."""
     alike: dict[str, list[str]] = {}
     for name, allowed in ranges(material).items():
         alike.setdefault(_ends(allowed, material.quantities[name].unit), []).append(f"'{name}'")

@@ -1,4 +1,4 @@
-"""Generated algebra in MATLAB, for arrays of any one size; nested results come one after the
+"""Generated algebra in MATLAB, for arrays of equal sizes; nested results are returned one after the
 other.
 """
 
@@ -8,7 +8,7 @@ from ...definitions import NAMES, WIDTH, Definition, ported
 
 
 def definition(function: Definition) -> str:
-    """One function."""
+    """A function's definition."""
     names = _outputs(function)
     given = ", ".join(function.accepted)
     returned = names[0] if len(names) == 1 else f"[{', '.join(names)}]"
@@ -29,13 +29,13 @@ def definition(function: Definition) -> str:
 
 
 def _printed(expression: str) -> str:
-    """An expression in which every product and quotient is one of elements."""
+    """An expression whose products and quotients are taken element by element."""
     functions = {name: name for name in NAMES}
     return ported(expression, functions).replace("*", ".*").replace("/", "./")
 
 
 def _outputs(function: Definition) -> list[str]:
-    """Names of what is returned: of a result that has a statement of its own, the name there."""
+    """Names of the results: that of a shorthand where a result is one, else a new one."""
     leaves, statements = function.leaves, dict(function.statements)
     return [
         leaf if leaf in statements and leaves.count(leaf) == 1 else f"result{index}"

@@ -15,15 +15,14 @@ from .algebra import comment, wrapped
 
 
 def method_name(name: str) -> str:
-    """Name of a routine in the package."""
-    # Names of functions that MATLAB and Octave have: Octave warns of others by that name,
-    # even in a package.
+    """The name of a kernel's function in the package."""
+    # Functions of MATLAB and Octave: Octave warns of others with these names, even in a package.
     taken = frozenset({"single", "balance"})
     return f"{name}_" if name in taken else name
 
 
 def render(material: Material) -> list[str]:
-    """Every routine."""
+    """The definitions of the kernel's functions."""
     source = material.both_kernels
     own = words("".join(material.runtime.get("matlab", {}).values()), r"%[^\n]*")
     asked = [name for name in source.routines if method_name(name) in own]
@@ -55,8 +54,10 @@ def _syntax(library: str) -> Syntax:
 class _MatlabPrinter(Printer):
     begin, end, gives = "for pass = 1:{}", "end", "result = {};"
 
-    def __init__(self, it: Routine, source: Source, material: Material, said: set[str]) -> None:
-        super().__init__(it, source, _syntax(material.library))
+    def __init__(
+        self, routine: Routine, source: Source, material: Material, said: set[str]
+    ) -> None:
+        super().__init__(routine, source, _syntax(material.library))
         self.said = said
         self.numbers = {item.name: (item.value, item.comment) for item in source.constants}
         self.numbers |= {
@@ -64,11 +65,11 @@ class _MatlabPrinter(Printer):
         }
 
     def definition(self) -> str:
-        first, *rest = self.it.summary.split("\n\n")
-        given = ", ".join(name for name, _ in self.it.arguments)
+        first, *rest = self.routine.summary.split("\n\n")
+        given = ", ".join(name for name, _ in self.routine.arguments)
         lines = [
-            f"function {self._returned()} = {method_name(self.it.name)}({given})",
-            *comment(f"{method_name(self.it.name).upper()}  {first}", ""),
+            f"function {self._returned()} = {method_name(self.routine.name)}({given})",
+            *comment(f"{method_name(self.routine.name).upper()}  {first}", ""),
             *(line for paragraph in rest for line in ("%", *comment(paragraph, "  "))),
             *self._constants(),
         ]
@@ -76,13 +77,15 @@ class _MatlabPrinter(Printer):
 
     def _returned(self) -> str:
         """Name of the result, or names of several."""
-        match self.it.body[-1]:
+        match self.routine.body[-1]:
             case ast.Return(value=ast.Tuple(elts=results)):
                 return f"[{', '.join(f'result{index + 1}' for index in range(len(results)))}]"
         return "result"
 
     def _constants(self) -> Iterator[str]:
-        """Named numbers that this routine uses, explained where the first of all does."""
+        """Assignments of the named numbers that this function uses, with their comments in the
+        first function that uses them.
+        """
         for name, (value, said) in self.numbers.items():
             if name in self.used:
                 line = f"  {name} = {'Inf' if math.isinf(value) else number(value)};"

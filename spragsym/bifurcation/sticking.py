@@ -26,7 +26,14 @@ from ..core.questions import Method, question
 from ..models.forces import named
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import determinant
-from ..numerics.interval_arrays import Intervals, ends_around, scale_of
+from ..numerics.interval_arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+    ends_around,
+    scale_of,
+)
 from ..numerics.vectors import TURN, state_difference
 from ..results.points import Points, StickingStates
 from ..statics.balance import NEGLIGIBLE
@@ -140,45 +147,41 @@ def _turns(own: ParameterSet, share: str, index: int) -> Points:
     return isolated(family, system.condition, "turn")
 
 
-def _sets(
-    p: ParameterSet,
-    it: StickingSystem,
+def _connected(
     continuation: QuasiStaticContinuation,
-    turns: Sequence[Points],
-) -> StickingStates:
-    """Connected sets of sticking states, from curves followed from node to node of the mesh of
-    shares, with the folds and borders at which they end.
+) -> tuple[FloatArray, IntArray, BoolArray]:
+    """Coordinates of the states at all nodes of the mesh of shares, followed by the folds and
+    borders at which states vanish, (n, N); the label of the connected set of each, (N,); and the
+    mask of periodic angles that make a turn along a closed set, (n, N).
+
+    States are connected by continuation from node to node. Periodic angles are continuous along a
+    set.
     """
     eq, balance = continuation.eq, continuation.balance
-    # Index of the first state of each node; folds and borders come last.
+    # Index of the first state of each node, and of the first fold or border.
     first = np.concatenate([[0], np.cumsum(eq.count)])
-    q = np.concatenate(
-        [np.array([column[eq.states] for column in eq.coordinates.values()]), continuation.q],
-        axis=1,
-    )
+    states = np.array([column[eq.states] for column in eq.coordinates.values()])
+    q = np.concatenate([states, continuation.q], axis=1)
     labels, comes_around = np.arange(q.shape[1]), np.zeros(q.shape, dtype=bool)
 
+    def index(node: int, location: int) -> int:
+        """Index of a slot at a node, or of the fold or border ``~location``."""
+        return int(first[node] + location if location >= 0 else first[-1] + ~location)
+
     def link(node: int, slot: int, goal: int, target: int) -> None:
-        """Join the sets of a state and of its continuation at another node, or of the point at
-        which it vanishes, so that periodic angles are continuous along the set.
-        """
-        one, other = (
-            int(first[at] + there if there >= 0 else first[-1] + ~there)
-            for at, there in ((node, slot), (goal, target))
-        )
-        follow = balance.periodic and target >= 0
-        moved = (
-            continuation.moved(node, slot, goal)
-            if follow
-            else state_difference(q[:, other], q[:, one], balance.periodic)
-        )
-        off = TURN * np.round((q[:, one] + moved - q[:, other]) / TURN)
-        behind = labels == labels[other]
-        if behind[one]:
-            comes_around[:, one] |= off != 0
+        """Join the sets of a state and of its continuation at the node ``goal``."""
+        one, other = index(node, slot), index(goal, target)
+        if balance.periodic and target >= 0:
+            change = continuation.moved(node, slot, goal)
         else:
-            q[:, behind] += off[:, None]
-        labels[behind] = labels[one]
+            change = state_difference(q[:, other], q[:, one], balance.periodic)
+        turns = TURN * np.round((q[:, one] + change - q[:, other]) / TURN)
+        joined = labels == labels[other]
+        if joined[one]:
+            comes_around[:, one] |= turns != 0
+        else:
+            q[:, joined] += turns[:, None]
+        labels[joined] = labels[one]
 
     for node in range(1, continuation.mesh.size):
         goals = [continuation.followed(node, slot) for slot in range(eq.count[node - 1])]
@@ -186,9 +189,23 @@ def _sets(
             link(node - 1, slot, node, goal)
         for slot in sorted({*range(eq.count[node])} - {*goals}):
             link(node, slot, node - 1, ~continuation.vanishing(node, slot, node - 1))
+    return q, labels, comes_around
+
+
+def _sets(
+    p: ParameterSet,
+    system: StickingSystem,
+    continuation: QuasiStaticContinuation,
+    turns: Sequence[Points],
+) -> StickingStates:
+    """Connected sets of sticking states with one share; ``turns`` are the points at which a
+    coordinate has an extremum.
+    """
+    eq, balance = continuation.eq, continuation.balance
+    q, labels, comes_around = _connected(continuation)
     error = np.concatenate([eq.error[eq.states], continuation.turns.error])
     ends, share = ends_around(q, error * scale_of(q)), np.zeros((1, error.size))
-    pressed = it.pressed(Patches(share, share, ends, ends, np.ones(error.size, dtype=bool)))
+    pressed = system.pressed(Patches(share, share, ends, ends, np.ones(error.size, dtype=bool)))
     sets = [labels == label for label in np.unique(labels[pressed])]
     if any(not pressed[one].all() for one in sets):
         raise ConvergenceError("the normal force is 0 in some of connected states of sticking")
@@ -197,8 +214,9 @@ def _sets(
         for most in (np.min, np.max)
     )
     for k in balance.periodic:
-        before = TURN * np.floor(low[:, k] / TURN + 0.5)
-        low[:, k], high[:, k] = low[:, k] - before, high[:, k] - before
+        turns_before = TURN * np.floor(low[:, k] / TURN + 0.5)
+        low[:, k] -= turns_before
+        high[:, k] -= turns_before
         whole = [bool(comes_around[k, one].any()) for one in sets]
         low[whole, k], high[whole, k] = -0.5 * TURN, 0.5 * TURN
     columns = np.stack([low.T, high.T], axis=1).reshape(2 * len(q), len(sets))

@@ -42,7 +42,7 @@ class _Linear:
     ``most`` are μ_s N of all frictions that hold, (m, 1); None if a contact does not press.
     """
 
-    it: StickingSystem
+    system: StickingSystem
     K: Intervals
     b: Intervals
     S: Intervals
@@ -55,14 +55,14 @@ class _Linear:
         Raises NotLinear if the forces are not linear.
         """
         key, *others = own.model.regimes
-        it, shape = StickingSystem(p.model, own, key), (1,)
-        balance, n = it.balance, it.balance.n
+        system, shape = StickingSystem(p.model, own, key), (1,)
+        balance, n = system.balance, system.balance.n
         if others or balance.opens or balance.springs:
             raise NotLinear(f"forces of {p.model.name} are not linear, or a contact opens")
         with quiet():
-            zeros = [Intervals(np.zeros((2, *shape)))] * (n + len(it.rows))
-            moved, shares = variables(zeros, 2), [balance.parameters[row] for row in it.rows]
-            values = balance.over(Intervals.point(it.given))
+            zeros = [Intervals(np.zeros((2, *shape)))] * (n + len(system.rows))
+            moved, shares = variables(zeros, 2), [balance.parameters[row] for row in system.rows]
+            values = balance.over(Intervals.point(system.given))
             values |= dict(zip(shares, moved[n:], strict=True))
             rows = balance.at(moved[:n], values, shape).rows("forces")
             if not all(is_linear(row) for row in rows if isinstance(row, Jet)):
@@ -71,10 +71,10 @@ class _Linear:
                 )
             slopes = matrix([gradient(row, len(moved)) for row in rows], shape)[:, :, 0]
             b = stacked([constant(row) for row in rows], shape)[:, 0]
-            origin = it.origin()
-            most = abs(it.pulls(origin))
-            pressed = it.pressed(origin)[0] and most.magnitude.all()
-        return cls(it, slopes[:, :n], b, slopes[:, n:], most if pressed else None)
+            origin = system.origin()
+            most = abs(system.pulls(origin))
+            pressed = system.pressed(origin)[0] and most.magnitude.all()
+        return cls(system, slopes[:, :n], b, slopes[:, n:], most if pressed else None)
 
 
 def region(p: ParameterSet, own: ParameterSet) -> StickingStates:
@@ -99,7 +99,7 @@ def region(p: ParameterSet, own: ParameterSet) -> StickingStates:
             ends += [middle - reach, middle + reach]
         pairs = zip(linear.S[..., None], found, strict=True)
         products = reduce(add, (one[:, None] * other[None, 1:] for one, other in pairs))
-        count = len(linear.it.rows)
+        count = len(linear.system.rows)
         measure = abs(determinant([list(row) for row in products])) * 2**count
     return sets_of(p, [*ends, measure / math.prod(linear.most)], ["measure"])
 
@@ -128,7 +128,7 @@ def line(p: ParameterSet, own: ParameterSet) -> StickingStates | None:
         raise ConvergenceError(
             "whether friction is at its limit or beyond it is not known; change a parameter"
         )
-    reach = Intervals.point([TURN / 2 if free[0] in linear.it.balance.periodic else np.inf])
+    reach = Intervals.point([TURN / 2 if free[0] in linear.system.balance.periodic else np.inf])
     ends = [part for one in found for part in (one, one)]
     ends[2 * free[0] : 2 * free[0]] = [-reach, reach]
     return sets_of(p, ends)

@@ -142,14 +142,13 @@ def test_undecided_stretches_are_drawn_where_they_are() -> None:
 
 @pytest.mark.thorough
 def test_what_is_undecided_is_hatched(ax):
-    """Where the mass just touches: a line at one point, and of curves the range between the points
-    beside it.
-    """
+    """A line at a point that is undecided, and of curves the range between the points beside it."""
     pytest.importorskip("sympy")
     p = model_of(HANDS["rail"].page, "rail").Parameters(mu0=0.0)
     found = figures.branches(p, "kappa", between={"kappa": (0.01, 0.05)}, n=3)
     assert len(found.undecided) == 0
     eq = ss.equilibria(p.replace(kappa=[-0.02, 0.0, 0.02, 0.03]))
+    eq = replace(eq, decided=np.array([True, False, True, True]))
     figures.plot(eq, ax)
     assert [patch.get_x() for patch in ax.patches] == [0.0]
     found.undecided = undecided_points(eq, "kappa", (-0.03, 0.03))

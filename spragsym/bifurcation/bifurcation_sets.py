@@ -293,6 +293,11 @@ class OnLines:
     remarks: tuple[str, ...]
 
 
+def any_pair(one: FloatArray, _: FloatArray) -> BoolArray:
+    """All pairs."""
+    return np.ones(one.shape[1], dtype=bool)
+
+
 def on_lines(
     family: Family,
     condition: Condition,
@@ -300,7 +305,7 @@ def on_lines(
     more: FloatArray,
     apart: Iterable[float] = (),
     options: ContinuationOptions | None = None,
-    alike: Alike | None = None,
+    alike: Alike = any_pair,
 ) -> OnLines:
     """All points of a condition on ``n`` lines of either parameter, joined to curves.
 
@@ -344,7 +349,7 @@ def on_lines(
     over_lines = [lines[name] for name in vary], [decided[k] for k in (0, 1)]
     with doing("curves through {} points", states.shape[1]):
         pairs = _pairs(states[balance.n :], *over_lines, spans)
-        pairs = pairs[:, curves.are_alike(*(states[:, ends] for ends in pairs))]
+        pairs = pairs[:, curves.alike(*(states[:, ends] for ends in pairs))]
         # From line to line distances in the parameters count most: coordinates get one scale, that
         # of the largest change.
         largest = np.append(np.full(balance.n, curves.scale[: balance.n].max()), curves.scale[-2:])
@@ -508,12 +513,8 @@ class FoldCurves:
     system: Augmented
     scale: FloatArray
     options: ContinuationOptions
-    #: Whether pairs of points may be neighbours: where curves cross, more tells them apart.
-    alike: Alike | None = None
-
-    def are_alike(self, one: FloatArray, two: FloatArray) -> BoolArray:
-        """Mask of pairs of points that may be neighbours."""
-        return self.alike(one, two) if self.alike else np.ones(one.shape[1], dtype=bool)
+    #: Which pairs of points may be neighbours, where curves cross.
+    alike: Alike
 
     @property
     def spans(self) -> FloatArray:
@@ -554,9 +555,9 @@ class FoldCurves:
             found = self._projected(middle * self.scale[:, None], chord / length)
             off = np.linalg.norm(found / self.scale[:, None] - middle, axis=0) / length
         off = np.where(length > 0, np.nan_to_num(off, nan=np.inf), 0.0)
-        strays = ~(self.are_alike(one, found) & self.are_alike(found, two))  # onto another curve
+        strays = ~(self.alike(one, found) & self.alike(found, two))  # onto another curve
         found, off = np.where(strays, np.nan, found), np.where(strays, 0.0, off)
-        off = np.where(self.are_alike(one, two), off, np.inf)
+        off = np.where(self.alike(one, two), off, np.inf)
         centre = 0.5 * (one + two) / self.scale[:, None]
         bent = np.linalg.norm((middle - centre)[-2:], axis=0) > self.options.smoothness
         return found, off, bent & (length > 0)
@@ -667,7 +668,7 @@ class FoldCurves:
         length = norm(chord[:, 0])
         share = (away * chord).sum(axis=0) / length**2
         lie = (1e-9 < share) & (share <= 1 + 1e-6)
-        lie[lie] = self.are_alike(np.repeat(one, lie.sum(), axis=1), points[:, lie])
+        lie[lie] = self.alike(np.repeat(one, lie.sum(), axis=1), points[:, lie])
         lie[lie] = np.linalg.norm(away[:, lie] - share[lie] * chord, axis=0) <= 0.5 * length
         if lie.any():
             off = self._cubic(one, two, share[lie])[0] - points[:, lie] / self.scale[:, None]

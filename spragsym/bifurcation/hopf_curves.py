@@ -25,7 +25,7 @@ from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Inte
 from ..results import Curve, Points, Result
 from ..statics import stability
 from ..statics.stability import slope_over
-from .bifurcation_sets import FoldCurves, on_lines
+from .bifurcation_sets import FoldCurves, any_pair, on_lines
 from .defining_systems import (
     FOLD,
     NO_SLOPE,
@@ -218,7 +218,7 @@ class _Plane(Family):
             if sought.condition is NO_SLOPE:
                 said, whole = (*said, *self.of_slope()), False
                 continue
-            alike = self.alike if sought.has_simple_pair else None
+            alike = self.alike if sought.has_simple_pair else any_pair
             found = on_lines(self, sought.condition, n, own_ends, options=options, alike=alike)
             for chain in found.chains:
                 for curve, of_curve in self.along(sought, found.curves, chain, own_ends):

@@ -27,7 +27,7 @@ import numpy as np
 from ..models.field import Mode
 from ..models.forces import presses_either, undecorated
 from ..numerics import balls, contractors
-from ..numerics.arithmetic import Complex, Matrix, Number, as_complex, linear_solution
+from ..numerics.arithmetic import Complex, Matrix, Number, as_complex, dot, linear_solution
 from ..numerics.balls import XP, Ball, UndecidedSign, ball
 from ..numerics.interval_arrays import (
     ComplexArray,
@@ -217,12 +217,12 @@ class _Point:
             Complex((3 * x + z) / 8, -(y + 3 * w) / 8)
             for x, y, z, w in zip(aaa, aab, abb, bbb, strict=True)
         ]
-        scale = _product(left, q)
+        scale = dot(left, q)
         # The coefficient of z c, where c is the change of the parameter: d(A q)/dc.
         by_change = [Complex(x / 2, -y / 2) for x, y in zip(ac, bc, strict=True)]
         return (
-            (_product(left, cubic) / scale).re / pair.omega,
-            (_product(left, by_change) / scale).re,
+            (dot(left, cubic) / scale).re / pair.omega,
+            (dot(left, by_change) / scale).re,
             q,
             [(entry / scale).conjugate() for entry in left],
             [entry.re for entry in along],
@@ -391,11 +391,11 @@ class _Pair:
     @property
     def left(self) -> list[Complex]:
         """The eigenvector of Aᵀ for i ω, of any length."""
-        return [_product(column, self.z) for column in zip(*self.inverse, strict=True)]
+        return [dot(column, self.z) for column in zip(*self.inverse, strict=True)]
 
     def vector(self, xp: Any) -> list[Complex]:
         """The eigenvector of A for i ω, of length 1."""
-        q = [_product(row, self.z) for row in self.X]
+        q = [dot(row, self.z) for row in self.X]
         length = xp.sqrt(sum(entry.squared() for entry in q))
         return [entry / length for entry in q]
 
@@ -408,8 +408,8 @@ class _Pair:
                 [-entry + twice if i == j else -entry for j, entry in enumerate(row)]
                 for i, row in enumerate(Z)
             ]
-        within = linear_solution(Z, [_product(row, values) for row in self.inverse])
-        return [_product(row, within) for row in self.X]
+        within = linear_solution(Z, [dot(row, values) for row in self.inverse])
+        return [dot(row, within) for row in self.X]
 
 
 def _in_basis(A: Matrix, X: Matrix, R: Matrix) -> tuple[Matrix, Matrix]:
@@ -641,13 +641,7 @@ def _square(parts: Sequence[Any]) -> list[list[Complex]]:
 
 def _matrix_product(one: Matrix, other: Matrix) -> list[list[Complex]]:
     """The matrix product."""
-    return [[_product(row, column) for column in zip(*other, strict=True)] for row in one]
-
-
-def _product(row: Sequence[Any], column: Sequence[Any]) -> Complex:
-    """The sum of products of entries, without conjugation."""
-    total: Complex = sum(a * b for a, b in zip(row, column, strict=True))
-    return total
+    return [[dot(row, column) for column in zip(*other, strict=True)] for row in one]
 
 
 def _ball(value: Any) -> Any:

@@ -100,20 +100,20 @@ class MotionScales:
             crossings=tuple(map(self.crossing, solution.crossings)),
         )
 
-    def _by_state(self, matrix: FloatArray) -> FloatArray:
-        return matrix * self.states[:, None] / self.states if matrix.size else matrix
-
-    def _by_parameters(self, matrix: FloatArray) -> FloatArray:
-        return matrix * self.states[:, None] if matrix.size else matrix
+    def _state(self, it: Extremum | FlowResult) -> dict[str, Any]:
+        """A state and its derivatives, which may be empty."""
+        units = self.states[:, None]
+        return {
+            "state": self.states * it.state,
+            "by_state": it.by_state * units / self.states if it.by_state.size else it.by_state,
+            "by_parameters": it.by_parameters * units
+            if it.by_parameters.size
+            else it.by_parameters,
+        }
 
     def extremum(self, it: Extremum) -> Extremum:
         """An extremum with its derivatives."""
-        return it._replace(
-            t=self.time * it.t,
-            state=self.states * it.state,
-            by_state=self._by_state(it.by_state),
-            by_parameters=self._by_parameters(it.by_parameters),
-        )
+        return it._replace(t=self.time * it.t, **self._state(it))
 
     def flow_result(self, it: FlowResult) -> FlowResult:
         """A flow map with its derivatives."""
@@ -121,9 +121,7 @@ class MotionScales:
         first, square = it.integrals
         return replace(
             it,
-            state=self.states * it.state,
-            by_state=self._by_state(it.by_state),
-            by_parameters=self._by_parameters(it.by_parameters),
+            **self._state(it),
             crossings=tuple(map(self.crossing, it.crossings)),
             extrema=tuple(map(self.extremum, it.extrema)),
             integrals=(self.time * length * first, self.time * length**2 * square),

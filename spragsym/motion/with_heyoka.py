@@ -25,7 +25,7 @@ from ..core.errors import ConvergenceError
 from ..core.interrupts import held
 from ..models.field import JUMPED, OVERSHOOT, Border, Field, Mode
 from ..models.parameters import FloatArray
-from ..numerics.arithmetic import Number
+from ..numerics.arithmetic import Number, dot
 from ..numerics.vectors import makes_turns
 from .lobatto import sample_times, unit_points
 from .measures import KEPT_EXTREMA, MotionStatistics
@@ -209,12 +209,12 @@ def equations(
         for column in range(m + directions):
             # Names with a dot are no coordinate's.
             part = hy.make_vars(*(f"by.{i}.{column}" for i in range(m)))
-            rates = [_dot(row, part) for row in jacobian]
+            rates = [dot(row, part) for row in jacobian]
             if column >= m:
                 begin = end + (column - m) * parameters
                 weights = [hy.par[begin + i] for i in range(parameters)]
                 rates = [
-                    rate + DEVIATION_UNIT * _dot(row, weights)
+                    rate + DEVIATION_UNIT * dot(row, weights)
                     for rate, row in zip(rates, slopes, strict=True)
                 ]
             system += zip(part, [*part[n:], *rates], strict=True)
@@ -228,10 +228,6 @@ def equations(
         system += zip(integrals, integrands, strict=True)
     roots = field.scales.roots if field.scales else ()
     return system, (state, given, mode), accelerations, Approach.of(xp.called, system[:m], roots)
-
-
-def _dot(one: Sequence[Number], other: Sequence[Number]) -> Number:
-    return sum(a * b for a, b in zip(one, other, strict=True))
 
 
 #: Number of the event "a periodic leading coordinate passes a whole turn", in place of a border's.

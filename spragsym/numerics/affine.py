@@ -92,13 +92,6 @@ class Rounded(Arithmetic):
             self.value + other.value, self.terms + other.terms, self.error + other.error
         )
 
-    def __sub__(self, other: Number) -> Rounded:
-        if not isinstance(other, Rounded):
-            return _rounded(self.value - other, self.terms, self.error)
-        return _rounded(
-            self.value - other.value, self.terms - other.terms, self.error + other.error
-        )
-
     def __neg__(self) -> Rounded:
         return _number(-self.value, -self.terms, self.error)
 

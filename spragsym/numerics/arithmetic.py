@@ -201,6 +201,11 @@ def part_of(A: Matrix, indices: Sequence[int]) -> list[list[Any]]:
     return [[A[i][j] for j in indices] for i in indices]
 
 
+def dot(one: Sequence[Any], other: Sequence[Any]) -> Any:
+    """The sum of products of entries, without conjugation."""
+    return sum(a * b for a, b in zip(one, other, strict=True))
+
+
 def linear_solution(
     matrix: Matrix, values: Sequence[Any], choose: Choice | None = None
 ) -> list[Any]:
@@ -246,13 +251,9 @@ class Complex(Arithmetic):
         )
 
     def __truediv__(self, other: Number | Complex) -> Complex:
-        if not isinstance(other, Complex):
-            return Complex(self.re / other, self.im / other)
-        square = other.squared()
-        return Complex(
-            (self.re * other.re + self.im * other.im) / square,
-            (self.im * other.re - self.re * other.im) / square,
-        )
+        if isinstance(other, Complex):
+            return self * other.conjugate() / other.squared()
+        return Complex(self.re / other, self.im / other)
 
     def squared(self) -> Number:
         """|z|²."""

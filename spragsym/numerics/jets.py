@@ -34,6 +34,7 @@ class Jet(Arithmetic):
     __slots__ = ("like", "order", "terms")
     __array_ufunc__ = None
 
+    #: ``like``: of a product with 0, a number of the type of its coefficients.
     def __init__(self, terms: Mapping[Term, Any], order: int, like: Any = 0) -> None:
         self.terms, self.order, self.like = dict(terms), order, like
 
@@ -46,11 +47,6 @@ class Jet(Arithmetic):
     def value(self) -> Any:
         """The constant term."""
         return self.terms.get((), 0)
-
-    @property
-    def kind(self) -> Any:
-        """A number of the type that coefficients have: of a product with 0, that of its factor."""
-        return self.like if isinstance(self.value, int) else self.value
 
     def derivative(self, *variables: int) -> Number:
         """The derivative by these variables; the integer 0 if there is no such term."""
@@ -76,11 +72,10 @@ class Jet(Arithmetic):
 
     def __add__(self, other: Number) -> Jet:
         if not isinstance(other, Jet):
-            return (
-                self
-                if is_zero(other)
-                else Jet({**self.terms, (): self.value + other}, self.order, self.like)
-            )
+            if is_zero(other):
+                return self
+            value = self.terms[()] if () in self.terms else self.like * 0
+            return Jet({**self.terms, (): value + other}, self.order)
         order = min(self.order, other.order)
         terms = {term: value for term, value in self.terms.items() if len(term) <= order}
         for term, coefficient in other.terms.items():
@@ -93,9 +88,9 @@ class Jet(Arithmetic):
             return self**2
         if not isinstance(other, Jet):
             if is_zero(other):
-                return Jet({}, self.order, self.kind)
+                return Jet({}, self.order, self.value)
             terms = {term: coefficient * other for term, coefficient in self.terms.items()}
-            return Jet(terms, self.order, self.like)
+            return Jet(terms, self.order)
         order, terms = min(self.order, other.order), {}
         for one, a in self.terms.items():
             for two, b in other.terms.items():
@@ -107,8 +102,8 @@ class Jet(Arithmetic):
     def __truediv__(self, other: Number) -> Jet:
         if isinstance(other, Jet):
             return self.__mul__(other.reciprocal())
-        terms = {term: _quotient(a, other, self.kind) for term, a in self.terms.items()}
-        return Jet(terms, self.order, self.like)
+        terms = {term: _quotient(a, other, self.value) for term, a in self.terms.items()}
+        return Jet(terms, self.order)
 
     def __rtruediv__(self, other: Number) -> Jet:
         return self.reciprocal().__mul__(other)

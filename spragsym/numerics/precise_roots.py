@@ -26,7 +26,7 @@ import numpy as np
 
 from ..core.options import Options, limit
 from . import balls, contractors
-from .arithmetic import Matrix, Number, is_zero, linear_solution
+from .arithmetic import Matrix, Number, dot, is_zero, linear_solution
 from .balls import Ball, UndecidedSign, ball
 from .interval_arrays import FloatArray, Intervals, quiet
 from .jets import Jet, constant, gradient, variables
@@ -102,7 +102,7 @@ def narrowed(
         for _ in range(40):  # quadratic convergence
             Y = _inverse(as_balls(system.slopes(z), system.bits), system.bits)
             values = as_balls([system.values(z)], system.bits)[0]
-            step = [_dot(row, values) for row in Y]
+            step = [dot(row, values) for row in Y]
             size = _norm(step)
             if size <= enough:
                 return _proved(system, z, 2 * size, Y, box, alone)
@@ -127,7 +127,7 @@ def _proved(
             domain = [balls.union(part, balls.between(*side)) for part, side in pairs]
     columns = list(zip(*as_balls(system.slopes(domain), system.bits), strict=True))
     contraction = [
-        [_dot(row, column) - int(i == j) for j, column in enumerate(columns)]
+        [dot(row, column) - int(i == j) for j, column in enumerate(columns)]
         for i, row in enumerate(Y)
     ]
     return enclosed if max(map(_norm, contraction)) <= Fraction(1, 2) else None
@@ -163,12 +163,6 @@ def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
             [ball(float(entry), bits) for entry in row]
             for row in contractors.inverse(middles[:, :, None])[:, :, 0]
         ]
-
-
-def _dot(row: Sequence[Any], column: Sequence[Any]) -> Ball:
-    """Scalar product."""
-    total: Ball = sum(a * b for a, b in zip(row, column, strict=True))
-    return total
 
 
 def _norm(values: Sequence[Ball]) -> Fraction:
@@ -309,11 +303,11 @@ class _Task:
             [u, 1],
             *([value, zero - step] for value, step in zip(others, steps, strict=True)),
         ]
-        out = [slopes[0][0] - _dot(slopes[0][1:], steps) + zero]
+        out = [slopes[0][0] - dot(slopes[0][1:], steps) + zero]
         for order in range(2, highest + 1):
             rest, *rows = self._coefficients(series, order)
             steps = linear_solution(matrix, rows, _largest_pivot)
-            out.append(rest - _dot(slopes[0][1:], steps) + zero)
+            out.append(rest - dot(slopes[0][1:], steps) + zero)
             for part, term in zip(series, [0, *(zero - step for step in steps)], strict=True):
                 part.append(term)
         return out

@@ -94,8 +94,8 @@ class System:
         """A state that deviates by a share of the units of the motion, as anything but the rate of
         a clock may.
         """
-        units, free = self.scales(state).states, self.field.deviations
-        return np.concatenate([(state + share * units)[:free], state[free:]])
+        free = np.arange(state.size) < self.field.deviations
+        return state + free * share * self.scales(state).states
 
     def scaled(self, scales: MotionScales) -> System:
         """The system in units of ``scales``."""

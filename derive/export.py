@@ -376,7 +376,7 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
             if part != symbol
             else values[symbol]
             for symbol in values
-            for part, index in _placed(mechanics_of_page.parts(symbol))
+            for part, index in _parts_of_angle(mechanics_of_page.parts(symbol))
         ]
         words = common | {
             "arguments": ", ".join(taken),
@@ -411,6 +411,6 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
     return {language: {name: filled(language)} for language, name in named.items()}
 
 
-def _placed(parts: tuple[Symbol, ...]) -> list[tuple[Symbol, bool]]:
-    """The arguments for a parameter, and whether each is the cosine of an angle."""
+def _parts_of_angle(parts: tuple[Symbol, ...]) -> list[tuple[Symbol, bool]]:
+    """The arguments that stand for a parameter, each with whether it is the cosine of an angle."""
     return [(part, len(parts) > 1 and part is parts[-2]) for part in parts]

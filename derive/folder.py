@@ -97,7 +97,7 @@ def _algebra(model: PageModel, header: str, shared: Shared | None) -> str:
             if function.name in left_out:
                 continue
             # Functions with the same algebra, as of several contacts, are one under several names.
-            twin = next((one for one in first if _same(one, function)), None)
+            twin = next((one for one in first if _have_same_body(one, function)), None)
             if twin is not None:
                 own.append(f"{function.name} = {twin.name}")
                 continue
@@ -119,8 +119,8 @@ def _algebra(model: PageModel, header: str, shared: Shared | None) -> str:
     return algebra.whole(whole, meanings(model.mechanics), header, imports, sections)
 
 
-def _same(one: Function, other: Function) -> bool:
-    """Whether two functions are equal apart from names and summaries."""
+def _have_same_body(one: Function, other: Function) -> bool:
+    """Whether two functions are equal apart from their names and summaries."""
     return replace(one, name="", summary="") == replace(other, name="", summary="")
 
 

@@ -242,17 +242,17 @@ class FrictionForce:
 
     @property
     def mu(self) -> Symbol:
-        """MU of this friction."""
+        """The symbol of this friction's coefficient."""
         return of_contact(MU, self.name and f"on_{self.name}", self.normal.mark)
 
     @property
     def side(self) -> Symbol:
-        """SIDE of this friction."""
+        """The symbol of this friction's side: 1 or −1, the sign of its sliding speed."""
         return of_contact(SIDE, self.name and f"on_{self.name}", self.normal.mark)
 
     @property
     def stuck(self) -> Symbol:
-        """A symbol that is 1 while it sticks and 0 while it slips."""
+        """The symbol that is 1 while this friction sticks, 0 while it slides."""
         return of_contact(Symbol("_stuck", real=True), self.name)
 
     @property

@@ -112,7 +112,7 @@ def witness(model: Mechanics, expression: Expr) -> str:
     exact = negative_place(angled, domains)
     if exact is None:
         return ""
-    where = ", ".join(f"{_shown(symbol)} = {sp.N(one, 3)}" for symbol, one in exact.items())
+    where = ", ".join(f"{_page_name(symbol)} = {sp.N(one, 3)}" for symbol, one in exact.items())
     value = sp.N(angled.subs(exact), 3)
     return f"{f'at {where} ' * bool(where)}it is {value} times its scale"
 
@@ -151,7 +151,8 @@ def negative_place(
     return None
 
 
-def _shown(symbol: Symbol) -> str:
+def _page_name(symbol: Symbol) -> str:
+    """The name of a symbol on the page, where every penetration is called depth."""
     return "depth" if symbol.name.startswith(DEPTH.name) else symbol.name
 
 

@@ -1,8 +1,9 @@
-"""Checks that generated code can hold a page's expressions: smooth, and of known functions.
+"""Checks that a page's expressions can be generated: they are smooth, and made of known functions.
 
-The equations may have kinks only at the touch of a contact and at sliding speed 0: equilibria are
-sought with derivatives, and motions are integrated from one kink to the next. Each error names the
-line, the expression and the remedy.
+The equations may have kinks only where a contact touches and at sliding speed 0, since equilibria
+are searched with derivatives, and motions are integrated from one kink to the next. Each error
+names the line, the expression and the remedy. A function that finds faults yields the end of the
+message, after the statement's name.
 """
 
 import itertools
@@ -18,21 +19,24 @@ from .statement_checks import statements
 
 
 def check(model: Mechanics) -> None:
-    """Raise a :class:`~derive.model.PageError` for the first statement that code can't hold."""
+    """Raise a :class:`~derive.model.PageError` for the first statement that can't be generated."""
     moving = {*model.coordinates, *model.rates, DEPTH, SLIP}
     turning = moving | {angle.symbol for angle in model.angles}
-    for it in statements(model.page):
-        value = model.scaled(it.value)
+    for statement in statements(model.page):
+        value = model.scaled(statement.value)
         for fault in itertools.chain(
-            _angles(value, turning), _kinks(value, moving), _unknown(value), _domains(value, moving)
+            _no_angles(value, turning),
+            _kinks(value, moving),
+            _unknown(value),
+            _open_domains(value, moving),
         ):
-            raise PageError(it.line, f"{it.what} {fault}")
-    for said, contact in zip(model.page.contacts, model.contacts, strict=False):
-        _check_contact(model, said, contact)
+            raise PageError(statement.line, f"{statement.what} {fault}")
+    for entry, contact in zip(model.page.contacts, model.contacts, strict=False):
+        _check_contact(model, entry, contact)
 
 
-def _angles(value: Expr, turning: set[Symbol]) -> Iterator[str]:
-    """Cosines and sines of what is no angle."""
+def _no_angles(value: Expr, turning: set[Symbol]) -> Iterator[str]:
+    """Faults: cosines and sines of expressions without an angle in them."""
     for node in sorted(value.atoms(sp.cos, sp.sin), key=sp.default_sort_key):
         if not node.args[0].free_symbols & turning:
             yield (
@@ -42,7 +46,7 @@ def _angles(value: Expr, turning: set[Symbol]) -> Iterator[str]:
 
 
 def _kinks(value: Expr, moving: set[Symbol]) -> Iterator[str]:
-    """Functions with a kink or a step in the state."""
+    """Faults: functions with a kink or a step at some state."""
     kinked = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor, sp.ceiling)
     for node in sorted(value.atoms(*kinked), key=sp.default_sort_key):
         if node.free_symbols & moving:
@@ -54,7 +58,7 @@ def _kinks(value: Expr, moving: set[Symbol]) -> Iterator[str]:
 
 
 def _unknown(value: Expr) -> Iterator[str]:
-    """Functions, exponents and numbers that generated code can't hold."""
+    """Faults: functions, exponents and numbers that generated code does not have."""
     if value.has(sp.I, sp.oo, sp.nan, sp.zoo):
         yield f"is {value}, which is no real number; write one that is"
     for node in sp.preorder_traversal(value):
@@ -75,11 +79,11 @@ def _unknown(value: Expr) -> Iterator[str]:
             )
 
 
-def _domains(value: Expr, moving: set[Symbol]) -> Iterator[str]:
-    """Roots and logarithms whose arguments are not seen to be in their domains.
+def _open_domains(value: Expr, moving: set[Symbol]) -> Iterator[str]:
+    """Faults: roots and logarithms whose arguments are not shown to be in their domains.
 
-    A friction law needs positive arguments of roots too: an integration step may end beyond speed
-    0.
+    In a friction law arguments of roots have to be positive, since an integration step may end
+    beyond speed 0.
     """
     border = {symbol: Symbol(symbol.name, nonnegative=True) for symbol in (DEPTH, SLIP)}
     closed = value.xreplace(border)
@@ -99,13 +103,14 @@ def _domains(value: Expr, moving: set[Symbol]) -> Iterator[str]:
             )
 
 
-def _check_contact(model: Mechanics, said: Contact, contact: NormalForce) -> None:
+def _check_contact(model: Mechanics, entry: Contact, contact: NormalForce) -> None:
+    """Raise if a contact's energy is not known, or its law can't be generated where it pulls."""
     energy = contact.energy
     if contact.gap is not None and not contact.unilateral:
         # Here the penetration may be negative, and the law has to be smooth there as well.
         depth = sp.Dummy(real=True)
-        law = model.scaled(expression_of(said.law(depth)))
-        for fault in itertools.chain(_kinks(law, {depth}), _domains(law, {depth})):
+        law = model.scaled(expression_of(entry.law(depth)))
+        for fault in itertools.chain(_kinks(law, {depth}), _open_domains(law, {depth})):
             raise PageError(contact.line, f"the contact law, with unilateral=False, {fault}")
     unknown = [
         node

@@ -90,14 +90,14 @@ def mirror(model: Mechanics) -> Reflection:
     subsets = itertools.chain.from_iterable(
         itertools.combinations(model.coordinates, size) for size in sizes
     )
-    found = [one for turned in subsets for one in _about(model, turned)]
+    found = [one for reflected in subsets for one in _reflections_of(model, reflected)]
     return min(
         found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=Reflection({}, ())
     )
 
 
-def _about(model: Mechanics, turned: Symbols) -> Iterator[Reflection]:
-    """The reflections of given coordinates."""
+def _reflections_of(model: Mechanics, turned: Symbols) -> Iterator[Reflection]:
+    """The reflections of just these coordinates, about each centre that is possible."""
     for centre in _centres(model, turned):
         centres = {**dict.fromkeys(turned, S.Zero), turned[0]: centre}
         sets = _zero(model, _remainders(model, Reflection(centres, ())))

@@ -254,7 +254,7 @@ def _misprint(
         status="misprint",
         repaired="; ".join(one.said for one in repairs),
         repaired_latex="; ".join(_repaired_latex(comparison, one) for one in repairs),
-        edits=tuple(map(_recorded, edits)),
+        edits=tuple(map(_edit_as_json, edits)),
         marked=_marked(statement.judged, edits),
         alternatives=max(one.count for one in repairs),
         evidence=f"{units_problem}; {evidence}" if units_problem else evidence,
@@ -320,8 +320,8 @@ def _repaired_latex(comparison: Comparison, found: ProvedRepair) -> str:
     return equation_of(item.letters.get(left, left), to_latex(tree, item.letters))
 
 
-def _recorded(edit: Edit) -> dict[str, object]:
-    """An edit as data."""
+def _edit_as_json(edit: Edit) -> dict[str, object]:
+    """An edit as the ledger records it."""
     return {
         "kind": edit.kind,
         "at": list(edit.at),

@@ -26,8 +26,8 @@ def by_paper() -> list[list[Case]]:
     """Right statements with units, paper by paper; the article's misprints are left out with it."""
     found: dict[str, list[Case]] = {}
     for case in sources():
-        is_shared = case.model.name == "kang_nam" or case.item.it.scaled
-        if not is_shared and case.item.held.law != "scale":
+        is_shared = case.model.name == "kang_nam" or case.item.derivation.scaled
+        if not is_shared and case.item.subject.law != "scale":
             found.setdefault(case.paper.title, []).append(case)
     return [cases for cases in found.values() if len(cases) > 1]
 
@@ -117,9 +117,9 @@ def _written(
     factor: Node | None,
 ) -> papers.Statement:
     """A statement in the convention."""
-    names, held = _names(name, sign, shift) | _slopes(item, name, sign), item.held
+    names, held = _names(name, sign, shift) | _slopes(item, name, sign), item.subject
     rows = math.isqrt(len(held.entries))
-    coordinates = [str(it) for it in item.it.model.coordinates]
+    coordinates = [str(it) for it in item.derivation.model.coordinates]
     coordinates *= max(rows // len(coordinates), 1)
     texts = []
     for equation, index in zip(item.equations, held.index, strict=True):

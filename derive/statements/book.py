@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 
 import sympy as sp
-from sympy import Expr, S
+from sympy import Expr
 
 from ..pages import PageModel
 from .derivatives import Slope, expressions, of_value
@@ -227,6 +227,7 @@ def _vocabulary(
         frozenset(name for name, value in values.items() if _is_fixed(value, derivation)),
         has_roots,
         gives_names,
+        {name: str(ratio) for name, ratio in _scales(derivation, book).items() if ratio != 1},
         _arguments(statement, derivation, book, values),
         partial(_slope, derivation, book),
     )
@@ -247,11 +248,8 @@ def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
     Unread
         If there is no such derivative, or it has several readings.
     """
-    slope, units = Slope(of, by), book.forms["units"]
-    speeds = dict(zip(map(str, derivation.coefficients), units.speeds, strict=False))
-    if (law := slope.law(speeds)) is not None:
-        slope = replace(slope, scale=_scale(law, speeds[law], units, book))
-    elif not by:
+    slope = Slope(of, by)
+    if not by and slope.law({*map(str, derivation.coefficients)}) is None:
         argument = book.arguments.get(function_behind(of, book.arguments) or "")
         if argument is None or argument.kind != "symbol":
             raise Unread(f"the derivative of {of}, which is printed as no function; say by what")
@@ -264,7 +262,7 @@ def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
     rows = [[*map(str, row)] for row in (derivation.model.coordinates, derivation.model.rates)]
     added, letters = dict[str, Slope](), derivation.letters
     for other in next((row for row in rows if slope.by in row), [slope.by]):
-        other_slope = replace(slope, by=other)
+        other_slope = Slope(of, other)
         added[other_slope.name] = other_slope
         letter, by_letter = (
             book.letters.get(name, letters.get(name, name)) for name in (of, other)
@@ -294,16 +292,18 @@ def in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tupl
         yield from ((name, pending.pop(name)) for name in ready)
 
 
-def _scale(symbol: str, speed: Expr, derivation: Derivation, book: Book) -> Expr:
-    """The sliding speed over the argument with which a friction law is printed, as R of μ(φ′); 1
-    where that is no length.
+def _scales(derivation: Derivation, book: Book) -> dict[str, Expr]:
+    """The sliding speed of each friction over the argument with which its law is printed, as R of
+    μ(φ′); none if that is no constant length.
     """
-    argument = book.arguments.get(symbol)
-    if argument is None or not symbols(argument) <= derivation.names.keys():
-        return S.One
-    ratio = sp.cancel(speed / to_sympy(argument, derivation.names))
-    is_length = _is_fixed(ratio, derivation) and ratio.is_nonnegative
-    return ratio if is_length else S.One
+    found: dict[str, Expr] = {}
+    for symbol, speed in zip(derivation.coefficients, derivation.speeds, strict=False):
+        argument = book.arguments.get(str(symbol))
+        if argument is not None and symbols(argument) <= derivation.names.keys():
+            ratio = sp.cancel(speed / to_sympy(argument, derivation.names))
+            if _is_fixed(ratio, derivation) and ratio.is_nonnegative:
+                found[str(symbol)] = ratio
+    return found
 
 
 def _arguments(
@@ -315,6 +315,7 @@ def _arguments(
     speed, or minus that if its law is odd.
     """
     is_moving = statement.word in (*MOVING, "friction", "definition")
+    scales = _scales(derivation, book)
     still = dict.fromkeys(derivation.model.rates, 0)
 
     def as_printed(argument: Node, inside: Node) -> Argument | None:
@@ -336,8 +337,7 @@ def _arguments(
         derivation.coefficients, derivation.speeds, derivation.model.frictions, strict=False
     ):
         is_odd = sp.expand(friction.ahead + friction.behind) == 0
-        scale = _scale(str(symbol), speed, derivation, book)
-        found[str(symbol)] = partial(as_speed, speed / scale, is_odd)
+        found[str(symbol)] = partial(as_speed, speed / scales.get(str(symbol), 1), is_odd)
     return found
 
 

@@ -11,7 +11,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import Expr, S, diff
+from sympy import Expr, diff
 
 from .. import laws
 from ..mechanics import SLIP, FrictionForce
@@ -30,8 +30,6 @@ class Slope:
 
     of: str
     by: str
-    #: the sliding speed over the argument with which a friction law is printed, in units
-    scale: Expr = S.One
 
     @property
     def name(self) -> str:
@@ -87,8 +85,7 @@ def expressions(
         for slope in ready_slopes:
             if coefficient := slope.law(laws_of):
                 at_rest = steady or slope.by == "at rest"
-                value = _of_law(laws_of[coefficient], slope.order, derivation, at_rest)
-                found[slope.name] = derivation.measured(slope.scale) ** slope.order * value
+                found[slope.name] = _of_law(laws_of[coefficient], slope.order, derivation, at_rest)
             else:
                 sign = (signs or {}).get(slope.by, 1)
                 with suppress(Unread):

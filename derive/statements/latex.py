@@ -173,6 +173,7 @@ class _LatexReader:
                 self.names.functions[name] = page
             else:
                 self.names.renamed[name] = self.page(page)
+        self.scales = {name: self.page(text) for name, text in vocabulary.scales.items()}
 
     def page(self, text: str) -> Node:
         """The tree of a text under [symbols]: a name of the page, or an expression in such names.
@@ -393,7 +394,7 @@ class _LatexReader:
             if bracketed and self.is_time(_bracket(here.item) or ()):
                 here.take()
             return Factor(self.matrix_power(matrix, power or (), at[0]))
-        node = self.applied(node, here, power is not None)
+        node = self.by_own_argument(self.applied(node, here, power is not None))
         if power is not None:
             return Factor(_power(node, self.number(power), (at[0], here.end)))
         return self.powered(node, here, at[0]) if bracketed else Factor(node)
@@ -430,6 +431,13 @@ class _LatexReader:
         here.take()
         return called
 
+    def by_own_argument(self, node: Node) -> Node:
+        """A derivative of a friction law by the argument with which that is printed."""
+        law = node.args[0] if node.kind == "neg" else node
+        scale = self.scales.get(self.names.function_of(law) or "")
+        order = law.value.count("diff(")
+        return node_of(product([*[moved(scale, node.at)] * order, node])) if scale else node
+
     def at_point(self, value: Value, here: Cursor, start: int) -> Factor:
         """A value with another value of one variable inserted, as dμ/dv at v = v_0."""
         place, items = here.at, _argument(here)
@@ -437,6 +445,7 @@ class _LatexReader:
         node = node_of(value, start)
         point = [*map(self.number, (*by, at))]
         moving = {*self.names.next, *self.names.next.values()}
+        is_called = any(self.names.function_of(leaf(it)) is not None for it in symbols(node))
 
         def at_the_point(name: str) -> Node | None:
             """The tree that a name has there; None if that is not known."""
@@ -445,7 +454,7 @@ class _LatexReader:
                 is_argument = not by or self.called(one, by[0]) is not None
                 return self.called(one, at) if is_argument else None
             if printed(point[0]) == printed(point[-1]) or not self.names.moves(one):
-                return one if not by or self.names.moves(point[0]) else None
+                return one if not by or is_called or self.names.moves(point[0]) else None
             is_other = by and point[0].kind == "symbol" and name in moving
             return (point[1] if name == point[0].value else one) if is_other else None
 
@@ -474,7 +483,10 @@ class _LatexReader:
         if bare.kind in ("symbol", "number") or is_function:
             text = printed(inside)
             readings = (f"{node.value}*({text})", f"{node.value}({text})")
-            raise Unread("a product, or a function of what stands in brackets", place, readings)
+            said = "a product, or a function of what stands in brackets"
+            if is_function:
+                said += ", which is neither its sliding speed nor the argument of its definition"
+            raise Unread(said, place, readings)
 
     def powered(self, value: Value, here: Cursor, start: int) -> Factor:
         """A value with the primes, the index + (its positive part) and the exponent behind it."""
@@ -787,7 +799,7 @@ class _LatexReader:
             if argument is None and by.kind != "symbol":
                 raise Unread(f"a derivative by {printed(by)}, which is no name", start)
             node = self.names.derived(node, by.value if argument is None else "")
-        return self.powered(self.applied(node, here), here, start)
+        return self.powered(self.by_own_argument(self.applied(node, here)), here, start)
 
     def with_index(self, name: Name, index: Tokens) -> Name:
         """A name with an index; x with the index ,tt is its second rate unless that is a name."""

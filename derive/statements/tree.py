@@ -80,6 +80,8 @@ class Vocabulary:
     has_roots: bool = False
     #: whether a new name may stand in a product on the left, to which a value is given
     gives_names: bool = False
+    #: for a friction law of another argument than the sliding speed: that speed over the argument
+    scales: Mapping[str, str] = field(default_factory=dict)
     #: for each name that is printed as a function: its argument, if the expression in brackets is
     #: that argument, else None
     arguments: Mapping[str, Callable[[Node], Argument | None]] = field(default_factory=dict)

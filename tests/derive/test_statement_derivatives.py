@@ -164,6 +164,21 @@ def test_a_value_at_a_point_is_that_of_what_moves() -> None:
     assert [it.status for it in found] == ["confirmed", "confirmed", "misprint", "unread", "unread"]
 
 
+def test_a_law_of_another_speed_is_read_again_as_one_of_the_sliding_speed() -> None:
+    """Of an angular speed over a radius: what is read is the slope by the sliding speed times R."""
+    folder = Path(__file__).parents[2] / "validation/papers/drill_string"
+    page, renamed = pages.read(folder / "page.py"), {r"\omega": "Omega + phi_b'"}
+    law = r"[\mu_{cb} + (\mu_{sb} - \mu_{cb})e^{-\nu_f R_b|\omega|}]\operatorname{sgn}\omega"
+    friction = ("friction", rf"\mu(\omega) = {law}")
+    slope = ("damping 2 2", r"c_{22} = c_b + c_t + W R_b\mu'(\Omega)")
+    other = ("motion phi_b", r"J_b\ddot\varphi_b = \mu(R_b\omega)")
+    found = rows(page, friction, slope, other, renamed=renamed | {r"\varphi_b": "phi_b"})
+    assert [it.status for it in found] == ["confirmed", "confirmed", "unread"]
+    assert "neither its sliding speed nor the argument" in found[2].evidence
+    (again,) = rows(page, ("damping 2 2", found[1].read), is_latex=False)
+    assert again.status == "confirmed"
+
+
 def test_a_derivative_changes_sign_with_a_coordinate_that_is_reversed() -> None:
     """∂V/∂x is a force along x of the print, and f(x) is printed in it."""
     found = rows(

@@ -354,8 +354,8 @@ def _links(
             pair = ((parts[k], patches[k]), (parts[other], patches[other]))
             found.append((k, other, _across(*pair, *differ)))
     numbered = [[pairs + first[[k, other], None] for pairs in both] for k, other, both in found]
-    proved, possible = (np.concatenate(pairs, axis=1) for pairs in zip(*numbered, strict=True))
-    return proved, possible
+    proved, possible = zip(*numbered, strict=True)
+    return np.concatenate(proved, axis=1), np.concatenate(possible, axis=1)
 
 
 def _meeting(some: Patches, others: Patches) -> tuple[IntArray, IntArray]:

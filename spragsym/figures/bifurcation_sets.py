@@ -301,7 +301,7 @@ def on_surface(mu0: FloatArray, theta0: FloatArray | float, x: FloatArray) -> Fl
 def figure_cusp_friction(*, n: int = 41) -> Sheet:
     """Friction of the lowest fold over each parameter, which explains Figures 8 to 10."""
     figure, axes = panels(2, 2, DOUBLE, 4.6)
-    shown: dict[str, _Samples] = {
+    shown = {
         "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0), ()),
         "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07), (0.1, 1.0, 10.0)),
         "sigma": ((3e-3, 3.0), (0.01, 0.1, 1.0), (0.01, 0.1), (0.1, 0.2, 0.5)),
@@ -335,8 +335,16 @@ def _draw_cusp_friction(ax: Axes, name: str, shown: _Samples, n: int) -> Table:
     for value in samples:
         friction = float(ss.critical_friction(p.replace(**{name: value})))
         filled = BLUE if friction < mu0 else "white"
-        style: dict[str, Any] = {"markersize": 4.5, "color": BLUE, "markerfacecolor": filled}
-        ax.plot(value, friction, "o", zorder=3, clip_on=False, **style)
+        ax.plot(
+            value,
+            friction,
+            "o",
+            markersize=4.5,
+            color=BLUE,
+            markerfacecolor=filled,
+            zorder=3,
+            clip_on=False,
+        )
     critical = ss.critical_value(p, name, between={name: bracket})
     line_at(ax, critical, VERMILION)
     if ticks:

@@ -72,8 +72,13 @@ def figure_cycles() -> Sheet:
     figure, ax = single(DOUBLE, 4.2)
     rest = branches(_sliding(), "theta0", between={"theta0": (np.radians(1.0), np.radians(179.0))})
     for curve in rest:  # the root mean square is |x|
-        style: dict[str, Any] = {"color": BLACK, "linestyle": LINES[curve.kind], "linewidth": 1.0}
-        ax.plot(curve.shown("theta0"), np.abs(curve.x), **style)
+        ax.plot(
+            curve.shown("theta0"),
+            np.abs(curve.x),
+            color=BLACK,
+            linestyle=LINES[curve.kind],
+            linewidth=1.0,
+        )
     # Branches found by ``python -m validation.cycle_search``, with data of the search.
     found = json.loads(shipped_text("spragsym.figures", "cycles.json"))
     colours = dict[str, str]()
@@ -341,10 +346,11 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
     image = ax.pcolormesh(across, up, cells, cmap="viridis", norm=LogNorm())
     undecided = (found.kind == FateKind.UNDECIDED).ravel()
     irregular = (found.exponent > found.exponent_error).ravel()
-    regular = undecided & ~irregular
-    ax.plot(x[regular], y[regular], "x", color=GREY, markersize=3)
-    irregular &= undecided
-    ax.plot(x[irregular], y[irregular], "+", color=VERMILION, markersize=5)
+    for marker, colour, size, mask in (
+        ("x", GREY, 3, undecided & ~irregular),
+        ("+", VERMILION, 5, undecided & irregular),
+    ):
+        ax.plot(x[mask], y[mask], marker, color=colour, markersize=size)
     if (kind == FateKind.CYCLE).any():
         ax.figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))

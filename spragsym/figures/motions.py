@@ -408,9 +408,9 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
         coarse, V * 10.0 ** np.linspace(-0.5, 0.5, 5), steepnesses, refine=4, workers=workers
     )
     places = np.degrees(jumps.theta0)
-    style: dict[str, Any] = {"marker": "o", "markersize": 3, "linewidth": 0.9}
     for position, d, color in zip(places.T, steepnesses, shades, strict=True):
-        ax.semilogx(jumps.V, position, color=color, label=f"$d = {d:.3g}$", **style)
+        name = f"$d = {d:.3g}$"
+        ax.semilogx(jumps.V, position, "o-", color=color, markersize=3, linewidth=0.9, label=name)
     ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
     plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
     ax.legend(handlelength=1.2)

@@ -168,12 +168,9 @@ def _states_over_load(report: Facts) -> tuple[str, str]:
     )
     path, hatched = drawing[0]
     has_folds = vary in report.folds and len(report.folds[vary]) > 0
-    if not path:
-        followed = ", where it is not followed"
-    elif has_folds:
-        followed = " (orange, with its jumps)"
-    else:
-        followed = " (orange)"
+    followed = ", where it is not followed"
+    if path:
+        followed = " (orange, with its jumps)" if has_folds else " (orange)"
     meaning = coordinate["meaning"].partition(",")[0]
     caption = f"{meaning[:1].upper()}{meaning[1:]} as {load} rises{followed}; grey: all states, "
     caption += "full where stable."

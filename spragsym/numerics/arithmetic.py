@@ -185,10 +185,9 @@ def coupled(*matrices: Matrix) -> list[tuple[int, ...]]:
     the product of the determinants of its blocks.
     """
     indices = range(len(matrices[0]))
-    reached = []
-    for i in indices:
-        nonzero = {j for A in matrices for j in indices if not is_zero(A[i][j])}
-        reached.append({i} | nonzero)
+    reached = [
+        {i} | {j for A in matrices for j in indices if not is_zero(A[i][j])} for i in indices
+    ]
     for k in indices:  # transitive closure
         for each in reached:
             if k in each:

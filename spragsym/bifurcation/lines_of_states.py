@@ -53,7 +53,7 @@ def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
         ends, point = ends[:, :, possible], point[possible]
         if not point.size:
             break
-        if np.bincount(point, minlength=1).max() > 100:  # too many: their hull
+        if np.bincount(point, minlength=1).max() > 1000:  # too many: their hull
             points, which = np.unique(point, return_inverse=True)
             return hulls_of(ends, which, points.size), points
         row = halving % number

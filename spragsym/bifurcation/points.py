@@ -91,8 +91,7 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
         searched, whole = _region(family, balance.across(condition.touching))
     system, fixed = Augmented(family, condition), family.begin
     if budget is None and system.options.budget is None:
-        # About a second of work: with more unknowns a box costs more.
-        budget = 200_000 if system.n <= 3 else 1_000_000 if system.n == 4 else 500_000
+        budget = _usual_budget(system)
     from_least = alone and begins_at_zero(system, searched)
     wide = _between(searched, Logarithmic.low, searched[1, -1, 0]) if from_least else searched
     roots = certified_roots.search(system, wide, fixed, fixed, budget=budget)
@@ -105,6 +104,11 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     if alone:
         roots = roots.select(undecided=~shared(system, roots.undecided))
     return Found(roots, searched, whole)
+
+
+def _usual_budget(system: OfFamily) -> int:
+    """Boxes for about a second of work: with more unknowns a box costs more."""
+    return 200_000 if system.n <= 3 else 1_000_000 if system.n == 4 else 500_000
 
 
 def all_of(parts: Sequence[Found]) -> Found:
@@ -412,10 +416,12 @@ def escapes(family: Family) -> Points:
     there are others only in ``undecided``, boxes of directions and parameters; of other forces,
     whose states are not known to lie in what is searched, there may be others.
     """
-    balance, n = family.balance, family.balance.n
-    found, side = _directions(family)
-    proved = family.is_affine() and is_regular_somewhere(family)
-    undecided = found.undecided if proved else found.undecided[:, :, :0]
+    balance, n, affine = family.balance, family.balance.n, family.is_affine()
+    if affine and not is_regular_somewhere(family):  # no states but lines
+        found, side = Roots.none(n + len(family.vary)), np.empty(0, dtype=int)
+    else:
+        found, side = _directions(family)
+    undecided = found.undecided if affine else found.undecided[:, :, :0]
     z = found.middle
     away = _places(balance, z[:n])
     kind = np.select([side > 0, side < 0], ["infinity up", "infinity down"], "infinity")
@@ -455,9 +461,8 @@ def _directions(family: Family) -> tuple[Roots, IntArray]:
     sides[:, list(balance.periodic)] = SEARCHED_ANGLE
     found = Roots.none(system.n)
     with suppress(NoChart), quiet():
-        found = certified_roots.search(
-            system, with_sides(sides, family.spans), family.begin, family.begin, budget=200_000
-        )
+        box, budget = with_sides(sides, family.spans), _usual_budget(system)
+        found = certified_roots.search(system, box, family.begin, family.begin, budget=budget)
         if not system.order:
             parameters = system.fixed(found.point.size)
             behind = system.behind_borders(Intervals(found.ends), parameters)

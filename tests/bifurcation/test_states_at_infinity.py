@@ -119,15 +119,15 @@ def test_the_least_of_these_in_the_plane_of_two_coordinates(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """It is least inside the range; a search that ends before it is found leaves it undecided."""
-    p, window = (
-        ss.load(derived(FLANK, "flank")).Parameters(),
-        {"beta": (0.3, 0.9), "mu": (0.0, 2.0)},
-    )
-    found = ss.critical_friction(p, "mu", "beta", between=window)
-    assert (found.kind, found.complete) == ("infinity", True)
-    least = 2 * np.sqrt(0.01 * 0.03 * 1.01 * 1.03) / 0.02
-    place = np.arctan(np.sqrt(0.01 * 1.03 / (0.03 * 1.01)))
-    assert [float(found), found.beta] == pytest.approx([least, place], rel=1e-9)
+    model, k_y = ss.load(derived(FLANK, "flank")), 0.03
+    for k_x, top in ((0.02, 10.0), (0.005, 20.0)):
+        p, window = model.Parameters(k_x=k_x), {"beta": (0.3, 0.9), "mu": (0.0, top)}
+        found = ss.critical_friction(p, "mu", "beta", between=window)
+        assert (found.kind, found.complete) == ("infinity", True)
+        across, down = k_x * (1 + k_y), k_y * (1 + k_x)
+        least = 2 * np.sqrt(across * down) / (k_y - k_x)
+        assert float(found) == pytest.approx(least, rel=1e-9)
+        assert np.tan(found.beta) ** 2 == pytest.approx(across / down, rel=1e-9)
 
     def hasty(system: Any, *given: Any, **limits: Any) -> certified_roots.Roots:
         if isinstance(system, _AtInfinity):

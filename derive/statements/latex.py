@@ -231,7 +231,7 @@ class _LatexReader:
             known = self.names.known(name, at)
             is_function = here.text == "(" and here.place + 1 == len(items)
             if is_function and known is not None:
-                is_function = self.is_named_law(known, here.item)
+                is_function = self.names.is_open and self.is_named_law(known, here.item)
             if here.item is None or is_function:
                 return self.matrix(known or leaf(name.spelled, at))
         value = self.expression(items)

@@ -63,6 +63,8 @@ def test_sizes_spaces_and_braces_change_no_name() -> None:
         (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(w)", "misprint"),
         (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(v_0)", "misprint"),
         (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(x)", "unread"),
+        (r"(m\ddot x + c\dot x + kx + k_3x^3)/N_0 = \mu(x)", "unread"),
+        (r"(m\ddot x + c\dot x + kx + k_3x^3)/N_0 = \mu(v)", "confirmed"),
     ],
 )
 def test_the_argument_of_a_friction_law_is_read(text: str, status: str) -> None:

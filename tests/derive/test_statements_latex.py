@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 
 import pytest
 import sympy as sp
@@ -41,7 +42,6 @@ READ = {
     r"\mu_o \left\{1 - \exp(-d|V-\dot x|)\right\} sgn(v_r)": [
         "mu0*(1 - exp(-d*Abs(V - vx)))*sign(V - vx) = 0"
     ],
-    r"\mu(V - \dot x) = \mu_{0}": ["mu = mu0"],
     r"T = \frac{1}{2} m \dot{x}^2 = k_{c}": ["T = 1/2*m*vx**2", "T = k_c"],
     r"\begin{aligned} m\ddot x &= k x \\ &\quad + k y, \\ a &= 0. \end{aligned}": [
         "m*ax = k*x + k*y",
@@ -230,6 +230,16 @@ def test_signs_that_are_no_two_roots_are_refused(text: str) -> None:
 def test_what_a_print_calls_a_function_can_be_evaluated() -> None:
     """A function that is read has a meaning: another one would end a check with an error."""
     assert {*latex.FUNCTIONS.values()} <= tree.FUNCTIONS.keys()
+
+
+def test_a_law_is_named_with_any_argument_where_it_gets_its_value() -> None:
+    """On the left of what gives it one; elsewhere another argument is none of it."""
+    words = replace(WORDS, gives_names=True)
+    (equation,) = read_latex(r"\mu(V - \dot x) = \mu_0", words)
+    assert printed(equation.left) == "mu"
+    for text, known in ((r"\mu(V) = \mu_0", WORDS), (r"\mu_0 = \mu(V)", words)):
+        with pytest.raises(Unread, match="a product, or a function"):
+            read_latex(text, known)
 
 
 def test_both_readings_are_told() -> None:

@@ -16,14 +16,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import reduce
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..numerics import contractors
-from ..numerics.arithmetic import determinant
 from ..numerics.certified_roots import Roots, stepped
 from ..numerics.columns import ByColumn
 from ..numerics.interval_arrays import (
@@ -40,6 +38,7 @@ from ..statics.balance import Balance
 from ..statics.precise_balance import clusters, on_side
 from ..statics.systems import GAPS, Boxes
 from .defining_systems import Augmented, Family, touch
+from .lines_of_states import is_singular
 from .points import Found, arranged
 
 
@@ -232,41 +231,3 @@ def at_once(
         points.append(arranged(closed_family, replace(found, roots=Roots.at(box)), kind))
     count = roots.point.size
     return replace(found, roots=roots.select(kept[:count], kept[count:])), points
-
-
-def is_singular(balance: Balance, family: Family) -> bool:
-    """Whether det K is 0 for all states and for all values of the parameters that are not 0 in the
-    family.
-
-    K is evaluated in exact arithmetic at random rational coordinates, parameters, directions and
-    friction coefficients. That is no proof. But if det K were not 0 everywhere, it would be 0 at
-    all of these samples with negligible probability (Schwartz–Zippel lemma).
-    """
-    rng = np.random.default_rng(0)
-    given = zip(balance.parameters, family.given[:, 0].tolist(), strict=True)
-    zero = {name for name, value in given if value == 0 and name not in balance.angles}
-
-    def drawn() -> Fraction:
-        largest = 2**30  # numerator or denominator
-        return Fraction(*map(int, rng.integers(1, largest, 2)))
-
-    def circle() -> list[Fraction]:
-        # A rational point of the unit circle.
-        t = drawn()
-        return [(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)]
-
-    for _ in range(12):
-        values = {name: 0 if name in zero else drawn() for name in balance.codes}
-        for pair in balance.angles.values():
-            values |= dict(zip(pair, circle(), strict=True))
-        q, mus = [drawn() for _ in balance.coordinates], [drawn() for _ in balance.rubbing]
-        lines = [part for _ in range(balance.springs) for part in (*circle(), drawn())]
-        first = [*q, *lines, *(drawn() for _ in balance.torsions)]
-        at = balance.at(q, values, xp=None)
-        try:
-            K = at.call("forces_jacobian", first, *mus, *balance.indicators, kind="statics")
-        except AttributeError:  # the law is not algebraic
-            return False
-        if determinant(K) != 0:
-            return False
-    return True

@@ -39,14 +39,9 @@ from ..statics import stability
 from ..statics.balance import Balance
 from ..statics.forces import as_intervals
 from ..statics.search import balances_of
-from .border_states import (
-    about_border,
-    among,
-    at_once,
-    combinations_of,
-    is_singular,
-)
+from .border_states import about_border, among, at_once, combinations_of
 from .defining_systems import Family, touch
+from .lines_of_states import is_singular
 from .points import arranged, search
 
 

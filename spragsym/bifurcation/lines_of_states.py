@@ -35,7 +35,7 @@ from ..numerics.interval_arrays import (
     stacked,
 )
 from ..numerics.jets import Jet, constant
-from ..statics.balance import PreciseBalance
+from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Evaluation
 from ..statics.regions import halved
 from .defining_systems import FOLD, Augmented, Family
@@ -61,18 +61,42 @@ def lines_of_states(family: Family) -> tuple[FloatArray, IntArray]:
     return ends, point
 
 
-def is_regular_somewhere(family: Family) -> bool:
-    """Whether K of affine forces is proved to be regular at some parameters.
+def is_singular(balance: Balance, family: Family) -> bool:
+    """Whether det K is 0 for all states and for all values of the parameters that are not 0 in the
+    family.
 
-    If it is singular at all, there are no states but the lines of :func:`lines_of_states`.
+    K is evaluated in exact arithmetic at random rational coordinates, parameters, directions and
+    friction coefficients. That is no proof. But if det K were not 0 everywhere, it would be 0 at
+    all of these samples with negligible probability (Schwartz–Zippel lemma).
     """
-    shares = np.linspace(0.1, 0.9, 5)
-    low, high = family.spans.T[:, :, None]
-    given = family.at(low + shares * (high - low))
-    origin = Intervals.point(np.zeros((family.balance.n, shares.size)))
-    with quiet():
-        at = family.balance.state(origin, family.balance.prepared_at(given))
-        return bool(_signs([determinant(at.slopes)], shares.size).any())
+    rng = np.random.default_rng(0)
+    given = zip(balance.parameters, family.given[:, 0].tolist(), strict=True)
+    zero = {name for name, value in given if value == 0 and name not in balance.angles}
+
+    def drawn() -> Fraction:
+        largest = 2**30  # numerator or denominator
+        return Fraction(*map(int, rng.integers(1, largest, 2)))
+
+    def circle() -> list[Fraction]:
+        # A rational point of the unit circle.
+        t = drawn()
+        return [(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)]
+
+    for _ in range(12):
+        values = {name: 0 if name in zero else drawn() for name in balance.codes}
+        for pair in balance.angles.values():
+            values |= dict(zip(pair, circle(), strict=True))
+        q, mus = [drawn() for _ in balance.coordinates], [drawn() for _ in balance.rubbing]
+        lines = [part for _ in range(balance.springs) for part in (*circle(), drawn())]
+        first = [*q, *lines, *(drawn() for _ in balance.torsions)]
+        at = balance.at(q, values, xp=None)
+        try:
+            K = at.call("forces_jacobian", first, *mus, *balance.indicators, kind="statics")
+        except AttributeError:  # the law is not algebraic
+            return False
+        if determinant(K) != 0:
+            return False
+    return True
 
 
 def _may_hold_a_line(family: Family, ends: FloatArray, point: IntArray) -> BoolArray:

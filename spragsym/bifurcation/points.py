@@ -56,7 +56,7 @@ from ..statics.regions import region
 from ..statics.search import kinds_of, of_ranges, of_region, summed
 from ..statics.systems import WithoutTapes
 from .defining_systems import Augmented, Condition, Family, OfFamily, refined_roots, slope
-from .lines_of_states import is_regular_somewhere, lines_of_states
+from .lines_of_states import is_singular, lines_of_states
 
 
 @dataclass(frozen=True)
@@ -417,7 +417,7 @@ def escapes(family: Family) -> Points:
     whose states are not known to lie in what is searched, there may be others.
     """
     balance, n, affine = family.balance, family.balance.n, family.is_affine()
-    if affine and not is_regular_somewhere(family):  # no states but lines
+    if affine and is_singular(balance, family):  # no states but lines
         found, side = Roots.none(n + len(family.vary)), np.empty(0, dtype=int)
     else:
         found, side = _directions(family)

@@ -28,7 +28,7 @@ from ..core.options import Options, limit
 from . import balls, contractors
 from .arithmetic import Matrix, Number, dot, is_zero, linear_solution
 from .balls import Ball, UndecidedSign, ball
-from .interval_arrays import FloatArray, Intervals, quiet
+from .interval_arrays import FloatArray, Intervals, quiet, width_of
 from .jets import Jet, constant, gradient, variables
 from .polynomials import derivative, evaluate, shifted
 
@@ -98,6 +98,8 @@ def narrowed(
     |1 − Y J| ≤ 1/2 over a box that contains both.
     """
     z = [ball(float(value), system.bits) for value in Intervals(box).middle]
+    # From the middle of a box that holds the root, where |1 − Y J| ≤ 1/2, steps are shorter.
+    longest = Fraction(float(width_of(box).max()))
     with suppress(UndecidedSign, ZeroDivisionError):
         for _ in range(40):  # quadratic convergence
             Y = _inverse(as_balls(system.slopes(z), system.bits), system.bits)
@@ -106,6 +108,8 @@ def narrowed(
             size = _norm(step)
             if size <= enough:
                 return _proved(system, z, 2 * size, Y, box, alone)
+            if alone is None and size > longest:
+                return None
             z = [balls.middle(part - change) for part, change in zip(z, step, strict=True)]
     return None
 

@@ -19,6 +19,7 @@ from fractions import Fraction
 import numpy as np
 
 from ..numerics import balls, contractors
+from ..numerics.arithmetic import determinant
 from ..numerics.balls import Ball, UndecidedSign
 from ..numerics.certified_roots import Roots, different, distinct
 from ..numerics.interval_arrays import BoolArray, FloatArray, IntArray, Intervals, quiet, width_of
@@ -204,7 +205,13 @@ def decided_at_edges(system: StateSystem, given: FloatArray, found: Roots) -> Ro
     """
     most, roots = 24, dict[int, FloatArray]()
     count = found.undecided_point.size
-    for row in range(count) if count <= most else ():
+    if not 0 < count <= most:
+        return found
+    with quiet():
+        parameters = system.prepared_at(given[:, found.undecided_point])
+        slopes = system.jacobian(Intervals(found.undecided), parameters)
+        is_regular = determinant([[*row] for row in slopes]).signs != 0
+    for row in np.flatnonzero(is_regular).tolist():
         box = found.undecided[:, :, row]
         precise = PreciseBalance(
             system, given[:, found.undecided_point[row]], system.options.root_bits

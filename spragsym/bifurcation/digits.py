@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from itertools import chain
 from typing import Any
 
@@ -30,7 +30,7 @@ from ..numerics.precise_roots import narrowed
 from ..results.precise_states import CuspProof, PreciseCusp, PreciseEquilibria, PreciseEquilibrium
 from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Evaluation
-from ..statics.precise_balance import exact_in_part, is_zero, reduced_by_turns
+from ..statics.precise_balance import exact_in_part, reduced_by_turns
 from ..statics.regions import region
 from ..statics.search import ContactArgument, balances_of, roots_of
 from ..statics.stability import type_at
@@ -146,9 +146,9 @@ def _state(
     system: PreciseBalance, digits: int, box: FloatArray, alone: FloatArray
 ) -> PreciseEquilibrium | None:
     """The equilibrium in a box; None if it lies beyond the contact's border."""
-    q = exact_in_part(system, _narrowed(system, box, alone))
+    q = _narrowed(system, box, alone)
     at = system.state(q)
-    if not _on_contact_side(at):
+    if not _on_contact_side(system, q, at):
         return None
     numbers, error, _ = as_numbers((*_columns(at), *q), digits)
     named = dict(zip(columns_of(system.balance.model), numbers, strict=True))
@@ -262,7 +262,7 @@ def _cusp(
     column = [XP.taken(cofactor(at.slopes, number, i)) for i in range(n)]
     if not any(map(balls.sign, column)):
         raise UndecidedSign("a direction that may be 0")
-    if not _on_contact_side(at):
+    if not _on_contact_side(system, root, at):
         return None
     numbers, _, radius = as_numbers((*root[n:], *_columns(at), *root[:n]), digits)
     return PreciseCusp(dict(zip(names, numbers, strict=True)), as_mpf(radius), versal=True)
@@ -281,12 +281,18 @@ def _narrowed(system: PreciseBalance, box: FloatArray, alone: FloatArray) -> lis
     return root
 
 
-def _on_contact_side(at: Evaluation) -> bool:
-    """Whether a state lies on the required side of all borders; it may lie on these."""
-    balance = at.balance
-    for gap, touches in zip(at.gaps(), balance.closed, strict=True):
-        sign = balls.sign_or_zero(gap, "a gap that is zero", partial(is_zero, gap))
-        if sign == 0 and not touches and balance.apart:
+def _on_contact_side(system: PreciseBalance, root: Sequence[Any], at: Evaluation) -> bool:
+    """Whether the state ``at`` a root lies on the required side of all borders; it may lie on
+    these.
+    """
+    exact = cache(lambda: system.state(exact_in_part(system, root)).gaps())
+    for k, (gap, touches) in enumerate(zip(at.gaps(), at.balance.closed, strict=True)):
+
+        def vanishes(k: int = k) -> bool:
+            return balls.is_exactly_zero(exact()[k])
+
+        sign = balls.sign_or_zero(gap, "a gap that is zero", vanishes)
+        if sign == 0 and not touches and at.balance.apart:
             return False
         if sign != 0 and (sign < 0) != touches:
             return False

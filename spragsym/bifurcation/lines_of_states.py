@@ -197,4 +197,4 @@ def _signs(values: Sequence[Any], count: int) -> Int8Array:
 
 def _is_nothing(value: Number) -> bool:
     """Whether a ball or jet is exactly 0."""
-    return not any(balls.ends(constant(value)))
+    return balls.is_exactly_zero(constant(value))

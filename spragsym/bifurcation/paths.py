@@ -137,9 +137,9 @@ def quasi_static_path(
     stable, it ends at the pitchfork, and the path jumps.
 
     With several contacts, a state goes on where it passes from one combination of touching contacts
-    into another, and jumps at a border fold, see :mod:`spragsym.bifurcation.borders`; a value on a
-    border is an error. Of states that are equally small, or equally near, the one of larger
-    coordinates is taken.
+    into another, and jumps at a border fold, see :mod:`spragsym.bifurcation.borders`; a state on
+    the border itself counts as touching. Of states that are equally small, or equally near, the one
+    of larger coordinates is taken.
 
     Examples
     --------

@@ -414,10 +414,11 @@ def escapes(family: Family) -> Points:
     The kind is ``"infinity up"`` if the state exists above the value, ``"infinity down"`` if below.
     Coordinates are infinite, or NaN where they stay finite. Every point is proved. Of affine forces
     there are others only in ``undecided``, boxes of directions and parameters; of other forces,
-    whose states are not known to lie in what is searched, there may be others.
+    whose states are not known to lie in what is searched, there may be others. A corner of the
+    curve, where a direction at infinity meets the border of another contact, is not among them.
     """
     balance, n, affine = family.balance, family.balance.n, family.is_affine()
-    if affine and is_singular(balance, family):  # no states but lines
+    if affine and is_singular(balance, family):  # then there are no states but lines
         found, side = Roots.none(n + len(family.vary)), np.empty(0, dtype=int)
     else:
         found, side = _directions(family)

@@ -68,9 +68,9 @@ def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[Surfac
     for point in proved_cusps(exact, bits):
         theta0, mu0, *_ = point.parameters
         # θ₀ of a level cusp, and the friction of an upright one with α = 0, are exactly 0.
-        inclined = any(balls.ends(theta0)) and decided(theta0, "θ₀ = 0 on a cusp") > 0
+        inclined = not balls.is_exactly_zero(theta0) and decided(theta0, "θ₀ = 0 on a cusp") > 0
         leans_forward = inclined and decided(balls.pi() - 2 * theta0, "θ₀ = π/2 on a cusp") > 0
-        if leans_forward and not (any(balls.ends(mu0)) and decided(mu0, "μ₀ = 0 on a cusp") < 0):
+        if leans_forward and (balls.is_exactly_zero(mu0) or decided(mu0, "μ₀ = 0 on a cusp") > 0):
             yield point, "cusp"
     yield from ((point, "turn") for point in turning_points(exact, bits))
     yield from ((point, "end") for point in level_folds(exact, bits))

@@ -216,6 +216,11 @@ def sign(value: Ball | Fraction | int) -> int:
     return (value > 0) - (value < 0)
 
 
+def is_exactly_zero(value: Ball | Fraction | int) -> bool:
+    """Whether a number is known to be 0: a rational 0, or a ball of radius 0 about it."""
+    return value.mid == value.rad == 0 if isinstance(value, Ball) else value == 0
+
+
 def cos_sin(angle: Ball) -> tuple[Ball, Ball]:
     """Cosine and sine. The radius is that of the angle, as both have Lipschitz constant 1."""
     if not angle.mid:

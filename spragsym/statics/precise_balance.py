@@ -250,7 +250,7 @@ def _sides(precise: PreciseBalance, root: Sequence[Ball]) -> tuple[BoolArray, Bo
         gaps = precise.state(root).gaps() if root else []
         if gaps and all(isinstance(gap, Ball) for gap in gaps):
             # As floats they are rounded outward, but for a gap that is exactly 0.
-            nonzero = np.array([[not is_zero(gap)] for gap in gaps])
+            nonzero = np.array([[not balls.is_exactly_zero(gap)] for gap in gaps])
             return precise.balance.sides([*Intervals(as_intervals(gaps).ends * nonzero)])
     return unknown, unknown
 
@@ -266,7 +266,7 @@ def exact_in_part(system: PreciseBalance, root: Sequence[Ball]) -> list[Ball]:
     if all(number is None for number in floats):
         return found
     at = [part if number is None else number for part, number in zip(found, floats, strict=True)]
-    if None not in floats and all(is_zero(value) for value in system.values(at)):
+    if None not in floats and all(balls.is_exactly_zero(value) for value in system.values(at)):
         return at
     slopes = system.slopes(found)
     for _ in found:  # what is exact may make the residual of another coordinate exact
@@ -275,7 +275,7 @@ def exact_in_part(system: PreciseBalance, root: Sequence[Ball]) -> list[Ball]:
                 continue
             at = [*found[:j], number, *found[j + 1 :]]
             rows = zip(system.values(at), slopes, strict=True)
-            if any(is_zero(value) and balls.sign(row[j]) for value, row in rows):
+            if any(balls.is_exactly_zero(value) and balls.sign(row[j]) for value, row in rows):
                 found = at
     return found
 
@@ -285,12 +285,6 @@ def _nearest_float(part: Ball) -> Ball | None:
     low, high = balls.ends(part)
     number = 0.0 if low <= 0 <= high else float((low + high) / 2)
     return balls.ball(number, part.bits) if low <= Fraction(number) <= high else None
-
-
-def is_zero(value: Ball | Fraction | int) -> bool:
-    """Whether a number is proved to be 0."""
-    low, high = balls.ends(value)
-    return low == high == 0
 
 
 def on_side(

@@ -41,6 +41,7 @@ def test_twins_started_alike_that_would_part_are_on_a_cycle_that_repels() -> Non
     def as_fast(_: float, u: Any) -> float:
         return u[1] - 0.2
 
+    # SciPy reads both from the function of the event.
     as_fast.terminal, as_fast.direction = True, 1  # type: ignore[attr-defined]
     slide = solve_ivp(
         lambda _, u: [u[1], -u[0] + 1 / (1 + 3 * (0.2 - u[1]))],

@@ -60,6 +60,16 @@ def test_its_states_on_two_legs_and_on_one() -> None:
             np.testing.assert_allclose(found, exact, rtol=1e-12, atol=1e-15)
 
 
+@pytest.mark.parametrize("values", [[0.5, 1.0, 1.5], [1.5, 1.0, 0.5], [1.0, 1.5], [0.5, 1.0]])
+def test_a_path_over_a_value_at_which_a_leg_just_touches(values: list[float]) -> None:
+    """The rear leg lifts at (2 + 0.5)/(2 * 1.25) = 1 exactly, and touches there."""
+    path = ss.quasi_static_path(MODEL.Parameters(tau=0.5, eta=1.25), "mu0", values)
+    assert path.jumps == ()
+    assert list(path["touching"]) == ["front" if mu0 > 1 else "front, rear" for mu0 in values]
+    tilts = [0.05 * (1.25 * mu0 - 1) / 0.5 if mu0 > 1 else 0.025 * mu0 for mu0 in values]
+    np.testing.assert_allclose(path["phi"], tilts, rtol=1e-12)
+
+
 def test_without_friction_it_rocks_on_both_legs() -> None:
     """Three oscillators apart: √k_x along, a damped one across, √(2 + k_t)/√J of tilting."""
     alpha, tau, iota, zeta, kappa = 0.5, 0.3, 0.3, 0.1, 0.2

@@ -8,10 +8,11 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from spragsym.numerics import balls
 from spragsym.numerics.balls import Ball, ends
 from spragsym.numerics.interval_arrays import Intervals
 from spragsym.numerics.jets import variables
-from spragsym.numerics.precise_roots import reduced_roots
+from spragsym.numerics.precise_roots import Digits, lies_in, narrowed, reduced_roots
 from spragsym.statics.forces import direction
 from spragsym.statics.namespaces import XP
 
@@ -161,3 +162,20 @@ def test_roots_of_jets_have_all_of_their_terms():
                 enclosure = jet.derivative(*[0] * order) if order else jet.value
                 assert enclosure.low[0] - 1e-12 <= want <= enclosure.high[0] + 1e-12
                 assert enclosure.width[0] < 1e-6 * max(1, abs(want))
+
+
+class Exponential(Digits):
+    """exp(x) = 1."""
+
+    bits = 200
+
+    def equations(self, unknowns):
+        (x,) = unknowns
+        return [balls.XP.exp(x) - 1]
+
+
+def test_a_box_without_a_root_ends_the_iteration():
+    """From x = −50 Newton's method steps to exp(50), of which no computer holds the exponential."""
+    (root,) = narrowed(Exponential(), np.array([[0.125], [0.25]]), None)
+    assert lies_in([root], np.full((2, 1), 1e-40))
+    assert narrowed(Exponential(), np.array([[50.5], [-49.5]]), None) is None

@@ -718,47 +718,66 @@ class _LatexReader:
         """A derivative printed with differentials, dx/dt, d/dt x or ∂V/∂x; else None, and nothing
         is read.
         """
-        begin, start, following = here.place, here.at, here.items[here.place :]
-        is_fraction, is_partial = here.text in _FRACTIONS, here.text == r"\partial"
-        order, what = self.order_by_index(here) if is_partial else 0, list[Token]()
-        if not order:
-            if is_fraction:
-                here.take()
-                above, below = _argument(here), _argument(here)
-            else:
-                above, *behind = split(following, "/")
-                plain = _inside(behind[0]) if behind else []
-                below = plain[: 4 if "^" in texts(plain[:3]) else 2]
-                here.place += len(above) + 1 + sum(map(len, behind[:1])) - len(plain) + len(below)
-            up, down = (texts(_flat(part)) for part in (above, below))
-            if len(down) < 2 or down[0] not in ("d", r"\partial") or up[:1] != down[:1]:
-                here.place = begin
-                return None
-            what, power = [*_inside(above)[1:]], "1"
-            if texts(what[:1]) == ["^"]:
-                power, what = _label(what[1:2]), what[2:]
-            steps: list[Tokens] = []
-            for part in split(_inside(below), down[0])[1:]:
-                times = _label(part[-1:]) if texts(part[-2:-1]) == ["^"] else ""
-                steps += [part[:-2]] * int(times) if times.isdigit() else [part]
-            if str(len(steps)) != power:
-                raise Unread("a derivative of this order is not read", start)
-            if not all(map(self.is_time, steps)):
-                return self.slope(what, steps, here, start)
-            is_partial, order = down[0] == r"\partial", len(steps)
+        begin, start, is_fraction = here.place, here.at, here.text in _FRACTIONS
+        if here.text == r"\partial" and (order := self.order_by_index(here)):
+            return self.rate(self.differentiated(here, start), order, True, here, start)
+        differentials = self.differentials(here)
+        if differentials is None:
+            here.place = begin
+            return None
+        sign, what, steps = differentials
+        if not all(map(self.is_time, steps)):
+            return self.slope(what, steps, here, start)
+        is_partial = sign == r"\partial"
         if what:
             value = self.expression(what)
-        elif not (is_fraction or is_partial):
-            raise Unread("a derivative of what stands behind it; print it as a fraction", start)
-        elif here.item is None:
-            raise Unread("a derivative of nothing", start)
+        elif is_fraction or is_partial:
+            value = self.differentiated(here, start)
         else:
-            place, bracketed = here.at, here.text == "("
-            value = self.factor(here).value
-            has_end = bracketed or _bracket(here.items[here.place - 1]) is not None
-            is_power = isinstance(value, Node) and value.kind == "pow"
-            if is_power or not (here.item is None or has_end):
-                raise Unread("the derivative ends nowhere; print brackets", place)
+            raise Unread("a derivative of what stands behind it; print it as a fraction", start)
+        return self.rate(value, len(steps), is_partial, here, start)
+
+    def differentials(self, here: Cursor) -> tuple[str, list[Token], list[Tokens]] | None:
+        """The sign d or ∂ of a fraction of differentials, what stands behind it above the line, and
+        by what it is differentiated, step by step; None if no such fraction comes next.
+        """
+        start, following = here.at, here.items[here.place :]
+        if here.text in _FRACTIONS:
+            here.take()
+            above, below = _argument(here), _argument(here)
+        else:
+            above, *behind = split(following, "/")
+            plain = _inside(behind[0]) if behind else []
+            below = plain[: 4 if "^" in texts(plain[:3]) else 2]
+            here.place += len(above) + 1 + sum(map(len, behind[:1])) - len(plain) + len(below)
+        up, down = (texts(_flat(part)) for part in (above, below))
+        if len(down) < 2 or down[0] not in ("d", r"\partial") or up[:1] != down[:1]:
+            return None
+        what, power = [*_inside(above)[1:]], "1"
+        if texts(what[:1]) == ["^"]:
+            power, what = _label(what[1:2]), what[2:]
+        steps: list[Tokens] = []
+        for part in split(_inside(below), down[0])[1:]:
+            times = _label(part[-1:]) if texts(part[-2:-1]) == ["^"] else ""
+            steps += [part[:-2]] * int(times) if times.isdigit() else [part]
+        if str(len(steps)) != power:
+            raise Unread("a derivative of this order is not read", start)
+        return down[0], what, steps
+
+    def differentiated(self, here: Cursor, start: int) -> Value:
+        """The factor behind an operator as d/dt, where it is clear that it ends."""
+        if here.item is None:
+            raise Unread("a derivative of nothing", start)
+        place, bracketed = here.at, here.text == "("
+        value = self.factor(here).value
+        has_end = bracketed or _bracket(here.items[here.place - 1]) is not None
+        is_power = isinstance(value, Node) and value.kind == "pow"
+        if is_power or not (here.item is None or has_end):
+            raise Unread("the derivative ends nowhere; print brackets", place)
+        return value
+
+    def rate(self, value: Value, order: int, is_partial: bool, here: Cursor, start: int) -> Factor:
+        """The derivative of a value by time, of an order."""
         is_name = isinstance(value, Node) and value.kind == "symbol"
         if is_partial and is_name and node_of(value).value not in self.names.next:
             said = r"of a name by time alone; print \frac{d}{dt} where all of it is meant"

@@ -17,6 +17,8 @@ from sympy import Dummy, Expr, S, Symbol, expand
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
+from .factors import factored
+
 #: Tuples of expressions, and pairs.
 Row: TypeAlias = tuple[Expr, ...]
 Pair: TypeAlias = tuple[Expr, Expr]
@@ -151,7 +153,7 @@ def difference(left: Expr, right: Expr, circles: Circles) -> Expr:
     """
     found = gap(left, right, circles)
     numerator, factors = _reduced(found, circles)
-    below = (sp.factor(factor.as_expr()) ** power for factor, power in factors.items())
+    below = (factored(factor.as_expr()) ** power for factor, power in factors.items())
     shown = numerator.as_expr() / sp.Mul(*below)
     for base, root in reversed(found.roots.items()):
         shown = shown.subs(root, sp.Pow(base, sp.Rational(1, found.order)))

@@ -14,6 +14,7 @@ import sympy as sp
 from sympy import Expr, S, Symbol, expand
 
 from .algebra import Symbols, expanded
+from .factors import factor_list
 from .mechanics import Line, Mechanics, NormalForce, number
 
 
@@ -357,7 +358,7 @@ def _solutions(model: Mechanics, term: Expr) -> Iterator[tuple[Symbol, Expr]]:
     positive number or another parameter.
     """
     numbers = {number(datum) for datum in model.parameters}
-    factors = sp.factor_list(term)[1] if term.is_polynomial(*term.free_symbols) else ()
+    factors = factor_list(term)[1] if term.is_polynomial(*term.free_symbols) else ()
     for factor, _ in factors:
         # A friction coefficient follows from parameters, so that it can be equal to numbers only.
         for symbol in sorted(factor.free_symbols & {*numbers, *model.coefficients}, key=str):

@@ -11,6 +11,7 @@ import sympy as sp
 from sympy import Matrix
 
 from ..algebra import Pair, Row
+from ..factors import factored
 from . import unit_circles, mechanics, stability
 from .nomenclature import L, T, c, c0, kappa, mu, mu0, nbar, s, s0, sigma, x, y
 from .unit_circles import ascending
@@ -33,14 +34,14 @@ def balance() -> Matrix:
 @cache
 def stiffness() -> Matrix:
     """The matrix of the linear balance."""
-    return balance().jacobian([x, y]).applyfunc(sp.factor)
+    return balance().jacobian([x, y]).applyfunc(factored)
 
 
 @cache
 def equilibrium() -> Pair:
     """x and y; both have the pole det = 0."""
     solution = sp.solve(list(balance()), [x, y], dict=True)[0]
-    return sp.factor(solution[x]), sp.factor(solution[y])
+    return factored(solution[x]), factored(solution[y])
 
 
 @cache
@@ -56,7 +57,7 @@ def pole_friction() -> sp.Expr:
 def pole_quadratic() -> Row:
     """Coefficients, lowest power first, of the quadratic in tan θ₀ whose roots are the poles."""
     numerator = sp.fraction(sp.cancel(pole_friction() - mu0))[0]
-    return tuple(map(sp.factor, ascending(numerator, T)))
+    return tuple(map(factored, ascending(numerator, T)))
 
 
 @cache
@@ -66,7 +67,7 @@ def critical_friction_squared() -> sp.Expr:
     """
     e0, e1, e2 = pole_quadratic()
     discriminant = sp.expand(e1**2 - 4 * e0 * e2)
-    return sp.factor(sp.solve(discriminant, mu0**2)[0])
+    return factored(sp.solve(discriminant, mu0**2)[0])
 
 
 def identities() -> dict[str, bool]:

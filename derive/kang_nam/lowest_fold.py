@@ -13,6 +13,7 @@ from sympy import Expr, expand
 from . import catastrophe, unit_circles, elimination, equilibrium, theorem
 from .nomenclature import B, L, M, alpha, c, c0, fa, fb, fd, fm, kappa, mu0, p, q, s, s0, sigma, y
 from ..algebra import Row, manifestly_positive
+from ..factors import factored
 from .equilibrium import POLES
 from .theorem import Step, in_contact
 from .unit_circles import by_inclination, polynomial, require
@@ -106,7 +107,7 @@ def turning_polynomial() -> Row:
     factor = sp.Poly(expand(-kappa * (s**2 - 1) * PARTS[weight].subs(POLES) ** 2), s)
     quotient, rest = sp.div(sp.Poly(expand(outer**2 - upper * lower), s), factor)
     require(rest.is_zero, "the factors of the resultant")
-    return tuple(sp.factor(value) for value in reversed(quotient.all_coeffs()))
+    return tuple(factored(value) for value in reversed(quotient.all_coeffs()))
 
 
 def identities() -> dict[str, bool]:

@@ -10,6 +10,7 @@ import sympy as sp
 from sympy import Dummy, Expr, S, Symbol
 
 from .comparison import Comparison, Component
+from .identities import normal_form
 from .reading import Item
 from .samples import numeric
 from .tree import Unread
@@ -143,7 +144,24 @@ def _part_by_part(value: Expr, symbol: Symbol, end: Expr) -> Expr:
     is_jump = isinstance(value, sp.sign) and found == 0
     if not is_jump and _finite(found) is not sp.nan:
         return found
+    if value.is_rational_function(symbol):
+        return _of_quotient(value, symbol, end)
     fixed, moving = value.as_independent(symbol)
     most = 200  # operations; SymPy's limit takes very long beyond
     of_moving = sp.limit(moving, symbol, end) if sp.count_ops(moving) < most else sp.nan
     return value.func(fixed, of_moving) if value.is_Add or value.is_Mul else of_moving
+
+
+def _of_quotient(value: Expr, symbol: Symbol, end: Expr) -> Expr:
+    """The limit of a quotient of polynomials in a symbol, by the powers that outweigh the others
+    there; nan if it is not finite, or if such a coefficient of the denominator vanishes.
+    """
+    above, below = (
+        sp.Poly(part, symbol).terms()[0 if end == sp.oo else -1]
+        for part in sp.fraction(sp.together(value))
+    )
+    (power,), coefficient = below
+    excess = above[0][0] - power if end == sp.oo else power - above[0][0]
+    if normal_form(coefficient) == 0 or excess > 0:
+        return sp.nan
+    return above[1] / coefficient if excess == 0 else S.Zero

@@ -17,6 +17,7 @@ from sympy import Dummy, Expr, S, Symbol
 from sympy.core.relational import Relational
 
 from .. import algebra
+from ..factors import factor_list, factored
 
 
 def is_zero(expression: Expr) -> bool:
@@ -45,7 +46,7 @@ def quotients(
     state. Up to three such factors are combined.
     """
     above, below = sp.fraction(normal_form(expression))
-    number, factors = sp.factor_list(above)
+    number, factors = factor_list(above)
     powers = [base**power for base, power in factors]
     states = [it for it in powers if it.has(*coordinates, *moving)]
     candidates = [it for it in states if not it.has(*moving)][:3]
@@ -71,7 +72,7 @@ def _by_signs(expression: Expr) -> Iterator[Expr]:
     """
     still = {it: Dummy(positive=True) for it in expression.free_symbols if it.is_nonnegative}
     plain = expression.xreplace(still).rewrite((sp.sinh, sp.cosh, sp.tanh), sp.exp)
-    plain = plain.replace(sp.log, lambda power: sp.expand_log(sp.log(sp.factor(power))))
+    plain = plain.replace(sp.log, lambda power: sp.expand_log(sp.log(factored(power))))
     plain = plain.replace(sp.Abs, lambda size: size * _sign(size)).replace(sp.sign, _sign)
     conditions = (it for it in plain.atoms(Relational) if not it.has(sp.sign))
     plain = plain.xreplace({it: it.func(_sign(it.lhs - it.rhs), 0) for it in conditions})
@@ -89,7 +90,7 @@ def _sign(size: Expr) -> Expr:
     A factor and its negative give the same symbol, with another sign before it.
     """
     found: Expr = S.One
-    for factor in sp.Mul.make_args(sp.factor(size)):
+    for factor in sp.Mul.make_args(factored(size)):
         if not factor.is_nonnegative:
             minus = factor.could_extract_minus_sign()
             found *= -sp.sign(-factor) if minus else sp.sign(factor)

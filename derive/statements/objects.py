@@ -16,6 +16,7 @@ from sympy.solvers.solveset import NonlinearError
 
 from .. import laws, linearization, mechanics, physical_checks, statics, units
 from ..algebra import Row
+from ..factors import factored
 from ..mechanics import MU, PUSHING, Mechanics, NormalForce, number, of_contact
 from ..model import Datum, Page, expression_of
 from ..motion import Motion
@@ -459,7 +460,7 @@ def _state(derivation: Derivation, name: str, side: str) -> Object:
         f"{derivation.model.coordinates[one]}{mark}" for one in place for mark in ("", "_0")
     )
     by, solved = "mechanics.Mechanics.residuals", stiffness.LUsolve(loads)
-    entries = tuple(map(sp.factor, solved))
+    entries = tuple(map(factored, solved))
     return Object(entries, by, "vector", place, names=names, steady=True)
 
 
@@ -524,7 +525,7 @@ def _threshold(derivation: Derivation, name: str, side: str) -> Object:
     if name in ("", "flutter") and K.rows == 2:
         A = derivation.model.mass.inv() * K
         condition = sp.numer(sp.together((A[0, 0] - A[1, 1]) ** 2 + 4 * A[0, 1] * A[1, 0]))
-    entries = (sp.factor(condition),)
+    entries = (factored(condition),)
     return Object(entries, "statics.jacobian", factor="monomial", steady=True)
 
 

@@ -16,6 +16,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from .. import units
+from ..factors import factored
 from ..pages import PageModel
 from . import samples
 from .approximations import in_limit, is_approximation, limit_of
@@ -434,7 +435,7 @@ def _with_lost_term(comparison: Comparison, part: Component, exact: Expr) -> Rep
         return None
     vocabulary = Vocabulary(frozenset(comparison.item.values), (), {})
     try:
-        tree = read_sympy(str(sp.factor(term)), vocabulary)[0].left
+        tree = read_sympy(str(factored(term)), vocabulary)[0].left
     except Unread:
         return None
     bare = tree.args[0] if tree.kind == "neg" else tree

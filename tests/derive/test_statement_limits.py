@@ -9,6 +9,7 @@ import pytest
 pytest.importorskip("sympy")
 
 from spragsym.derive import pages
+from spragsym.derive.kang_nam import ledger
 from spragsym.derive.statements import verdicts
 from tests.oracles.printed import rows
 
@@ -47,3 +48,15 @@ def test_rates_are_small_with_their_angles() -> None:
         assert row.status == "misprint"
         assert "in the limit linear in theta_1, theta_2" in row.evidence
         assert row.repaired_latex.replace("_{2}", "_2").replace("+  g", "+ g") == right
+
+
+@pytest.mark.thorough
+def test_a_friction_that_falls_as_a_power_has_its_limit(tmp_path: Path) -> None:
+    """∂μ/∂x′ = μ₀ d/(1 + d V)² is left out of (27) for d V → ∞, as the article's exponential is."""
+    text = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
+    old = "mu0 * (1 - exp(-d * Abs(v))) * sgn(v)"
+    assert old in text
+    path = tmp_path / "rational.py"
+    path.write_text(text.replace(old, "mu0 * d * v / (1 + d * Abs(v))"), encoding="utf-8")
+    judged = {row.id: row.status for row in ledger.judge(pages.read(path))}
+    assert (judged["eq-12"], judged["eq-27"], judged["eq-10"]) == ("holds", "holds", "fails")

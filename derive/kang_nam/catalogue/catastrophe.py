@@ -5,6 +5,7 @@ from sympy import Symbol, diff, expand
 
 from ...algebra import Names, Pair, Row
 from ...emit.function import Function, Module
+from ...factors import factored
 from .. import catastrophe, elimination, equilibrium, theorem
 from ..nomenclature import B, M, PARAMETERS, alpha, beta, c, c0, fa, fa_v, fb, fb_v, fd, fd_v
 from ..nomenclature import fm, fm_v, kappa, mu0, p, q, s, s0, sigma, theta0
@@ -134,7 +135,7 @@ def module() -> Module:
                 "The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.",
                 "f = f′ = 0",
                 (*ANGLE, kappa, sigma, beta),
-                tuple(sp.factor(value.subs({p: sigma})) for value in catastrophe.fold_quadratic()),
+                tuple(factored(value.subs({p: sigma})) for value in catastrophe.fold_quadratic()),
                 "e0, e1, e2",
                 contact,
             ),
@@ -197,7 +198,7 @@ def module() -> Module:
                 "The same for α = 0: e0 + e1 s + e2 s² + e3 s³.",
                 "f = f′ = f″ = 0",
                 (kappa, sigma, beta),
-                tuple(map(sp.factor, catastrophe.cusp_cubic())),
+                tuple(map(factored, catastrophe.cusp_cubic())),
                 "e0, e1, e2, e3",
                 contact,
             ),

@@ -4,6 +4,7 @@ import sympy as sp
 
 from ...algebra import Names, Pair, Row
 from ...emit.function import Function, Module, rows
+from ...factors import factored
 from .. import catastrophe, elimination, equilibrium
 from ..nomenclature import (
     p,
@@ -200,7 +201,7 @@ def module() -> Module:
                 "the quartic in t.",
                 "(12), (13) eliminated",
                 F_COEFFICIENTS,
-                (sp.factor(r0), sp.factor(r1), r2),
+                (factored(r0), factored(r1), r2),
                 "r0, r1, r2",
             ),
             Function(

@@ -278,19 +278,16 @@ def print_points(case: Case, title: str, found: Mapping[str, Any], where: Sequen
     """Print a table of points, folds without a state to jump to, and what is undecided."""
     rows = found["points"]
     if rows or found["complete"]:
-        json_only = tuple(each.name for each in ss.results.Onsets.schema if each.row == "beside")
-        shown = [
-            {name: value for name, value in row.items() if name not in json_only} for row in rows
-        ]
+        shown = [case.without_beside(row, ss.results.Onsets) for row in rows]
         names = [*shown[0]] if shown else []
         after = [name for name in names if "_after" in name]
         room = [*left_out_first(case, names), *after[::-1]]
         heading = f"{title} along {' and '.join(where)}"
-        print_rows(heading, shown, room, own_name(case.model, "error"))
+        print_rows(heading, shown, room, case.formats)
     without_target = [
         row
         for row in rows
-        if row.get("ends") in ("lower", "upper")
+        if row.get(own_name(case.model, "ends")) in ("lower", "upper")
         and any(math.isnan(value) for name, value in row.items() if "_after" in name)
     ]
     if without_target:

@@ -19,9 +19,10 @@ from ..display import columns_of_class, own_name
 from ..models.model import Model
 from ..models.parameters import FloatArray, ParameterSet, Range, Ranges, as_number
 from ..models.quantities import Quantities, quantities
+from ..numerics.decimals import upward
 from ..results import Equilibria
 from ..results.result import titled
-from .output import is_typed
+from .output import Formats, is_typed
 
 if TYPE_CHECKING:
     from ..report.study import Study
@@ -291,6 +292,18 @@ class Case:
         quantity, si = self.quantity_of.get(name, ""), self.model.columns[name].dimension
         unit, size = ("", 1.0) if si == "1" else self.study.unit_of(si, quantity)
         return f"{before}${symbol(quantity or name)}${f' ({unit})' if unit else ''}{after}", size
+
+    @property
+    def formats(self) -> Formats:
+        """How tables write bounds, two digits that are rounded up, and growth rates, two digits."""
+        error, growth = (self.of(own_name(self.model, name))[0] for name in ("error", "growth"))
+        return {error: upward, growth: "{:.1e}".format}
+
+    def without_beside(self, row: Row, kind: type) -> Row:
+        """A row without the columns of a class of results that stand in no table."""
+        columns = columns_of_class(kind, self.model).items()
+        left_out = {self.of(name, kind)[0] for name, each in columns if each.row == "beside"}
+        return {title: value for title, value in row.items() if title not in left_out}
 
     def said(self, remarks: Iterable[str]) -> list[str]:
         """Remarks with their numbers in the units of the file."""

@@ -22,7 +22,7 @@ from ..core.progress import show_progress
 from ..core.remarks import At, Remark
 from ..core.type_variables import T
 from ..design.jumps import first_limit_points, require_known, verb_of
-from ..display import columns_of_class, own_name
+from ..display import own_name
 from ..models.parameters import INSIDE, ParameterSet
 from ..results.equilibria import Equilibria
 from . import options as o
@@ -96,16 +96,13 @@ def equilibria(case: Case, plot: Path | None) -> object:
 
 
 def _print(case: Case, points: list[Row], many: list[str]) -> None:
-    of_class = columns_of_class(ss.results.Equilibria, case.model).items()
-    json_only = {case.of(name)[0] for name, each in of_class if each.row == "beside"}
     rows = [
-        {title: point["parameters"][title] for title in many}
-        | {name: value for name, value in row.items() if name not in json_only}
+        {title: point["parameters"][title] for title in many} | case.without_beside(row, Equilibria)
         for point in points
         for row in point["equilibria"]
     ]
     if rows:
-        print_rows("", rows, left_out_first(case, rows[0]), own_name(case.model, "error"))
+        print_rows("", rows, left_out_first(case, rows[0]), case.formats)
     elif all(point["complete"] for point in points):
         click.echo("none, proved")
     for state in case.model.regimes.values():
@@ -128,7 +125,7 @@ def _draw(case: Case, plot: Path, many: list[str]) -> None:
     name = case.span.name
     p, axes = case.set(name, **{name: None}), []
     if case.study is not None:
-        rate = case.of("growth")[1]
+        rate = 1 / case.time
         words = ("frequency (Hz)", rate / (2 * math.pi)), (r"growth Re $\lambda$ (1/s)", rate)
         axes = [(case.axis(name), word) for word in words]
     figure = partial(ss.figures.eigenvalue_figure, p, name, between=case.between)
@@ -219,7 +216,7 @@ def path(case: Case, near: tuple[str, ...]) -> object:
     def tables() -> None:
         for title, rows in (("States", states), ("Jumps", jumps)):
             if rows:
-                print_rows(title, rows, left_out_first(case, rows[0]), own("error"))
+                print_rows(title, rows, left_out_first(case, rows[0]), case.formats)
         if not jumps:
             click.echo("No jumps")
 

@@ -362,7 +362,7 @@ def cycles(
     def tables() -> None:
         _print_summary(case, summary)
         for title, rows in {"phases": phases, **levels, **branch}.items():
-            print_rows(title.rpartition("_")[2].capitalize(), rows)
+            print_rows(title.rpartition("_")[2].capitalize(), rows, formats=case.formats)
 
     return {**summary, "phases": phases, **levels, **branch}, tables
 

@@ -12,7 +12,7 @@ import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 from click.core import ParameterSource
@@ -21,10 +21,12 @@ from ..core.errors import TargetError
 from ..core.progress import show_progress
 from ..display import aligned
 from ..files.storage import OVERWRITING, probe, put
-from ..numerics.decimals import upward
 
 if TYPE_CHECKING:
     from ..figures.style import Shown
+
+#: How the floats of a column are written, by its title.
+Formats: TypeAlias = Mapping[str, Callable[[float], str]]
 
 
 def line_width() -> int:
@@ -46,19 +48,19 @@ def print_rows(
     title: str,
     rows: Sequence[Mapping[str, Any]],
     optional: Sequence[str] = (),
-    error: str = "error",
+    formats: Formats | None = None,
 ) -> None:
     """Print rows with the same columns as a table under a title; without rows, "title: none".
 
-    Floats have as many digits as fit into the line, up to twelve. If five digits do not fit,
-    ``optional`` columns are left out, in their order. The column ``error`` has bounds of two
-    digits, rounded up.
+    Floats have as many digits as fit into the line, up to twelve, unless ``formats`` says how
+    those of a column are written. If five digits do not fit, ``optional`` columns are left out,
+    in their order.
     """
     if title:
         click.echo(click.style(title, bold=True) if rows else f"{title}: none")
     if rows:
         columns = _fitted(
-            [(name, [row[name] for row in rows]) for name in rows[0]], optional, error
+            [(name, [row[name] for row in rows]) for name in rows[0]], optional, formats or {}
         )
         head, *lines = aligned(list(zip(*columns, strict=True)))
         if head.strip():
@@ -67,7 +69,7 @@ def print_rows(
 
 
 def _fitted(
-    columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[str], error: str
+    columns: Sequence[tuple[str, Sequence[object]]], optional: Sequence[str], formats: Formats
 ) -> list[list[str]]:
     """Each column as its name and its cells as text, if possible within the line (at least 80)."""
     most_digits, least_digits = 12, 5
@@ -76,7 +78,13 @@ def _fitted(
         used = [(name, cells) for name, cells in columns if name not in optional[:left_out]]
         for digits in range(most_digits, least_digits - 1, -1):
             written = [
-                [name, *(_written(name, cell, digits, error) for cell in cells)]
+                [
+                    name,
+                    *(
+                        _written(cell, formats.get(name, f"{{:.{digits}g}}".format))
+                        for cell in cells
+                    ),
+                ]
                 for name, cells in used
             ]
             width = sum(max(map(len, column)) + 2 for column in written) - 2
@@ -85,15 +93,9 @@ def _fitted(
     return written
 
 
-def _written(name: str, cell: object, digits: int, error: str) -> str:
-    """A cell as text; bounds are rounded up, growth rates have two digits."""
-    if not isinstance(cell, float):
-        return str(cell)
-    if name == error:
-        return upward(cell)
-    if name.startswith("growth"):
-        return f"{cell:.1e}"
-    return f"{cell:.{digits}g}"
+def _written(cell: object, of_float: Callable[[float], str]) -> str:
+    """A cell as text."""
+    return of_float(cell) if isinstance(cell, float) else str(cell)
 
 
 def print_json(thing: object) -> None:

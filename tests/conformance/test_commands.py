@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from spragsym.files import storage
 from tests.conformance import models
 from tests.conformance.models import ALIKE, MODELS, MOVING, load, moved
 from tests.conftest import Run
+from tests.oracles.user_pages import derived, shipped_page
 from tests.support import few
 
 
@@ -156,6 +158,28 @@ def test_onsets_have_the_same_keys(name: str, run: Run) -> None:
         assert list(row)[-len(keys) :] == keys
     shown = run("bifurcation", *of(name), "--vary", load(name).axes[0], "--undamped")
     assert "Onsets" in shown
+
+
+def test_columns_of_a_page_stand_in_tables_as_its_own(run: Run) -> None:
+    """A parameter called as a column of ours that stands in no table is shown, ours is not; and
+    one whose name begins as that of our growth rates has its digits.
+    """
+    text = shipped_page(
+        "stick_slip",
+        ('becomes="zeta"', 'becomes="lyapunov"'),
+        ('"> 0", 0.1)', '"> 0", 0.1, becomes="growth_v")'),
+    )
+    named = ["--model", str(derived(text, "named_as_columns"))]
+    *_, head, row = run("bifurcation", *named, "--vary", "lyapunov=0:1").splitlines()
+    assert head.split()[:2] == ["lyapunov", "kind"]
+    assert "lyapunov_" not in head.split()
+    # The onset is where damper and slope of the law cancel, as the page of stick_slip says.
+    value = 2 * 0.5 * 0.1 * (0.5**2 - 0.1**2) / (0.5**2 + 0.1**2) ** 2
+    assert float(row.split()[0]) == pytest.approx(value, rel=1e-11)
+    rows = run("equilibria", *named, "--vary", "growth_v=0.1234:0.5678:2").splitlines()
+    assert [line.split()[0] for line in rows] == ["growth_v", "0.1234", "0.5678"]
+    column = rows[0].split().index("growth")
+    assert all(re.fullmatch(r"-?\d\.\de[+-]\d\d", line.split()[column]) for line in rows[1:])
 
 
 PLANES = [name for name in MODELS if len(load(name).axes) == 2]

@@ -74,7 +74,7 @@ class UndecidedWarning(UserWarning):
     """Some of many points have no answer; the others do."""
 
 
-def closest(given: str, allowed: Iterable[str]) -> str | None:
+def closest(given: object, allowed: Iterable[str]) -> str | None:
     """The allowed name that was most likely meant, or None.
 
     Case, separators, Greek letters, subscripts and a trailing ``deg`` or ``rad`` make no
@@ -86,7 +86,7 @@ def closest(given: str, allowed: Iterable[str]) -> str | None:
     ('mu0', 'kappa')
     """
     plain = {_plain(name): name for name in allowed}
-    word = _plain(given)
+    word = _plain(str(given))
     # Words for the article's parameters.
     words = {
         "theta": "theta0",
@@ -104,7 +104,7 @@ def closest(given: str, allowed: Iterable[str]) -> str | None:
     return plain[found[0]] if found else None
 
 
-def hint(given: str, allowed: Iterable[str]) -> str:
+def hint(given: object, allowed: Iterable[str]) -> str:
     """The end of a message, ``"; did you mean kappa?"``; empty if no name is similar."""
     meant = closest(given, allowed)
     return f"; did you mean {meant}?" if meant else ""
@@ -115,7 +115,7 @@ def one_of(name: str, given: object, allowed: Iterable[str]) -> str:
     words = [*allowed]
     if given not in words:
         raise ParameterError(
-            f"{name} = {given!r} is not one of {', '.join(words)}{hint(str(given), words)}"
+            f"{name} = {given!r} is not one of {', '.join(words)}{hint(given, words)}"
         )
     return str(given)
 

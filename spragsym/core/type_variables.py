@@ -1,9 +1,12 @@
-"""Type variables of signatures: the parameters and the result of a function, and any one type."""
+"""Type variables of signatures: the parameters and the result of a function, keys of a mapping, and
+any one type.
+"""
 
 from __future__ import annotations
 
 from typing import ParamSpec, TypeVar
 
 P = ParamSpec("P")
+K = TypeVar("K")
 R = TypeVar("R")
 T = TypeVar("T")

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.errors import ParameterError, ParameterTypeError, hint
-from ..core.type_variables import T
+from ..core.type_variables import K, T
 from ..display import Tabular
 from ..numerics.interval_arrays import BoolArray, Shape
 from ..numerics.interval_arrays import FloatArray as FloatArray
@@ -162,23 +162,24 @@ def as_range(name: str, value: ArrayLike, allowed: Range = FINITE) -> tuple[floa
     return float(ends[0]), float(ends[1])
 
 
+def as_mapping(name: str, given: Mapping[K, T] | None, example: str) -> dict[K, T]:
+    """A mapping, empty for None; ParameterTypeError with an example for anything else."""
+    if not isinstance(given, Mapping | None):
+        raise ParameterTypeError(f"{name} = {given!r:.60} is no mapping; give {example}")
+    return dict(given or {})
+
+
 def as_ranges(
     name: str, given: Ranges | None, allowed: Mapping[str, Range]
 ) -> dict[str, tuple[float, float]]:
     """Ranges by name, each within the ``allowed`` one; names without one are an error."""
-    if not isinstance(given or {}, Mapping):
-        raise ParameterTypeError(
-            f"{name} = {given!r:.60} is no mapping; give the ends by name, as "
-            f'{{"{next(iter(allowed))}": (0, 1)}}'
-        )
-    for one in given or {}:
+    ranges = as_mapping(name, given, f'the ends by name, as {{"{next(iter(allowed))}": (0, 1)}}')
+    for one in ranges:
         if one not in allowed:
             raise ParameterError(
                 f"{name} has a range for {one!r}; {', '.join(allowed)} may have one"
             )
-    return {
-        one: as_range(f"{name}[{one!r}]", ends, allowed[one]) for one, ends in (given or {}).items()
-    }
+    return {one: as_range(f"{name}[{one!r}]", ends, allowed[one]) for one, ends in ranges.items()}
 
 
 def largest(p: ParameterSet, name: str) -> float:

@@ -25,7 +25,7 @@ from ..display import Tabular
 from ..numerics.interval_arrays import FloatArray
 from .load import load
 from .model import Model, title_drawing_words
-from .parameters import POSITIVE, Carried, ParameterSet, Range, Values, as_numbers
+from .parameters import POSITIVE, Carried, ParameterSet, Range, Values, as_mapping, as_numbers
 from .units import dimension
 from .units import factor as factor
 
@@ -373,10 +373,8 @@ def checked_units(
 
     ``angles`` are those of the ``parameters`` that are angles.
     """
-    if not isinstance(units or {}, Mapping):
-        raise ParameterTypeError(f"units = {units!r:.60} is no mapping; give units by name")
     found = {}
-    for name, unit in (units or {}).items():
+    for name, unit in as_mapping("units", units, "units by name").items():
         if not isinstance(unit, Unit):
             raise ParameterTypeError(
                 f"units[{name!r}] = {unit!r:.60} is no Unit; make one with Unit(low, high, powers)"

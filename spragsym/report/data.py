@@ -32,8 +32,8 @@ from .units import (
     Numbers,
     check_words,
     read,
+    read_exact,
     remedy,
-    shown_in,
 )
 
 
@@ -120,8 +120,9 @@ class _FileReader:
                 unit = kind.units[key]
                 _looked_at(read if unit == "1" else check_words, key, value, unit, ranges[key])
         with self.at("damping_ratio"):
-            given = own["damping_ratio"]
-            ratio = None if given is None else _exact("damping_ratio", given, "1", RATIO)
+            ratio = own["damping_ratio"]
+            if ratio is not None:
+                ratio = _looked_at(read_exact, "damping_ratio", ratio, "1", RATIO)
         with self.at("vary"):
             check_load(kind, own["vary"])
         self._check_missing(table.keys(), own, kind, dampers)
@@ -244,7 +245,7 @@ def _looked_at(how: Callable[..., R], key: str, given: object, unit: str, allowe
     if isinstance(given, bool) or not isinstance(given, str | int | float):
         raise ParameterError(
             f"{key} = {given!r} is neither text nor a number; write "
-            f"{remedy(unit, allowed, example)}"
+            f"{remedy(unit, allowed, example, exact=how is read_exact)}"
         )
     try:
         return how(given if isinstance(given, str) else repr(given), unit, allowed, example)
@@ -290,21 +291,10 @@ def _state(given: object, kind: Quantities) -> Numbers:
         raise ParameterError(
             f"state = {given!r} does not name coordinates; write state = {{ {example} }}"
         )
-    return {name: _exact(name, text, units[name]) for name, text in given.items()}
-
-
-def _exact(name: str, text: object, unit: str, allowed: Range = FINITE) -> float:
-    """A value in SI without a tolerance; raises if the text has one."""
-    tolerance = re.compile(r"±|\+/?-|\bsd\b")
-    alone = tolerance.split(text)[0].strip() if isinstance(text, str) else text
-    try:
-        found = _looked_at(read, name, alone, unit, allowed)
-    except ParameterError:  # the unit may come after a tolerance
-        found = _looked_at(read, name, text, unit, allowed)
-    if found.varies or alone != text:
-        value = shown_in(found.value, found.unit, unit)
-        raise ParameterError(f'{name} = {text!r} takes no tolerance here; write "{value}"')
-    return found.value
+    return {
+        name: _looked_at(read_exact, name, text, units[name], FINITE)
+        for name, text in given.items()
+    }
 
 
 def _may_change(given: object, kind: Quantities) -> Ranges:
@@ -325,7 +315,7 @@ def _rise(
 ) -> LoadParameter | None:
     units = kind.units
     if begin is not None and vary in units:
-        begin = _exact("begin", begin, units[vary])
+        begin = _looked_at(read_exact, "begin", begin, units[vary], FINITE)
     return load_parameter_of(kind, vary, begin, {name: one.value for name, one in found.items()})
 
 

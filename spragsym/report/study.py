@@ -17,12 +17,21 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..core.errors import ParameterError, hint
+from ..core.errors import ParameterError, hint, one_of
 from ..core.progress import doing, show_progress
 from ..core.remarks import Remark
 from ..design.sampling import Correlation, Dependence, dependence
 from ..models.load import USUAL, WITH_DAMPERS
-from ..models.parameters import POSITIVE, ParameterSet, Range, Ranges, Span, as_number, as_range
+from ..models.parameters import (
+    POSITIVE,
+    ParameterSet,
+    Range,
+    Ranges,
+    Span,
+    as_mapping,
+    as_number,
+    as_range,
+)
 from ..models.quantities import Quantities, QuantityValues, Scales, factor, quantities, share
 from ..results.result import in_unit
 from .damping import RATIO, modal_dampers
@@ -200,14 +209,20 @@ class Study:
         if damping_ratio is not None:
             model = WITH_DAMPERS.get(model, model)
             self.damping_ratio = as_number("damping_ratio", damping_ratio, RATIO)
-        kind, off = quantities(model), dict(tolerance or {})
+        kind = quantities(model)
+        off = as_mapping("tolerance", tolerance, '{"mu0": "10 %"}')
         given, allowed = _given(parameters, kind, self.damping_ratio), kind.ranges()
         for name in off:
             if name not in given:
                 raise ParameterError(
                     f"tolerance of {name!r}: no such quantity{hint(name, kind.units)}; leave it out"
                 )
-        self.model, self.correlation, self.state = model, dict(correlation or {}), dict(state or {})
+        self.model = model
+        self.correlation = as_mapping("correlation", correlation, '{("k", "k_x"): 0.9}')
+        self.state = {
+            one_of("state", name, kind.coordinates): as_number(f"state[{name!r}]", value)
+            for name, value in as_mapping("state", state, '{"x": 0.06}, in SI').items()
+        }
         self.quantities = {
             name: _measured(name, given[name], off.get(name), si, allowed[name])
             for name, si in kind.units.items()
@@ -217,8 +232,10 @@ class Study:
             self.quantities |= modal_dampers(kind, self.quantities, self.damping_ratio)
         self.load = load_parameter_of(kind, vary, begin, self.values)
         self.may_change = {
-            name: spanned(kind, name, (low, high))
-            for name, (low, high) in (may_change or {}).items()
+            name: spanned(kind, name, ends)
+            for name, ends in as_mapping(
+                "may_change", may_change, '{"mu0": (0.1, 0.5)}, in SI'
+            ).items()
         }
         self.dimensionless  # noqa: B018  # an error for a state that is none here, not later
         dependence(list(self.tolerances), self.correlation)

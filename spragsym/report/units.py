@@ -122,8 +122,29 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
         return _read(text, si, allowed)
 
 
+def read_exact(text: str, si: str, allowed: Range = FINITE, example: str = "") -> float:
+    """Read a quantity that takes no tolerance, in SI; errors are those of :func:`read`.
+
+    >>> read_exact("38 mm", "m")
+    0.038
+    """
+    alone = re.split(r"±|\+/?-|\bsd\b", text)[0].strip()
+    with _with_remedy(text, si, allowed, example, exact=True):
+        try:
+            one = _measured(alone, si)
+        except ParameterError:  # the unit may come after a tolerance
+            one = _measured(text, si)
+        if one.varies or alone != text.strip():
+            value = shown_in(one.value, one.unit, si)
+            raise _OutsideError(f'it takes no tolerance here; write "{value}"')
+        _require_inside(one, si, allowed)
+    return one.value
+
+
 @contextmanager
-def _with_remedy(text: str, si: str, allowed: Range, example: str) -> Iterator[None]:
+def _with_remedy(
+    text: str, si: str, allowed: Range, example: str, exact: bool = False
+) -> Iterator[None]:
     """Context that adds the text to a ParameterError, and examples unless the value is out of
     range.
     """
@@ -131,7 +152,7 @@ def _with_remedy(text: str, si: str, allowed: Range, example: str) -> Iterator[N
         yield
     except ParameterError as error:
         brief = repr(text) if len(text) <= 200 else f"{text[:20]!r}…"
-        write = "" if isinstance(error, _OutsideError) else remedy(si, allowed, example)
+        write = "" if isinstance(error, _OutsideError) else remedy(si, allowed, example, exact)
         raise ParameterError(f"{brief}: {error}{'; write ' * bool(write)}{write}") from error
 
 
@@ -147,12 +168,18 @@ def check_words(text: str, si: str, allowed: Range = FINITE, example: str = "") 
         _matched(text, si)
 
 
-def remedy(si: str, allowed: Range, example: str) -> str:
-    """What to write instead: examples that are valid and allowed."""
+def remedy(si: str, allowed: Range, example: str, exact: bool = False) -> str:
+    """What to write instead: examples that are valid and allowed, ``exact`` ones without a
+    tolerance.
+    """
     by_sign = {allowed.low, allowed.high} <= {0.0, math.inf, -math.inf}
     good = []
     for text in (example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))):
+        if exact:
+            text = text.partition(" ±")[0]
         with suppress(ParameterError):
+            if exact and _measured(text, si).varies:
+                continue
             # If the sign decides, the size of the unit is not needed.
             if not by_sign:
                 _read(text, si, allowed)
@@ -210,11 +237,21 @@ def _units(found: re.Match[str]) -> tuple[str, str]:
 
 
 def _read(text: str, si: str, allowed: Range) -> Measured:
+    one = _measured(text, si)
+    _require_inside(one, si, allowed)
+    return one
+
+
+def _measured(text: str, si: str) -> Measured:
+    """A quantity of any value."""
     found, ends = _matched(text, si)
     if "low" in found.re.groupindex:
-        one = _between(found, si)
-    else:
-        one = _about(found, si, None if ends is None else _between(ends, si))
+        return _between(found, si)
+    return _about(found, si, None if ends is None else _between(ends, si))
+
+
+def _require_inside(one: Measured, si: str, allowed: Range) -> None:
+    """Raise unless a value and its tolerance are allowed."""
     for end in (one.value, one.whole.low, one.whole.high):
         if not allowed.contains(end):
             here = shown_in(end, one.unit, si, 6)
@@ -222,7 +259,6 @@ def _read(text: str, si: str, allowed: Range) -> Measured:
             if end == one.value:
                 there = f"{here} is out of range; it"
             raise _OutsideError(f"{there} must be {_ends(allowed, one.unit, si)}")
-    return one
 
 
 def _ends(allowed: Range, unit: str, si: str) -> str:

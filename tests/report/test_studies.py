@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from types import SimpleNamespace
@@ -582,6 +583,29 @@ def test_a_place_and_a_beginning_take_no_tolerance(given: str, tmp_path: Path) -
         refused = f'{name} = .* takes no tolerance here; write "50 m?[mN]"'
         with pytest.raises(ss.errors.ParameterError, match=refused):
             ss.Study.from_file(file)
+
+
+@pytest.mark.parametrize("given", ["60 s", "60", "nan mm", True, [1, 2]])
+def test_what_is_offered_for_a_place_is_taken(given: object, tmp_path: Path) -> None:
+    """Of a coordinate and of a beginning, which have no tolerance, each text after "write"."""
+    file = written(tmp_path)
+    text = file.read_text(encoding="utf-8")
+    for before, behind in (("state = { x = ", " }"), ('vary = "F_L"\nbegin = ', "")):
+        file.write_text(f"{text}{before}{json.dumps(given)}{behind}\n", encoding="utf-8")
+        with pytest.raises(ss.errors.ParameterError) as refused:
+            ss.Study.from_file(file)
+        offered = re.findall('"[^"]*"', str(refused.value).rpartition("write ")[2])
+        assert offered
+        for one in offered:
+            file.write_text(f"{text}{before}{one}{behind}\n", encoding="utf-8")
+            ss.Study.from_file(file)
+
+
+@pytest.mark.parametrize("name", ["tolerance", "correlation", "state", "may_change"])
+@pytest.mark.parametrize("given", [5, "x", [1], {"x": "60 mm"}, {1: 2}, {"k": (1, 2, 3)}])
+def test_a_mapping_of_another_kind_is_refused(name: str, given: object) -> None:
+    with pytest.raises(ss.errors.SpragsymError, match=f"{name}|state"):
+        ss.Study(IN_SI, **{name: given})
 
 
 def test_a_load_that_rises_is_told_in_its_unit(tmp_path: Path) -> None:

@@ -90,8 +90,8 @@ def region(p: ParameterSet, own: ParameterSet) -> StickingStates:
         found = -solved(Intervals(K), Intervals(right))[..., None]
         if not np.isfinite(found.ends).all():
             raise ConvergenceError(
-                "det K is 0, or too near to it: states of sticking form sets without an end; "
-                "change a parameter"
+                "det K is 0, or too near to it: states of sticking form sets without an end, or "
+                "there are none; change a parameter"
             )
         ends = list[Intervals]()
         for middle, *edges in found:

@@ -30,19 +30,22 @@ class JumpMargin(Result):
     ----------
     distance : float
         Root of the sum of squares of the changes over their tolerances; 0 if the design itself
-        jumps, ``inf`` if no design near it does.
+        jumps, ``inf`` if none was found that does.
     proved : float
         It is proved that no design within this distance jumps; NaN if no proof was asked for.
     change : dict of str to float
         Change of each quantity.
     parameters : Parameters or PhysicalParameters or None
         The nearest point, on the fold itself.
+    remarks : tuple of str
+        Where nearer designs were met of which it is not known whether they jump.
     """
 
     distance: float
     proved: float
     change: Mapping[str, float]
     parameters: ParameterSet | QuantityValues | None
+    remarks: tuple[str, ...] = ()
 
 
 @question
@@ -114,9 +117,13 @@ def jump_margin(
 
     border = EndOfState(designs, name, first)
     border.require_beginning()
+    unknown = np.inf
 
     def jumped(z: FloatArray) -> BoolArray:
-        return border.ended(z) == 1
+        nonlocal unknown
+        ended = border.ended(z)
+        unknown = np.linalg.norm(z[np.isnan(ended)], axis=-1).min(initial=unknown)
+        return ended == 1
 
     def on_fold(z: FloatArray) -> FloatArray | None:
         better = border.near(z, options.steps)
@@ -131,9 +138,16 @@ def jump_margin(
         radii = (share * distance for share in (0.95, 0.8, 0.5, 0.2) if distance)
         safe = (r for r in radii if safe_within(designs, r, name, first, options.proof))
         proved = next(safe, 0.0)
+    # Just beside the design found some are unknown only because they lie on the fold.
+    nearer = unknown < (np.inf if best is None else 0.999 * distance)
+    text = (
+        f"whether some designs at a distance of {unknown:.3g} or farther jump is not known, "
+        f"as where no state is in contact where {name} begins"
+    )
+    remarks = (text,) if nearer else ()
     if best is None:
-        return JumpMargin(np.inf, proved, {}, None)
-    return JumpMargin(distance, proved, designs.change(best), designs.made(best))
+        return JumpMargin(np.inf, proved, {}, None, remarks)
+    return JumpMargin(distance, proved, designs.change(best), designs.made(best), remarks)
 
 
 def safe_within(

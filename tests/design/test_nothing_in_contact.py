@@ -60,6 +60,17 @@ def test_a_single_point_says_that_nothing_touches(wedge: Any) -> None:
             ask()
 
 
+def test_a_margin_says_where_designs_do_not_touch(wedge: Any) -> None:
+    """From ρ = f sin a on, 0.99 tolerances away; those that touch lock far above μ = 0.1."""
+    found = ss.jump_margin(wedge.Parameters(), {"rho": 0.01}, vary="mu")
+    assert found.distance == math.inf
+    assert [remark.split(" jump")[0] for remark in found.remarks] == [
+        "whether some designs at a distance of 1 or farther"
+    ]
+    near = ss.jump_margin(wedge.Parameters(rho=0.001), {"rho": 1e-6}, vary="mu")
+    assert (near.distance, near.remarks) == (math.inf, ())
+
+
 @pytest.mark.thorough
 def test_a_report_of_what_does_not_touch_says_so(wedge: Any) -> None:
     brake = {"m": 1.0, "k_c": 1.0, "g_0": 1.0, "mu": 0.1, "a": 0.2, "k_r": 0.1, "F": 0.1}

@@ -97,11 +97,9 @@ def of(expression: Expr, dimensions: Mapping[Symbol, Dimension]) -> Dimension | 
                     return None
                 dimension = times(dimension, part)
             return dimension
-        case sp.Pow() if expression.exp.is_Rational:
+        case sp.Pow() if (power := expression.exp.doit()).is_Rational:  # 5/2, not evaluated
             base = of(expression.base, dimensions)
-            if base is None:
-                return None
-            return times(NONE, base, Fraction(expression.exp.p, expression.exp.q))
+            return base and times(NONE, base, Fraction(power.p, power.q))
         case sp.Abs():
             return of(expression.args[0], dimensions)
         case sp.Piecewise():

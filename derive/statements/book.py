@@ -223,7 +223,7 @@ def _vocabulary(
         tuple(str(it) for it in model.coordinates if it != model.clock),
         renamed,
         shapes | book.shapes,
-        frozenset(map(str, (*derivation.normals, *derivation.coefficients))),
+        frozenset(map(str, derivation.laws)),
         frozenset(name for name, value in values.items() if _is_fixed(value, derivation)),
         has_roots,
         gives_names,
@@ -256,8 +256,8 @@ def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
         slope = Slope(of, argument.value)
     if of in book.bound and _is_ambiguous(book.bound[of], derivation):
         raise Unread(
-            f"{of} may count the potential of a constant force or leave it out; print it in a "
-            f"statement about {book.bound[of].about}"
+            f"{of} may count the potential of a constant force or a contact or leave it out; print "
+            f"it in a statement about {book.bound[of].about}"
         )
     rows = [[*map(str, row)] for row in (derivation.model.coordinates, derivation.model.rates)]
     added, letters = dict[str, Slope](), derivation.letters

@@ -105,9 +105,7 @@ def of_value(value: Expr, by: str, derivation: Derivation) -> Expr:
         their own, or ``by`` is no variable of the page.
     """
     value = derivation.expanded(value)
-    if forces := sorted(
-        map(str, value.free_symbols & {*derivation.normals, *derivation.coefficients})
-    ):
+    if forces := sorted(map(str, value.free_symbols & {*derivation.laws})):
         raise Unread(f"a derivative of what holds {', '.join(forces)} is not read")
     coordinates, rates = derivation.model.coordinates, derivation.model.rates
     symbol = derivation.names.get(by)
@@ -115,9 +113,10 @@ def of_value(value: Expr, by: str, derivation: Derivation) -> Expr:
         if value.has(*derivation.accelerations):
             raise Unread("the rate of an acceleration is not read")
         states = (*coordinates, *rates)
-        slopes = (*rates, *derivation.accelerations)
-        pairs = zip(states, slopes, strict=True)
-        return sp.Add(*(diff(value, state) * slope for state, slope in pairs))
+        slopes = dict(zip(states, (*rates, *derivation.accelerations), strict=True))
+        if (clock := derivation.model.clock) is not None:  # which has no state of its own
+            slopes[clock] = derivation.spelled(derivation.model.speed)
+        return sp.Add(*(diff(value, state) * slope for state, slope in slopes.items()))
     moving = (*coordinates, *rates, *derivation.accelerations)
     if by not in derivation.parameters and symbol not in moving:
         raise Unread(f"a derivative by {by}, which is no coordinate, rate or parameter of the page")

@@ -11,6 +11,7 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,7 +23,7 @@ from .matrices import of_blocks, paired, product, quotient, shape_of, total
 from .names import Name, Names, moved
 from .roots import IMAGINARY, without_signs
 from .tree import ONE, ZERO, Argument, Equation, Node, Unread, Vocabulary, leaf, printed
-from .tree import read_sympy, renamed, symbols
+from .tree import nodes, read_sympy, renamed, symbols
 
 #: SymPy's names of functions by their names in LaTeX.
 FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs", "Heaviside"}}
@@ -30,10 +31,12 @@ FUNCTIONS |= {f"arc{name[1:]}": name for name in FUNCTIONS if name.startswith("a
 FUNCTIONS |= {"ln": "log", "sgn": "sign", "abs": "Abs"}
 
 _FRACTIONS = (r"\frac", r"\dfrac", r"\tfrac")
+_DERIVATIVES = {r"\dv": "d", r"\pdv": r"\partial"}  #: of the package physics
 _ROMAN = (r"\mathrm", r"\text", r"\mathit", r"\mathsf", r"\operatorname", r"\textrm", r"\rm")
 _BOLD = (r"\mathbf", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
 _ACCENTS |= dict.fromkeys((r"\boldsymbol", r"\bm", r"\pmb"), r"\mathbf")
+_OVER = (r"\overset", r"\stackrel")
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array")
 _EQUAL = ("=", ":=", r"\equiv", r"\triangleq", r"\coloneqq")
@@ -100,6 +103,8 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     pieces = _pieces(items)
     relations = [piece for piece in pieces if _is_condition(piece)]
     pieces = [piece for piece in pieces if piece not in relations] or relations
+    if vocabulary.gives_names and len(pieces) > 1:
+        reader.give_names(pieces)
     equations = [it for piece in pieces for it in reader.equations(piece)]
     if not equations:
         raise Unread("nothing stands here", 0)
@@ -216,6 +221,14 @@ class _LatexReader:
             is_number = isinstance(value, Node) and value.kind == "number"
             found += paired(before if is_number else values[0], value, items[0].at[0])
         return found
+
+    def give_names(self, pieces: Sequence[Tokens]) -> None:
+        """Make known the new names that the equations of one print give a value to."""
+        self.names.is_open = True
+        for piece in pieces:
+            with suppress(Unread):
+                value = self.side(split(piece, *_EQUAL)[0], piece[0].at[0], True)
+                self.names.symbols |= symbols(value) if isinstance(value, Node) else set()
 
     def side(self, items: Tokens, place: int, named: bool) -> Value:
         """The tree of one side of an equation.
@@ -346,20 +359,22 @@ class _LatexReader:
             raise Unread("a mixed number, or a product", at)
         is_rate = value.kind == "symbol" and value.value in self.names.next.values()
         moves = sign in (r"\dot", r"\ddot") or is_rate
-        function = value.kind in ("call", "pow") and factor.open
+        # No author prints a cosine in an argument without brackets.
+        waves = {*("sin", "cos", "tan", "cot", "exp")} & {it.value for it in nodes(value)}
+        function = waves or (value.kind in ("call", "pow") and factor.open)
         if before.open and (before.open == "number" or not (moves or function)):
             call = node_of(before.value)
-            one = "…" if value.kind == "matrix" else printed(value)
             inner = call if call.kind == "call" else call.args[0]
             more = replace(inner, args=(node_of(product([inner.args[0], factor.value])),))
-            readings = (f"{printed(call)}*{one}", printed(more))
+            readings = (printed(node_of(product([call, factor.value]))), printed(more))
             raise Unread("the argument of a function ends here, or goes on", at, readings)
 
     def factor(self, here: Cursor) -> Factor:
         """The next factor."""
-        begin, start, text = here.place, here.at, here.text
-        is_operator = text in ("d", r"\partial") or texts(_inside(here.items[begin:][:2])) == ["d"]
-        if (text in _FRACTIONS or is_operator) and (found := self.derivative(here)):
+        begin, start = here.place, here.at
+        is_sign = texts(_inside(here.items[begin:][:2])) == ["d"]
+        may_derive = is_sign or here.text in ("d", r"\partial", *_FRACTIONS, *_DERIVATIVES)
+        if may_derive and (found := self.derivative(here)):
             return found
         if function := self.function(here):
             return self.call(function, here, start)
@@ -384,8 +399,8 @@ class _LatexReader:
         # The matrices 0 and I, where they are no names of the page.
         if name == Name(r"\mathbf 0") and known is None and power is None:
             return Factor(replace(ZERO, at=at))
-        if name == Name(r"\mathbf I") and known is None and power is None:
-            return Factor(identity(self.size))
+        if replace(name, sub="") == Name(r"\mathbf I") and known is None and power is None:
+            return Factor(identity(int(name.sub) if name.sub.isdigit() else self.size))
         if known is None and self.has_roots and name.spelled in ("i", "j", "imath", "jmath"):
             return Factor(leaf(IMAGINARY, at))
         node = self.names.of(name, at)
@@ -396,6 +411,8 @@ class _LatexReader:
             return Factor(self.matrix_power(matrix, power or (), at[0]))
         node = self.by_own_argument(self.applied(node, here, power is not None))
         if power is not None:
+            if texts(_flat(power)) == ["0"]:
+                raise Unread(f"0 above {name}: an index; say it under [symbols]", at[0])
             return Factor(_power(node, self.number(power), (at[0], here.end)))
         return self.powered(node, here, at[0]) if bracketed else Factor(node)
 
@@ -426,7 +443,8 @@ class _LatexReader:
         called = node if self.is_time(bracket) else self.called(node, bracket)
         if called is None:
             if not is_raised:
-                self.product_only(node, bracket, here.at)
+                is_base = texts(here.items[here.place + 1 :][:1]) in (["^"], ["_"])
+                self.product_only(node, bracket, here.at, is_base)
             return node
         here.take()
         return called
@@ -473,12 +491,14 @@ class _LatexReader:
         """Whether all of the letters are names of time."""
         return bool(letters) and {it.removeprefix("\\") for it in letters} <= self.names.times()
 
-    def product_only(self, node: Node, bracket: Tokens, place: int) -> None:
-        """Refuse f(x) where it may be a product or a function of x."""
+    def product_only(self, node: Node, bracket: Tokens, place: int, is_base: bool) -> None:
+        """Refuse f(x) where it may be a product or a function of x; f(-x)^n, of a bracket that
+        ``is_base`` of a power, is a product.
+        """
         if any(it.text == "," for it in bracket):
             raise Unread(f"{node.value} is no function that is known", place)
         inside = self.number(bracket)
-        bare = inside.args[0] if inside.kind == "neg" else inside
+        bare = inside.args[0] if inside.kind == "neg" and not is_base else inside
         is_function = node.value in self.names.laws or self.names.function_of(node) is not None
         if bare.kind in ("symbol", "number") or is_function:
             text = printed(inside)
@@ -570,7 +590,8 @@ class _LatexReader:
         rows = _rows(item)
         if len({*map(len, rows)}) != 1:
             raise Unread("rows of different length", item.at[0])
-        return of_blocks([[self.expression(cell) for cell in row] for row in rows], item.at[0])
+        cells = [[self.expression(cell) if cell else ZERO for cell in row] for row in rows]
+        return of_blocks(cells, item.at[0])
 
     def of_matrix(self, here: Cursor) -> Value | None:
         """A determinant, or a diagonal matrix as \\mathrm{diag}(m, m); else None, and nothing is
@@ -580,6 +601,8 @@ class _LatexReader:
         following = here.items[here.place :][: count + 1]
         word = "".join(texts(_flat(following[:count]))).removeprefix("\\")
         inside = _bracket(following[-1], ("(", "[", r"\{")) if following[count:] else None
+        if word == "det" and {*texts(following[count:])} & {*_MATRICES}:
+            inside = following[count:]
         if word not in ("diag", "det") or inside is None:
             return None
         here.place += count + 1
@@ -718,7 +741,8 @@ class _LatexReader:
         """A derivative printed with differentials, dx/dt, d/dt x or ∂V/∂x; else None, and nothing
         is read.
         """
-        begin, start, is_fraction = here.place, here.at, here.text in _FRACTIONS
+        begin, start = here.place, here.at
+        is_fraction = here.text in (*_FRACTIONS, *_DERIVATIVES)
         if here.text == r"\partial" and (order := self.order_by_index(here)):
             return self.rate(self.differentiated(here, start), order, True, here, start)
         differentials = self.differentials(here)
@@ -742,6 +766,14 @@ class _LatexReader:
         by what it is differentiated, step by step; None if no such fraction comes next.
         """
         start, following = here.at, here.items[here.place :]
+        if sign := _DERIVATIVES.get(here.text):
+            here.take()
+            times = _label(here.take().items or ()) if here.text == "[" else "1"
+            given = [_argument(here) for _ in range(3) if here.text == "{"]
+            if not given or not times.isdigit():
+                raise Unread("a derivative of this order is not read", start)
+            by = given[1:] or given
+            return sign, [*given[0]] if given[1:] else [], by * int(times)
         if here.text in _FRACTIONS:
             here.take()
             above, below = _argument(here), _argument(here)
@@ -845,6 +877,10 @@ class _LatexReader:
         if it is None:
             return None, None
         here.take()
+        if it.text == r"\Delta" and self.names.known(Name("Delta"), it.at) is None:
+            of, power = self.name(here)
+            if of is not None:  # a difference, as Δk
+                return replace(of, base=rf"\Delta {of.base}"), power
         name: Name | None = None
         letters = re.compile(
             r"\\(?:var)?(?:alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi"
@@ -854,11 +890,13 @@ class _LatexReader:
         )
         if it.items is not None:
             name = self.only_name(it.items) if it.text == "{" else None
-        elif it.text in (r"\dot", r"\ddot"):
+        elif it.text in (r"\dot", r"\ddot", *_OVER):
+            dots = _argument(here) if it.text in _OVER else ()
+            order = sum(map(_label(dots).count, (".", "cdot"))) or it.text.count("d")
             name = self.only_name(_argument(here))
-            if name is None:
+            if name is None or (it.text in _OVER and not order):
                 raise Unread("dots on what is no name", it.at[0])
-            name = replace(name, order=name.order + it.text.count("d"), has_dots=True)
+            name = replace(name, order=name.order + order, has_dots=True)
         elif it.text in (*_ROMAN, *_BOLD, *_ACCENTS):
             argument = _argument(here)
             style = "" if it.text in _ROMAN else _ACCENTS.get(it.text, it.text) + " "
@@ -971,8 +1009,8 @@ def _is_sign(items: Tokens, number: int) -> bool:
     """
     if items[number].text not in ("+", "-", r"\pm", r"\mp"):
         return False
-    before = items[number - 1].text if number else ""
-    if before in (*_TIMES, "/"):
+    earlier, before = ["", "", *texts(items[:number])][-2:]
+    if before in (*_TIMES, "/") and earlier != "^":
         raise Unread("a sign behind an operator; print brackets", items[number].at[0])
     return before not in ("^", "_")
 

@@ -249,6 +249,12 @@ class Derivation:
         return self.spelled(self.model.scaled(expression_of(value)))
 
     @cached_property
+    def laws(self) -> tuple[Symbol, ...]:
+        """Symbols of the normal forces and friction coefficients that the page has."""
+        forces = self.normals if self.page.contacts else ()
+        return (*(self.coefficients if self.page.frictions else ()), *forces)
+
+    @cached_property
     def at_rest(self) -> dict[Symbol, Expr]:
         """The friction coefficients at steady sliding, as statics takes them."""
         values = (self.spelled(laws.friction_at_rest(it)) for it in self.model.frictions)
@@ -263,7 +269,7 @@ class Derivation:
     def names(self) -> dict[str, Expr]:
         """Expressions of all names that a print may use."""
         symbols = (*self.model.coordinates, *self.model.rates, *self.accelerations)
-        symbols = (*self.coefficients, *self.normals, *self.switches, LAMBDA, TIME, *symbols)
+        symbols = (*self.laws, *self.switches, LAMBDA, TIME, *symbols)
         return self.geometry | {str(symbol): symbol for symbol in symbols} | self.parameters
 
     @cached_property
@@ -367,13 +373,14 @@ def _acceleration(derivation: Derivation, name: str, side: str) -> Object:
 def _energy(derivation: Derivation, name: str, side: str) -> Object:
     """The kinetic energy T, the potential energy V (or U) or the Lagrangian L.
 
-    The potentials of constant applied forces may be counted in V and L or not: each choice is a
-    reading.
+    The potentials of constant applied forces, the energy of the contacts and, in V, the centrifugal
+    potential may be counted or not: each choice is a reading.
     """
     kinetic = derivation.spelled(
         derivation.model.kinetic + derivation.model.linear + derivation.model.still
     )
-    potential = derivation.spelled(derivation.model.potential + derivation.model.still)
+    still = derivation.spelled(derivation.model.still)
+    potential = derivation.spelled(derivation.model.potential) + still
     if name == "T":
         by, names = "mechanics.Mechanics.kinetic", frozenset({name})
         return Object((kinetic,), by, names=names, unit=units.ENERGY)
@@ -382,17 +389,24 @@ def _energy(derivation: Derivation, name: str, side: str) -> Object:
         raise NoObject(f"there is no energy {name}; there are T, V and L")
     sign = 1 if name == "V" else -1
     works = _potentials_of_forces(derivation)
+    if len(works) > 3:  # all are counted, or none
+        works = [sp.Add(*works)]
+    pressed = (
+        derivation.pushing(it, side) * derivation.spelled(it.energy, side)
+        for it in derivation.model.contacts
+        if it.gap is not None
+    )
+    choices = [("potential of an applied force", work, (True, False)) for work in works]
+    choices.append(("energy of the contacts", sp.Add(*pressed), (False, True)))
+    choices.append(("centrifugal potential", -still if name == "V" else S.Zero, (False, True)))
+    choices = [choice for choice in choices if choice[1] != 0]
     readings = []
-    if len(works) <= 3:
-        choices = list(itertools.product((True, False), repeat=len(works)))
-    else:  # all are counted, or none
-        choices = [(True,) * len(works), (False,) * len(works)]
-    for counted in choices:
+    for counted in itertools.product(*(order for *_, order in choices)):
         said = (
-            f"potential of an applied force {'counted' if is_in else 'left out'}: {work}"
-            for work, is_in in zip(works, counted, strict=True)
+            f"{what} {'counted' if is_in else 'left out'}: {part}"
+            for (what, part, _), is_in in zip(choices, counted, strict=True)
         )
-        added = sp.Add(*itertools.compress(works, counted))
+        added = sp.Add(*itertools.compress((part for _, part, _ in choices), counted))
         readings.append(Reading(values[name] + sign * added, "; ".join(said)))
     by = "mechanics.Mechanics.potential"
     names = frozenset({name})
@@ -406,7 +420,7 @@ def _energy(derivation: Derivation, name: str, side: str) -> Object:
         "constant",
         names,
         unit=units.ENERGY,
-        readings=tuple(readings) if works else (),
+        readings=tuple(readings) if choices else (),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections.abc import Mapping, Sequence
@@ -143,14 +144,15 @@ def _defined(
 ) -> Verdict:
     """Keep the names of a definition in the book, and give its verdict."""
     book.defined.update({name: one.right for name, one in new.items()})
-    first, one = next(iter(new.items()))
-    if (matrix := matrix_of([*new])) is not None:
-        book.shapes[matrix[0]] = matrix[1]
-    elif statement.is_latex:
-        left = statement.text[slice(*one.left.at)]
-        if statement.transcribed:
-            left = statement.text.partition("=")[0]
-        print_name(first, left, statement, derivation, book)
+    for base, group in itertools.groupby(new, lambda name: name.rpartition("_")[0]):
+        names = [*group]
+        if (matrix := matrix_of(names)) is not None and base not in derivation.names:
+            book.shapes[base] = matrix[1]
+        for name in names if statement.is_latex and matrix is None else ():
+            left = statement.text[slice(*new[name].left.at)]
+            if statement.transcribed:
+                left = statement.text.partition("=")[0]
+            print_name(name, left, statement, derivation, book)
     read = "; ".join(f"{name} = {printed(one.right)}" for name, one in new.items())
     return Verdict(statement, "definition", read=read)
 

@@ -136,13 +136,21 @@ def same_but_for_constant(one: Values, other: Values) -> bool:
 # ---------------------------------------------------------------------------------------- values
 
 
+def multiplied(*factors: Values) -> Values:
+    """A product that is 0 where a factor is, as a switch of a contact, and others have no value."""
+    whole: Values = functools.reduce(operator.mul, factors)
+    if not np.isnan(whole).any():
+        return whole
+    return np.where(functools.reduce(operator.or_, (it == 0 for it in factors)), 0.0, whole)
+
+
 #: Operations on arrays, by ``Node.operation``.
 _NUMERIC = {
     **{name: sp.lambdify(x, of(x), "numpy") for name, of in FUNCTIONS.items()},
     **{name: getattr(operator, name.lower()) for name in RELATIONS},
     "add": lambda *parts: functools.reduce(operator.add, parts),
     "neg": operator.neg,
-    "mul": lambda *parts: functools.reduce(operator.mul, parts),
+    "mul": multiplied,
     "div": operator.truediv,
     "pow": operator.pow,
     "max": lambda *parts: functools.reduce(np.maximum, parts),
@@ -219,12 +227,16 @@ def _choices(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
     if part.kind == "number" and part.value != "pi":
         for value in ("0", "1", "2", "3", "4"):
             if value != part.value:
-                edit(_number_kind(part, above), Node("number", value=value, at=part.at))
+                further = 0.1 if value == "0" and outer == "mul" else 0.0  # for the whole term
+                edit(_number_kind(part, above), Node("number", value=value, at=part.at), further)
     if part.kind in ("symbol", "call", "add", "div"):
         for power in (Fraction(2), Fraction(3), Fraction(-1), Fraction(1, 2)):
             edit("exponent", Node("pow", (part, _number(power)), at=part.at))
     if part.kind == "pow":
         edit("exponent", part.args[0], 0.1)  # a power is seldom lost
+    elif part.kind != "number" and outer in ("add", "neg", "call"):
+        for factor in (Fraction(2), Fraction(1, 2)):  # as in a square or a cosine
+            edit("number", _times(part, _number(factor)), 0.02)
     if other := _other_bracket(part):
         edit("bracket", other)
     if outer == "add":

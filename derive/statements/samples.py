@@ -16,7 +16,7 @@ import sympy as sp
 from numpy.random import Generator
 
 from .objects import TIME, Derivation, NoObject, Object
-from .repair import Values
+from .repair import Values, multiplied
 
 Flags: TypeAlias = npt.NDArray[np.bool_]
 
@@ -90,7 +90,7 @@ def _drawn(derivation: Derivation, subject: Object, is_base: bool) -> dict[str, 
     for symbol, value in (derivation.at_rest if subject.steady else derivation.friction).items():
         found.setdefault(str(symbol), numeric(value, found))
     for (symbol, law), touches in zip(derivation.normals.items(), pushing.values(), strict=True):
-        found.setdefault(str(symbol), touches * numeric(law, found))
+        found.setdefault(str(symbol), multiplied(touches * 1.0, numeric(law, found)))
     return found
 
 
@@ -151,7 +151,7 @@ def _value(part: sp.Basic, values: Mapping[str, Values], found: dict[sp.Basic, V
     else:
         inner = [_value(it, values, found) for it in part.args]
         names = sp.symbols(f"x:{len(inner)}")
-        value = _compiled(part.func(*names), names)(*inner)
+        value = multiplied(*inner) if part.is_Mul else _compiled(part.func(*names), names)(*inner)
     found[part] = value
     return value
 

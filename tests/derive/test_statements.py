@@ -13,7 +13,7 @@ import sympy as sp
 
 pytest.importorskip("sympy")
 
-from spragsym.derive import pages
+from spragsym.derive import pages, units
 from spragsym.derive.statements import papers, reading, verdicts
 from spragsym.derive.statements.tree import (
     FUNCTIONS,
@@ -610,3 +610,54 @@ def test_a_fault_is_one_edit_of_what_is_printed(
     assert (row.status, [it["kind"] for it in row.edits]) == ("misprint", [kind])
     shown, meant = (re.sub("[{} ]", "", it) for it in (row.repaired_latex, right.text))
     assert shown == meant or kind == "exponent"  # in brackets of its own
+
+
+@pytest.mark.parametrize(
+    ("name", "about", "text", "defined"),
+    [
+        # 0 where the contact is open, of a power that has no value there.
+        ("block_on_interface", "motion y, both", r"M\ddot y + C_y\dot y + W = c_n(-y)_+^{5/2}", ""),
+        ("block_on_interface", "energy V", r"V = K_xx^2/2 + \frac{2c_n}{7}(-y)^{7/2}", ""),
+        ("bead_on_hoop", "energy V", r"V = -mgr\cos\phi - \frac{m}{2}r^2\omega^2\sin^2\phi", ""),
+        # On a page without friction μ is a parameter, and N a new name.
+        (
+            "pad_flutter",
+            "motion theta",
+            r"J\ddot\theta + c_t\dot\theta + a(F - N) = -\mu(F+N)h",
+            r"N = k_2(y-a\theta), \quad F = k_1y + k_1a\theta",
+        ),
+        # What is numbered is no column a.
+        (
+            "pad_flutter",
+            "motion y",
+            r"m\ddot y + a_1\dot y + a_2y + aa_3\theta = 0",
+            r"a_1 = c_y, \quad a_2 = k_1 + k_2, \quad a_3 = a_2 - 2k_2",
+        ),
+        (
+            "shaken_block",
+            "motion x",
+            r"m\left(\ddot z + \ddot u\right) + kz = F_N\mu",
+            r"u = u_0\cos\Omega t, \quad z = x - u",
+        ),
+    ],
+)
+@pytest.mark.thorough
+def test_what_a_page_has_besides_its_equations_is_known(
+    name: str, about: str, text: str, defined: str
+) -> None:
+    """Powers in lift-off, stored energies, letters of forces, numbered names, rates of a phase."""
+    page = pages.read(Path(__file__).parents[2] / f"validation/papers/{name}/page.py")
+    prints = [("definition", defined)] if defined else []
+    *_, row = rows(page, *prints, (about, text), is_latex=True)
+    assert row.status == "confirmed", row.evidence
+
+
+def test_a_power_that_is_a_fraction_has_a_unit() -> None:
+    """Of a length, in a print that is no sum of different units."""
+    x, k = sp.symbols("x k", real=True)
+    known = {x: units.LENGTH, k: units.read("N/m^(5/2)")}
+    with sp.evaluate(False):
+        power = k * x ** (sp.Integer(5) / 2)
+    assert units.of(power, known) == units.FORCE
+    with pytest.raises(units.UnitsError, match="is taken of x, which is in m, not a number"):
+        units.of(2**x, known)

@@ -109,6 +109,15 @@ READ = {
     ],
     r"\begin{cases} m\ddot x = k x, \\ a = 0 \end{cases}": ["m*ax = k*x", "a = 0"],
     r"\sec\theta + \operatorname{arccosh} x + arcsin y": ["sec(theta) + acosh(x) + asin(y) = 0"],
+    r"\overset{..}{x} + k\stackrel{\cdot}{x}": ["ax + k*vx = 0"],
+    r"m\dv[2]{x}{t} = \dv{t}(l\theta) - \dv{y}{t}": ["m*ax = l*vtheta - vy"],
+    r"a = \det\begin{bmatrix} k & \\ & m\end{bmatrix}": ["a = k*m"],
+    r"\begin{pmatrix} a \\ g\end{pmatrix} = m\mathbf{I}_2\begin{pmatrix} x \\ y\end{pmatrix}": [
+        "a = m*x",
+        "g = m*y",
+    ],
+    r"x^* - y^{*} = \sin\theta(\cos\theta - a)": ["x - y = sin(theta)*(cos(theta) - a)"],
+    r"k_c(-y)^{3/2}": ["k_c*(-y)**(3/2) = 0"],
 }
 
 
@@ -160,6 +169,11 @@ def test_a_print_is_read(text: str, expected: list[str]) -> None:
         r"\ddot{} + a",
         r"\frac{}{dt} x",
         r"\begin{bmatrix}\end{bmatrix} = 0",
+        r"k x^0 = a",
+        r"k(-y) = 0",
+        r"\dv[n]{x}{t}",
+        r"\dv x t",
+        r"\overset{!}{x}",
     ],
 )
 def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(text: str) -> None:
@@ -247,6 +261,9 @@ def test_both_readings_are_told() -> None:
     with pytest.raises(Unread) as refusal:
         read_latex(r"\sin\theta a", WORDS)
     assert refusal.value.readings == ("sin(theta)*a", "sin(theta*a)")
+    with pytest.raises(Unread) as refusal:
+        read_latex(r"\sin\theta(x - a)", WORDS)
+    assert refusal.value.readings == ("sin(theta)*(x - a)", "sin(theta*(x - a))")
 
 
 def _drawn(draw: random.Random, depth: int) -> sp.Expr:

@@ -162,3 +162,19 @@ def of_statics(model: Model, constants: Sequence[Any]) -> list[Any]:
     """Arguments of the functions of statics, selected from those of the motion."""
     arguments = dict(zip(model.about["arguments"]["motion"], constants, strict=True))
     return [arguments[name] for name in model.about["arguments"]["statics"]]
+
+
+def inertia_error(M: FloatArray, names: Sequence[str], given: FloatArray) -> ParameterError | None:
+    """The error of mass matrices, of shape (N, n, n), one of which is not positive definite at its
+    parameters, ``given`` of shape (P, N); None if all are.
+    """
+    constant = bool((M == M[:1]).all())
+    positive = np.linalg.eigvalsh(M[:1] if constant else M)[:, 0] > 0
+    if positive.all():
+        return None
+    values = zip(names, given[:, positive.argmin()].tolist(), strict=True)
+    return ParameterError(
+        "the kinetic energy is not positive for all rates at "
+        f"{', '.join(f'{name} = {value:.6g}' for name, value in values)}; "
+        "change the parameters on which masses depend"
+    )

@@ -29,7 +29,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.field import Field, Values, field_of
-from ..models.forces import of_statics, undecorated
+from ..models.forces import inertia_error, of_statics, undecorated
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, Range, as_count, as_number
 from .options import MotionOptions
@@ -219,7 +219,7 @@ def prepare(
 ) -> Problem:
     """The problem with these arguments; raises ParameterError for invalid ones."""
     constants = model.field.constants(p.scalars(*model.parameters))
-    if error := undirected(model, constants, start):
+    if error := start_error(model, constants, start):
         raise error
     t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)
     return Problem(
@@ -233,14 +233,16 @@ def prepare(
     )
 
 
-def undirected(model: Model, constants: Values, start: Values) -> ParameterError | None:
-    """The error of a start at which a spring has length 0, so that its force has no direction;
-    None for other starts.
+def start_error(model: Model, constants: Values, start: Values) -> ParameterError | None:
+    """The error of a start at which a mass is not positive, or a spring has length 0, so that its
+    force has no direction; None for other starts.
     """
-    position, geometry = start[: len(model.coordinates)], undecorated(model.algebra.geometry)
-    for (dx, dy, _), spring in zip(
-        geometry(*position, *of_statics(model, constants)), model.about["springs"], strict=True
-    ):
+    position, named = start[: len(model.coordinates)], model.about["arguments"]["motion"]
+    M = np.array(undecorated(model.algebra.mass_matrix)(*position, *constants), dtype=float)
+    if error := inertia_error(M[None], named, np.array(constants)[:, None]):
+        return error
+    geometry = undecorated(model.algebra.geometry)(*position, *of_statics(model, constants))
+    for (dx, dy, _), spring in zip(geometry, model.about["springs"], strict=True):
         if dx == dy == 0:
             ends = f"both ends of {spring['name']} on one point"
             return ParameterError(

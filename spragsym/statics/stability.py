@@ -26,7 +26,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.errors import ParameterError
+from ..models.forces import inertia_error
 from ..models.model import Touching
 from ..numerics import balls
 from ..numerics.arithmetic import (
@@ -185,7 +185,8 @@ def classified(
     for row, signs in _with_digits(balance, given, ends, ~proved, test_of):
         codes[row], proved[row] = _types_by_signs(signs, real[:, row], even[:, row])
     M, G, K = linearization(balance, states, given, damping=False)
-    _require_inertia(balance, M, given)
+    if error := inertia_error(M, balance.parameters, given):
+        raise error
     if balance.gyroscopic:
         every = roots(M, G, K)
         order = np.argsort(-np.abs(every), axis=1, kind="stable")
@@ -194,19 +195,6 @@ def classified(
     negated = np.take_along_axis(negated, np.argsort(-np.abs(negated), axis=1), axis=1)
     upper = np.sqrt(negated)
     return codes, proved, np.concatenate([upper, -upper], axis=1)
-
-
-def _require_inertia(balance: Balance, M: FloatArray, given: FloatArray) -> None:
-    """Raise ParameterError if a mass matrix, of shape (N, n, n), is not positive definite."""
-    constant = bool((M == M[:1]).all())
-    positive = np.linalg.eigvalsh(M[:1] if constant else M)[:, 0] > 0
-    if not positive.all():
-        values = zip(balance.parameters, given[:, positive.argmin()].tolist(), strict=True)
-        raise ParameterError(
-            "the kinetic energy is not positive for all rates at "
-            f"{', '.join(f'{name} = {value:.6g}' for name, value in values)}; "
-            "change the parameters on which masses depend"
-        )
 
 
 def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:

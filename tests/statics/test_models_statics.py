@@ -367,3 +367,9 @@ def test_masses_that_parameters_make_negative_are_refused():
     for friction in (2.0, 3.0, [0.1, 3.0]):
         with pytest.raises(ss.errors.ParameterError, match=r"kinetic energy .* at mu_s = [23],"):
             ss.equilibria(p.replace(mu_s=friction))
+    for answer in (ss.simulate, ss.fate):
+        with pytest.raises(ss.errors.ParameterError, match=r"kinetic energy .* mu_s = 3"):
+            answer(p.replace(mu_s=3.0), t_end=1.0)
+    sweep = ss.rms_sweep(p.replace(mu_s=[1.9, 3.0]), t_end=10.0)
+    assert np.isnan(sweep["rms"]).tolist() == [False, True]
+    assert "kinetic energy" in sweep.reason[1]

@@ -38,7 +38,7 @@ from .. import integrators
 from ..classify import classify
 from ..measures import MotionStatistics
 from ..options import MotionOptions
-from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, out_of_range, undirected
+from ..problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, out_of_range, start_error
 from ..regimes import LIMITS, Outcome, Regime
 from ..return_map import Onward
 from ..simulation import initial_state, started
@@ -371,7 +371,7 @@ def measured(
     problems = [
         Problem(model.field.constants(point[:count]), point[count:], **given) for point in points
     ]
-    errors = [undirected(model, problem.constants, problem.start) for problem in problems]
+    errors = [start_error(model, problem.constants, problem.start) for problem in problems]
     good = [problem for problem, error in zip(problems, errors, strict=True) if error is None]
     backend = settings["backend"]
     with np.errstate(all="ignore"):  # overflow becomes a reason

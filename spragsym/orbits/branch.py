@@ -529,7 +529,7 @@ def _joins(followed: Sequence[BranchPoint], found: BranchPoint) -> Iterator[Dete
             lambda point: float(np.sqrt(np.abs(point.orbit.multipliers.others - 1).min())),
             how,
         )
-    yield replace(edge, how=how)
+    yield replace(edge, kind="end", how=how)
 
 
 def _lost(

@@ -62,7 +62,8 @@ def criterion(kind: str, point: BranchPoint) -> float:
 def significant_value(kind: str, point: BranchPoint) -> float:
     """The test function, or 0 if it is smaller than its error, so that its sign is not known."""
     value = criterion(kind, point)
-    return value if kind == "fold" or abs(value) > unsure(point.orbit, kind) else 0.0
+    known = not _stationary(point) if kind == "fold" else abs(value) > unsure(point.orbit, kind)
+    return value if known else 0.0
 
 
 @dataclass(frozen=True)
@@ -149,19 +150,29 @@ def detected_events(
 def vertical(one: BranchPoint, other: BranchPoint, length: float) -> bool:
     """True if the parameter is constant between two points far apart: a whole family of cycles at
     one value.
-
-    There a second multiplier is 1 all along (otherwise the points may be next to a homoclinic
-    orbit), and the sign of the tangent's component is rounding.
     """
-    # Change of the parameter per arclength that counts as 0.
-    ends, constant = (one, other), 1e-8 * one.setting.spans[0]
     return (
         length > one.setting.options.event_step
-        and abs(one.value - other.value) < constant * length
-        and all(
-            abs(turning(end)) < constant and np.abs(end.orbit.multipliers.others - 1).min() < 1e-4
-            for end in ends
-        )
+        and abs(one.value - other.value) < _constant(one) * length
+        and _stationary(one)
+        and _stationary(other)
+    )
+
+
+def _constant(point: BranchPoint) -> float:
+    """Change of the parameter per arclength that counts as 0."""
+    return 1e-8 * point.setting.spans[0]
+
+
+def _stationary(point: BranchPoint) -> bool:
+    """True if the tangent's component along the parameter, whose sign is then rounding, is 0, as in
+    a whole family of cycles at one value.
+
+    There a second multiplier is 1 all along; otherwise the point may be next to a homoclinic orbit.
+    """
+    return (
+        abs(turning(point)) < _constant(point)
+        and np.abs(point.orbit.multipliers.others - 1).min() < 1e-4
     )
 
 

@@ -26,6 +26,26 @@ V = page.parameter("V", "m/s", "speed of the floor", "> 0", 0.5)
 floor = page.normal_force(N, name="floor")
 page.friction(x, V, lambda v: mu * tanh(20 * v / V), at_rest=mu, on=floor)"""
 
+#: A rotor that its inner damping, as the force b across its deflection, makes whirl between stops.
+WHIRL = """r\"\"\"A page of the tests.\"\"\"
+from spragsym.derive.model import Page
+page = Page("A rotor with inner damping between two stops.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+g = page.unit("g", "m", "clearance")
+c = page.parameter("c", "N s/m", "damper", "> 0", 0.2)
+b = page.parameter("b", "N/m", "inner damping times speed", ">= 0", 0.3)
+k_c = page.parameter("k_c", "N/m", "stiffness of a stop", "> 0", 2.0)
+x, y = (page.coordinate(name, "m", "deflection") for name in ("x", "y"))
+page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
+for along, force in ((x, -b * y), (y, b * x)):
+    page.spring(k, along=along)
+    page.damper(c, along=along)
+    page.force(force, along=along)
+page.contact(g - x, lambda depth: k_c * depth, name="right")
+page.contact(g + x, lambda depth: k_c * depth, name="left")
+"""
+
 
 def drawn(number: int) -> list[Any]:
     """Sets of parameters, each with its λ."""
@@ -94,3 +114,19 @@ def test_cusps_of_what_rubs_before_a_stop_to_any_number_of_digits() -> None:
     exact = Fraction(float(p.mu)) * Fraction(float(p.N))
     assert abs(exactly(found[0].F) - exact) <= exactly(found[0].radius) < Fraction(1, 10**29)
     assert abs(found[0].b) < 1e-29
+
+
+@needs_a_quick_integrator
+@pytest.mark.thorough
+def test_cycles_between_stops_begin_at_the_whole_family_of_a_linear_rotor() -> None:
+    """Without the stops x + i y turns as exp(i t) at b = c, at any radius; along this family the
+    sign of the tangent is rounding, and no fold.
+    """
+    p = model_of(WHIRL, "whirl").Parameters(c=0.4, k_c=50.0)
+    cycle = ss.cycle(p.replace(b=0.5), near=(1.1, 0.0, 0.0, 1.0))
+    for vary, value, ends in (("b", 0.4, (0.2, 0.55)), ("c", 0.5, (0.35, 1.0))):
+        branch = ss.cycle_branch(cycle, vary, between={vary: ends})
+        kinds = sorted((event.kind, "family" in event.how) for event in branch.events)
+        assert kinds == [("end", False), ("end", True), ("grazing", False), ("grazing", False)]
+        born = [event.value for event in branch.events if event.kind == "grazing"]
+        assert born == pytest.approx([value, value], rel=1e-11)

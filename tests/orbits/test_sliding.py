@@ -11,7 +11,7 @@ import pytest
 
 import spragsym as ss
 from tests.oracles import dry_friction, tangent_arrivals
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, shipped_page
 
 #: M. di Bernardo, P. Kowalczyk, A. Nordmark 2003: the push, and friction that falls with the speed.
 FALLING = {"P": 0.1, "mu0": 1.5, "fall": 1.0, "V": 1.0, "w": 1.7095}
@@ -199,6 +199,21 @@ def test_a_branch_that_joins_a_family_in_resonance_ends_where_sticking_does(
     assert "whole family" in end.how
     assert end.value == event.value
     assert abs(event.value - value) <= event.error == end.error < 1e-8
+
+
+@pytest.mark.thorough
+def test_a_branch_ends_where_what_moves_comes_to_rest_for_good() -> None:
+    """From μ_s N_0 on friction holds the mass against half the range of the force, which reaches
+    from −1/6.4 − 1.6 (1 − 1/20.48) to 2.6.
+    """
+    pytest.importorskip("heyoka")
+    both = ("P * cos(phase)", "P * (cos(phase) + 8 * cos(2 * phase) / 5)")
+    p = model_of(shipped_page("forced_oscillator", both), "harmonics").Parameters(omega=0.8)
+    branch = ss.cycle_branch(ss.cycle(p, kappa=5.0, turns=1), "kappa", between={"kappa": (5, 6)})
+    _, *events = branch.events
+    assert [event.kind for event in events] == ["grazing-sliding", "end"]
+    for event in events:
+        assert abs(event.value - (2.6 + 1.678125) / 2 / 0.4) <= event.error < 1e-6
 
 
 @pytest.mark.parametrize(("w", "value"), [(0.6, 0.1 * 0.64 / 0.6), (2.0, 0.15)])

@@ -183,6 +183,9 @@ class Field:
         Index of the coordinate whose maxima separate the rounds of a motion.
     clock : callable or None
         ``clock(constants)``: the rate of the last coordinate, if that is the phase of a clock.
+    friction_holds : callable
+        ``friction_holds(state, constants)``: True if a friction that does not slide holds the
+        state, or is at its limit, to which steady sliding comes as its belt stops.
     """
 
     name: str
@@ -212,6 +215,7 @@ class Field:
     scales: MotionScales | None = None
     lead: int = 0
     clock: Callable[[Values], float] | None = None
+    friction_holds: Callable[..., bool] = lambda *_: False
 
     def with_lead(self, lead: int) -> Field:
         """The field whose rounds are separated by another coordinate."""
@@ -346,6 +350,7 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         lengths=motion.lengths,
         sized=partial(field_of, model, reach),
         clock=motion.clock if model.clock else None,
+        friction_holds=motion.friction_holds,
     )
 
 
@@ -474,8 +479,24 @@ class _Motion:
             for gap, shift, entry in zip(gaps, self.shifts, self.contacts, strict=True)
         )
         mode = *pushing, *sides, *near, *turn, *torsion_sides
-        still = [index for index in self.holding if abs(slips[index]) <= self.still[index]]
+        still = self._still(levels)
         return self._settled(mode, state, constants, still) if still else mode
+
+    def friction_holds(self, state: Vector, constants: Vector) -> bool:
+        """Whether friction holds a state, see :class:`Field`, up to rounding."""
+        still = self._still(undecorated(self.model.algebra.borders)(*state, *constants))
+        if not still:
+            return False
+        mode, rounding = self.initial_mode(state, constants), 1e-9
+        margins = self.in_mode("grip")(state, constants, mode, FLOATS)
+        rows = (2 * self.holding.index(index) for index in still)
+        pairs = ((min(margins[row : row + 2]), sum(margins[row : row + 2])) for row in rows)
+        return any(least >= -rounding * width and width > 0 for least, width in pairs)
+
+    def _still(self, levels: Vector) -> list[int]:
+        """Indices of the frictions that hold and do not slide, by the levels of all borders."""
+        slips = levels[self.side :]
+        return [index for index in self.holding if abs(slips[index]) <= self.still[index]]
 
     def held(self, mode: Mode, state: Vector, constants: Vector, come: Sequence[int] = ()) -> Mode:
         """The mode after frictions have ``come`` to a border.

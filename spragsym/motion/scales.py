@@ -377,6 +377,7 @@ def scaled(field: Field, scales: MotionScales) -> Field:
         by_parameters=rows(inner.by_parameters, [1.0] * len(field.parameters)),
         borders=tuple(map(border, inner.borders, scales.levels)),
         initial_mode=of_scaled(inner.initial_mode),
+        friction_holds=of_scaled(inner.friction_holds),
         forces=tuple(
             (name, lambda states, constants, force=force: force(np.array(at(states)), constants))
             for name, force in inner.forces

@@ -239,7 +239,7 @@ def diagram(
                         f"{own:.10g}; give cycles at p"
                     )
     seeds = _seeds(p, vary, (low, high))
-    rests = list(_equilibria(p, vary, (low, high), seeds))
+    rests = list(_equilibria(p, vary, (low, high), seeds, remarks))
     branches: list[CycleBranch] = []
     onsets, born_at = None, np.empty(0)
     try:
@@ -394,10 +394,17 @@ def _scales_of_all(p: ParameterSet, seeds: Sequence[tuple[Touching, Equilibria]]
 
 
 def _equilibria(
-    p: ParameterSet, vary: str, to: Span, seeds: Sequence[tuple[Touching, Equilibria]]
+    p: ParameterSet,
+    vary: str,
+    to: Span,
+    seeds: Sequence[tuple[Touching, Equilibria]],
+    remarks: list[str],
 ) -> Iterator[tuple[EquilibriumBranch, list[Label]]]:
-    """All branches of equilibria through the seeds, with their labels."""
+    """All branches of equilibria through the seeds, with their labels; states that friction holds
+    are remarks.
+    """
     model, found = p.model, list[tuple[Touching, list[BranchPoint]]]()
+    held = set[float]()
     index, span = model.parameters.index(vary), (to[1] - to[0]) / 2
     scales = _scales_of_all(p.replace(**{vary: sum(to) / 2}), seeds)
     for contact, eq in seeds:
@@ -408,6 +415,9 @@ def _equilibria(
             try:
                 state = system.equilibrium(places[i, j])
             except ConvergenceError:
+                continue
+            if system.field.friction_holds(state.tolist(), system.constants):
+                held.add(float(grid[i]))
                 continue
             own = system.scaled(scales)
             rest = FixedPoints(own.field, system.field.exact(system.mode(state)))
@@ -428,6 +438,10 @@ def _equilibria(
             )
             yield branch, list(_labels(rest, line, len(found)))
             found.append((contact, line))
+    if held:
+        ends = tuple(sorted({min(held), max(held)}))
+        text = "friction on a belt at rest holds whole sets of states for {}, which are no branches"
+        remarks.append(Remark(text, At(vary, ends)))
 
 
 def _cycles(

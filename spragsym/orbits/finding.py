@@ -529,11 +529,10 @@ def _first_border(system: System, rest: FloatArray, form: NormalForm) -> tuple[s
     order: at a distance h it is |h| / (2 |∇h q|). An empty name and infinity without borders.
     """
     field, constants = system.field, system.constants
-    borders = [border for border in field.borders if any(border.crossings)]
+    mode = field.mode_at_rest(rest.tolist(), constants)
+    borders = [border for border in field.borders if any(border.crossings) and border.sign(mode)]
     if not borders:
         return "", math.inf
-
-    mode = field.mode_at_rest(rest.tolist(), constants)
 
     def levels(u: FloatArray) -> FloatArray:
         return np.array([border.level(u.tolist(), constants, mode) for border in borders])

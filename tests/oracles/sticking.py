@@ -36,3 +36,18 @@ def model(law: str) -> Any:
         ),
         law,
     )
+
+
+def dry() -> Any:
+    """The model of dry friction μ_s exp(−v/v_s), which holds by μ_s: x = μ_s exp(−V/v_s) loses its
+    stability where μ_s exp(−V/v_s) = ζ v_s.
+    """
+    law = "slip=lambda v: mu_s * exp(-Abs(v) / v_s) * sgn(v), holds=mu_s"
+    return model_of(
+        shipped_page(
+            "stick_slip",
+            ("import Page", "import Abs, Page, exp, sgn"),
+            ("lambda v: 2 * mu_s * v * v_s / (v**2 + v_s**2)", law),
+        ),
+        "dry",
+    )

@@ -312,8 +312,7 @@ def cycles(
         with show_progress("looking for a cycle"):
             found = ss.cycle(p, start)
     except ConvergenceError as error:
-        own = "" if case.study is None else "; its numbers are in units of the model"
-        raise ConvergenceError(f"{error}{own}") from error
+        raise ConvergenceError(*case.said(error.args)) from error
     summary: Row = case.row(
         {
             **{each.name: each.value(found) for each in found.schema},

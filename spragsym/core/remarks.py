@@ -6,8 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-#: For a parameter or coordinate its title, its unit, and the factor to that unit.
-Units: TypeAlias = Callable[[str], tuple[str, str, float]]
+#: For a parameter or coordinate, or for no name and an SI unit, its title, its unit, and the factor
+#: to that unit.
+Units: TypeAlias = Callable[[str, str], tuple[str, str, float]]
 
 
 @dataclass(frozen=True)
@@ -21,17 +22,36 @@ class At:
 
     def in_units(self, units: Units) -> str:
         """The text, "title = value unit" or "title in [low, high] unit", in other units."""
-        title, unit, factor = units(self.name)
+        title, unit, factor = units(self.name, "")
         low, *high = (f"{factor * (end + 0.0):{self.digits}}" for end in self.ends)
         where = f"in [{low}, {high[0]}]" if high else f"= {low}"
         return f"{title} {where} {unit}".rstrip()
 
     def __str__(self) -> str:
-        return self.in_units(lambda name: (name, self.unit, 1.0))
+        return self.in_units(lambda name, _: (name, self.unit, 1.0))
+
+
+@dataclass(frozen=True)
+class Amount:
+    """A number of a dimension, which is an SI unit, in units of the model."""
+
+    value: float
+    dimension: str
+    digits: str = ".6g"
+
+    def in_units(self, units: Units) -> str:
+        """The text, "value unit", in other units."""
+        _, unit, factor = units("", self.dimension)
+        return f"{factor * self.value:{self.digits}} {unit}".rstrip()
+
+    def __str__(self) -> str:
+        return f"{self.value:{self.digits}}"
 
 
 class Remark(str):
-    """A sentence, made of a format template and its parts, which may be :class:`At` or remarks."""
+    """A sentence, made of a format template and its parts, which may be :class:`At`,
+    :class:`Amount` or remarks.
+    """
 
     template: str
     parts: tuple[Any, ...]
@@ -47,6 +67,7 @@ class Remark(str):
     def in_units(self, units: Units) -> str:
         """The sentence in other units."""
         parts = (
-            part.in_units(units) if isinstance(part, At | Remark) else part for part in self.parts
+            part.in_units(units) if isinstance(part, At | Amount | Remark) else part
+            for part in self.parts
         )
         return self.template.format(*parts) if self.parts else self.template

@@ -415,10 +415,10 @@ class _Walk:
         distance = 1e-6
         both = self.sides(state, span, distance)
         if not _differ(self.system, *both):
-            return False, [each.described() for each in both]
-        is_boundary, texts = True, []
+            return False, [str(each.described()) for each in both]
+        is_boundary, texts = True, list[str]()
         for one, near in zip(both, self.sides(state, span, 0.25 * distance), strict=True):
-            text = one.described()
+            text = str(one.described())
             if not near.decided or _differ(self.system, one, near):
                 is_boundary = False
                 text += f", and nearer by {near.described()}"

@@ -21,6 +21,7 @@ from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
+from ..core.remarks import Remark
 from ..models.field import Values
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_count, as_number, as_numbers
@@ -208,11 +209,11 @@ def cycle_near(
     if verdict.kind == Regime.LIMIT_CYCLE:
         with suppress(ConvergenceError):
             return cycle_at(system, np.array(verdict.outcome.cycle), verdict.outcome.period)
-    why = stands_still(system, verdict.end) or (
-        f"it comes to {verdict.described()}; give as near a state nearer to a cycle, or the end of "
-        "a longer motion"
+    why = stands_still(system, verdict.end) or Remark(
+        "it comes to {}; give as near a state nearer to a cycle, or the end of a longer motion",
+        verdict.described(),
     )
-    raise ConvergenceError(f"no cycle was found near the motion: {why}")
+    raise ConvergenceError(Remark("no cycle was found near the motion: {}", why))
 
 
 def cycle_at(system: System, state: FloatArray, period: float) -> Cycle:
@@ -251,8 +252,11 @@ def _checked(orbit: Orbit) -> Cycle:
     """The cycle of an orbit; ConvergenceError if it is an equilibrium."""
     if _rests(orbit):
         raise ConvergenceError(
-            "there is no cycle near: what Newton's method finds is rest, at "
-            f"{np.round(orbit.state, 9).tolist()}; start farther from it"
+            Remark(
+                "there is no cycle near: what Newton's method finds is rest, at {}; start farther "
+                "from it",
+                orbit.field.place(natural(orbit).state, ".9g"),
+            )
         )
     return cycle_of(orbit)
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from ..core.errors import ConvergenceError
 from ..core.questions import model_of
+from ..core.remarks import Amount, At, Remark
 from ..models.field import FLOATS, OVERSHOOT, Field, Mode, Values
 from ..models.parameters import FloatArray, ParameterSet
 from ..motion import Trajectory
@@ -144,18 +145,20 @@ class FateVerdict:
         """True if the motion approaches an attractor, whatever the rounding."""
         return bool(self.kind.attractor) and not self.otherwise
 
-    def described(self) -> str:
+    def described(self) -> Remark:
         """The fate as text, to follow "it comes to"."""
-        found, limit = self.outcome, f"nothing that is decided by t = {self.t:g}"
+        found = self.outcome
+        limit = Remark("nothing that is decided by t = {}", Amount(self.t, "s", "g"))
         if self.kind == Regime.EQUILIBRIUM:
             coordinates = zip(found.names, found.rest, strict=False)
-            limit = "rest at " + ", ".join(f"{name} = {value:.6g}" for name, value in coordinates)
+            places = [At(name, (value,), ".6g") for name, value in coordinates]
+            limit = Remark("rest at " + ", ".join("{}" for _ in places), *places)
         elif self.kind == Regime.LIMIT_CYCLE:
-            limit = f"a cycle of period {found.period:.6g}"
+            limit = Remark("a cycle of period {}", Amount(found.period, "s"))
         elif self.kind == Regime.LIFT_OFF:
-            limit = "lift-off"
+            limit = Remark("lift-off")
         if self.otherwise:
-            limit += f" or, as rounding decides, to {self.otherwise}"
+            limit = Remark("{} or, as rounding decides, to {}", limit, self.otherwise)
         return limit
 
 

@@ -549,9 +549,9 @@ class Study:
         units of the file.
         """
 
-        def units(name: str) -> tuple[str, str, float]:
-            quantity = quantity_of.get(name, name)
-            return quantity, *in_unit(self.kind.model.columns[name].dimension, self, quantity)
+        def units(name: str, si: str) -> tuple[str, str, float]:
+            quantity, columns = quantity_of.get(name, name), self.kind.model.columns
+            return quantity, *in_unit(si or columns[name].dimension, self, quantity)
 
         quantity_of = {name: quantity for quantity, name in self.kind.parameters.items()}
         return remark.in_units(units) if isinstance(remark, Remark) else str(remark)

@@ -387,11 +387,11 @@ def test_remarks_are_told_in_other_units() -> None:
     )
     assert remark == "on lines: searched x in [0, 1] rad, a part of its range"
     assert (
-        remark.in_units(lambda name: (name, "mm", 38.0))
+        remark.in_units(lambda name, _: (name, "mm", 38.0))
         == "on lines: searched x in [0, 38] mm, a part of its range"
     )
     copied = pickle.loads(pickle.dumps(remark))  # noqa: S301  # bytes of our own
-    assert copied.in_units(lambda name: (name, "", 2.0)).endswith(
+    assert copied.in_units(lambda name, _: (name, "", 2.0)).endswith(
         "x in [0, 2], a part of its range"
     )
 

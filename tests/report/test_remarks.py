@@ -19,7 +19,9 @@ import spragsym as ss
 from spragsym.core.errors import ConvergenceError
 from spragsym.core.remarks import At, Remark
 from spragsym.report import facts
+from spragsym.report.example import example
 from spragsym.report.study import Study
+from tests.conftest import Run
 from tests.oracles.mistakes import BRAKE
 from tests.report.test_sentences import (
     DAMPED,
@@ -319,3 +321,18 @@ def test_a_page_without_a_title_is_a_sprag_slip_report(
     monkeypatch.setattr(pages, "_stability_map", lambda known: ())
     page = pages.report_page(said_of(EXACT))
     assert re.findall("<title>(.*?)</title>", page) == ["Sprag-slip report"]
+
+
+@pytest.mark.thorough
+def test_a_motion_without_a_cycle_is_told_in_the_units_of_the_file(
+    tmp_path: Path, run: Run
+) -> None:
+    """A strong damper, with which sliding is stable: the spring carries the friction."""
+    text = example(ss.load("stick_slip"))
+    data = tmp_path / "brake.toml"
+    data.write_text(re.sub(r'\nc = "[^"]*"', '\nc = "500 N s/m"', text), encoding="utf-8")
+    said = run("cycles", "--data", str(data), code=1)
+    given = {name: one.value for name, one in ss.Study.from_file(data).quantities.items()}
+    V, v_s = given["V"], given["v_s"]
+    friction = given["mu_s"] * 2 * V * v_s / (V**2 + v_s**2) * given["N_0"]
+    assert f"it comes to rest at x = {1e3 * friction / given['k']:.6g} mm; give" in said

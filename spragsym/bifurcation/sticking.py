@@ -32,6 +32,7 @@ from ..numerics.interval_arrays import (
     IntArray,
     Intervals,
     ends_around,
+    quiet,
     scale_of,
 )
 from ..numerics.vectors import TURN, state_difference
@@ -175,7 +176,8 @@ def _connected(
             change = continuation.moved(node, slot, goal)
         else:
             change = state_difference(q[:, other], q[:, one], balance.periodic)
-        turns = TURN * np.round((q[:, one] + change - q[:, other]) / TURN)
+        with quiet():  # at infinity nothing is turned
+            turns = TURN * np.round(np.nan_to_num(q[:, one] + change - q[:, other]) / TURN)
         joined = labels == labels[other]
         if joined[one]:
             comes_around[:, one] |= turns != 0
@@ -204,14 +206,16 @@ def _sets(
     eq, balance = continuation.eq, continuation.balance
     q, labels, comes_around = _connected(continuation)
     error = np.concatenate([eq.error[eq.states], continuation.turns.error])
-    ends, share = ends_around(q, error * scale_of(q)), np.zeros((1, error.size))
-    pressed = system.pressed(Patches(share, share, ends, ends, np.ones(error.size, dtype=bool)))
+    far, pressed = ~np.isfinite(q).all(axis=0), np.zeros(error.size, dtype=bool)
+    near, share = q[:, ~far], np.zeros((1, np.count_nonzero(~far)))
+    ends = ends_around(near, error[~far] * scale_of(near))
+    pressed[~far] = system.pressed(Patches(share, share, ends, ends, np.ones(share.size, bool)))
     sets = [labels == label for label in np.unique(labels[pressed])]
-    if any(not pressed[one].all() for one in sets):
+    if any(not (pressed | far)[one].all() for one in sets):
         raise ConvergenceError("the normal force is 0 in some of connected states of sticking")
     low, high = (
         np.array([most(q[:, one], axis=1) for one in sets]).reshape(-1, len(q))
-        for most in (np.min, np.max)
+        for most in (np.fmin.reduce, np.fmax.reduce)
     )
     for k in balance.periodic:
         turns_before = TURN * np.floor(low[:, k] / TURN + 0.5)
@@ -227,4 +231,9 @@ def _sets(
         [*eq.remarks, *(remark for points in parts for remark in points.remarks)]
     )
     complete = bool(eq.whole.all()) and all(points.complete for points in parts)
+    if np.isnan(q[:, far]).any():
+        remarks[
+            "where states run to infinity, limits of what stays finite are not among the ends"
+        ] = None
+        complete = False
     return replace(found, complete=complete, remarks=tuple(remarks))

@@ -319,7 +319,8 @@ class StickingStates(Named, Rows):
     the first coordinate.
 
     Of every coordinate ``x`` the least and the largest value in a set are ``x_low`` and ``x_high``,
-    −∞ and ∞ of one on which no force depends, as on a ramp; angles are radians.
+    −∞ and ∞ of one on which no force depends, as on a ramp, or along which states run to infinity,
+    as where friction locks; angles are radians.
 
     Attributes
     ----------

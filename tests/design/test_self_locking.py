@@ -8,7 +8,7 @@ import pytest
 from scipy.optimize import minimize_scalar
 
 import spragsym as ss
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
 
@@ -75,6 +75,19 @@ def test_it_locks_where_the_arms_are_as_friction(lever: ss.Model) -> None:
 def test_locking_refutes_that_nothing_jumps(lever: ss.Model) -> None:
     found = ss.certify(lever.Parameters(), between={"mu": (0.2, 1.6), "a": (0.5, 1.0)})
     assert found.outcome == "refuted"
+
+
+@pytest.mark.thorough
+def test_a_lever_that_locks_sticks_however_far_it_is_pressed() -> None:
+    """φ = M/(1 − h μ a) for each share h of the friction, up to h = 1 or 1/(μ a)."""
+    law = ("mu * (1 - exp(-d * Abs(v))) * sgn(v)", "mu * sgn(v) / d")
+    text = replaced(LEVER, ("V, law, at_rest=mu", "V, slip=law, holds=mu"), law)
+    dry = model_of(replaced(text, ('"s/m", "steepness"', '"1", "holding over sliding"')), "dry")
+    for mu in (1.0, 1.3, 3.0):
+        found = ss.sticking_states(dry.Parameters(mu=mu, V=0.0))
+        high = math.inf if 0.8 * mu > 1 else 0.1 / (1 - 0.8 * mu)
+        ends = found["phi_low"][0], found["phi_high"][0]
+        assert ends == pytest.approx((0.1 / (1 + 0.8 * mu), high), rel=1e-12)
 
 
 #: A leading and a trailing shoe, pressed apart by one cylinder, with a return spring each.

@@ -4,6 +4,8 @@ sensitivity of 7 to what the article does not state.
 
 from __future__ import annotations
 
+import re
+from string import ascii_lowercase
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -16,6 +18,7 @@ from scipy import ndimage
 import spragsym as ss
 
 from ..article.assumed import MU0_RANGE, D, Parameters, V
+from ..bifurcation.shares import belt_speeds
 from ..core.errors import require_kind
 from ..generated import laws
 from ..models import Model
@@ -193,11 +196,24 @@ def draw_phase(
     row, states = row_of(of, names), motion(np.linspace(motion.t[0], motion.t[-1], 6000))
     shown = shown or (_own(motion, names[row]), _own(motion, model.rates[row]))
     line = _line(ax, states[row], states[len(names) + row], shown)
-    for belt in dict.fromkeys(it["belt"] for it in model.frictions if it["along"] == names[row]):
-        if belt is not None:
-            speed = shown[1][1] * float(motion.p[belt])
-            ax.axhline(speed, color=GREY, linewidth=0.6, linestyle=":")
+    for speed in _steady_belts(motion, names[row]):
+        ax.axhline(shown[1][1] * speed, color=GREY, linewidth=0.6, linestyle=":")
     return line
+
+
+def _steady_belts(motion: Trajectory, along: str | None = None) -> list[float]:
+    """Speeds of belts that do not vary in time, each once; with ``along`` of those along a
+    coordinate.
+    """
+    frictions, parameters = motion.model.frictions, set(motion.model.parameters)
+    speeds = belt_speeds(motion.p) if frictions else ()
+    found = (
+        float(speed)
+        for speed, friction in zip(speeds, frictions, strict=False)
+        if along in (None, friction["along"])
+        and set(re.findall(r"[^\W\d]\w*", friction["belt"])) <= parameters
+    )
+    return list(dict.fromkeys(found))
 
 
 def draw_spectrum(
@@ -243,8 +259,8 @@ def draw_harmonics(cycle: Cycle, of: str, ax: Axes, *, shown: _Pair) -> LineColl
 
 @styled
 def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | None = None) -> Sheet:
-    """For each coordinate the motion over time, and without the transient its phase plane and its
-    spectrum, as a figure.
+    """For each coordinate but the phase of a clock the motion over time, and without the transient
+    its phase plane and its spectrum, as a figure.
 
     Parameters
     ----------
@@ -258,9 +274,12 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     model, late = motion.model, motion.after(transient)
-    figure, axes = panels(len(model.coordinates), 3, DOUBLE, 0.3 + 2.1 * len(model.coordinates))
+    moving = [
+        pair for pair in zip(model.coordinates, model.rates, strict=True) if pair[0] != model.clock
+    ]
+    figure, axes = panels(len(moving), 3, DOUBLE, 0.3 + 2.1 * len(moving))
     columns = list[Table]()
-    for (left, middle, right), name, rate in zip(axes, model.coordinates, model.rates, strict=True):
+    for (left, middle, right), (name, rate) in zip(axes, moving, strict=True):
         if units is None:
             time, frequency = _own(motion, motion._own("t")), _frequency(model)
             place, speed = _own(motion, name), _own(motion, rate)
@@ -281,12 +300,11 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
             {name: place[1] * late[name], rate: speed[1] * late[rate]},
             {"frequency": frequency[1] * found.frequency, "amplitude": place[1] * found.amplitude},
         )
-    figure.tables |= dict(zip("abcdefghijkl", columns, strict=False))
-    belts = {friction["belt"] for friction in model.frictions}
+    figure.tables |= dict(zip(ascii_lowercase, columns, strict=False))
+    belts = _steady_belts(motion)
     after = f"{transient:g}" if units is None else f"{transient * units.time:.4g} s"
-    if units is not None and len(belts) == 1 and None not in belts:
-        speed_mm = 1e3 * float(motion.p[belts.pop()]) * units.length / units.time
-        moved = f"belt speed {speed_mm:.4g} mm/s"
+    if units is not None and len(belts) == 1:
+        moved = f"belt speed {1e3 * belts[0] * units.length / units.time:.4g} mm/s"
     else:
         moved = ", ".join(
             f"{each['meaning']} {each['name']} = {float(motion.p[each['name']]):g}"

@@ -12,6 +12,7 @@ import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from string import ascii_lowercase
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import matplotlib
@@ -101,7 +102,7 @@ def panels(
     figure = Sheet(figsize=(width, height), layout="constrained")
     axes = figure.subplots(rows, columns, squeeze=False, **options)
     if axes.size > 1:
-        for letter, ax in zip("abcdefgh", axes.flat, strict=False):
+        for letter, ax in zip(ascii_lowercase, axes.flat, strict=False):
             ax.set_title(f"({letter})", loc="left")
     return figure, axes
 

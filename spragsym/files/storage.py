@@ -347,22 +347,22 @@ def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
         If it can't be written.
     """
     target = resolved(path)
+    new = [folder for folder in target.parents if not folder.exists()]
     try:
         if made:
             target.parent.mkdir(parents=True, exist_ok=True)
         _remove_left(target.parent)
         _replace(target, data.encode() if isinstance(data, str) else data)
         _settle(target.parent)
-    except PermissionError as error:
-        # On Windows also while a spreadsheet shows the file that was there.
-        raise StoreError(
-            f"{target} cannot be written: {error.strerror}; close what has it open, or give a "
-            "path where you may write"
-        ) from error
     except OSError as error:
-        raise StoreError(
-            f"{target} cannot be written: {error.strerror}; make room, or give another path"
-        ) from error
+        for folder in new:  # empty ones that were made for it, from the innermost on
+            with suppress(OSError):
+                folder.rmdir()
+        cure = "make room, or give another path"
+        # On Windows also while a spreadsheet shows the file that was there.
+        if isinstance(error, PermissionError):
+            cure = "close what has it open, or give a path where you may write"
+        raise StoreError(f"{target} cannot be written: {error.strerror}; {cure}") from error
 
 
 def _replace(target: Path, data: bytes) -> None:

@@ -9,7 +9,7 @@ import spragsym as ss
 from spragsym.bifurcation.branches import undecided_points
 from spragsym.models.load import shipped
 from tests.oracles.gap_pages import HANDS
-from tests.oracles.user_pages import model_of
+from tests.oracles.user_pages import model_of, shipped_page
 from tests.support import few
 
 plot = pytest.importorskip("matplotlib.figure")
@@ -87,6 +87,29 @@ def test_curves_pass_through_all_equilibria(name, ax):
     lines = figures.plot_equilibria(p, vary=vary, ax=ax, n=20)
     assert lines == ax.get_lines()
     assert ax.get_xlabel()
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "rows"), [("trolley", {"theta0": 0.8}, 3), ("forced_oscillator", {}, 1)]
+)
+def test_a_motion_has_a_row_of_lettered_panels_for_each_coordinate(
+    name: str, values: dict[str, float], rows: int
+) -> None:
+    """None for the phase of a clock, which is known."""
+    motion = ss.simulate(ss.load(name).Parameters(**values), t_end=5.0, backend="scipy")
+    figure = figures.motion_figure(motion)
+    titles = [ax.get_title(loc="left") for ax in figure.axes]
+    assert titles == [f"({letter})" for letter in "abcdefghi"[: 3 * rows]]
+    assert list(figure.tables) == [*"abcdefghi"[: 3 * rows]]
+
+
+def test_a_belt_whose_speed_is_no_parameter_is_drawn_where_it_runs() -> None:
+    page = shipped_page("stick_slip", ("friction(x, V,", "friction(x, 2 * V,"))
+    motion = ss.simulate(model_of(page, "fast_belt").Parameters(V=0.3), t_end=5.0, backend="scipy")
+    figure = figures.motion_figure(motion, 0.0, ss.Scales(length=0.01, time=0.1, force=1.0))
+    *_, belt = figure.axes[1].get_lines()
+    assert list(belt.get_ydata()) == pytest.approx([2 * 0.3 * 10 / 0.1] * 2)
+    assert "belt speed 60 mm/s" in figure.caption
 
 
 @pytest.mark.thorough

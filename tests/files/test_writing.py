@@ -77,6 +77,8 @@ def test_a_failed_write_leaves_what_was_there(
         disk.setattr(storage, "write_all", full)
         with pytest.raises(StoreError, match=r"page\.html cannot be written: No space left"):
             storage.put(path, "after")
+        with pytest.raises(StoreError, match="No space left"):
+            storage.put(tmp_path / "new" / "within" / "page.html", "after", made=True)
     assert (path.read_text(), [entry.name for entry in tmp_path.iterdir()]) == (
         "before",
         ["page.html"],

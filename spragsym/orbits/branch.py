@@ -351,6 +351,11 @@ def cycle_branch(
     )
 
 
+def all_followed(points: int) -> str:
+    """Why a branch or a curve ends that has its maximum number of points."""
+    return f"{points} points were followed"
+
+
 def _followed(
     followed: list[BranchPoint], to: Span, points: int, options: BranchOptions
 ) -> Iterator[BranchPoint | DetectedEvent]:
@@ -402,9 +407,7 @@ def _followed(
         yield _lost(followed, error, options)
         return
     before, last = [start, *followed][-2:]
-    yield DetectedEvent(
-        "end", last.orbit, abs(last.value - before.value), how=f"{points} points were followed"
-    )
+    yield DetectedEvent("end", last.orbit, abs(last.value - before.value), how=all_followed(points))
 
 
 def _vanishing(
@@ -707,7 +710,7 @@ def cycle_events(
                 found.append(point.orbit)
         except (ConvergenceError, np.linalg.LinAlgError) as error:
             return found, f"it could not be followed farther: {error}"
-        return found, f"{points} points were followed"
+        return found, all_followed(points)
 
     (back, why_back), (forth, why_forth) = followed(-1.0), followed(1.0)
     orbits = [*reversed(back), first.orbit, *forth]

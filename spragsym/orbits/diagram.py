@@ -37,6 +37,7 @@ from ..results.result import Result
 from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, cycle, cycle_branch
 from .arclength import BranchPoint, between, placed, steps, turning, within, zero_of
+from .branch import all_followed
 from .events import SLIDING
 from .finding import cycle_near
 from .options import BranchOptions
@@ -174,7 +175,7 @@ def diagram(
     between: Ranges,
     starts: Sequence[Any] = (),
     doublings: int = 1,
-    points: int = 100,
+    points: int = 400,
 ) -> Diagram:
     """Branches of equilibria and cycles over the range of one parameter.
 
@@ -263,6 +264,17 @@ def diagram(
     _doubled(branches, vary, (low, high), doublings, points, remarks)
     labels = [*(label for _, own in rests for label in own), *_of_cycles(branches)]
     remarks += _not_followed(vary, labels, born_at, 1e-6 * (high - low))
+    for number, branch in enumerate(branches):
+        for end in branch.of("end"):
+            if end.how == all_followed(points):
+                remarks.append(
+                    Remark(
+                        "the branch of cycles {} goes on beyond {}: {}; give more points",
+                        number,
+                        _at(vary, end.value),
+                        end.how,
+                    )
+                )
     spans = [undecided_points(eq, vary, (low, high)) for _, eq in seeds]
     parts = joined(np.concatenate([undecided_parts(onsets, (low, high)), *spans]))
     undecided = [(start, end) for start, end in parts.tolist()]

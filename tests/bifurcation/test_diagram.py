@@ -49,6 +49,10 @@ def of(found: ss.results.Diagram, label: str) -> list[float]:
 def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.results.Diagram) -> None:
     model = ss.load("stick_slip")
     onsets = ss.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
+    few = ss.diagram(model.Parameters(), "V", between={"V": (0.08, 0.2)}, points=3)
+    (branch,) = few.cycles
+    cut = f"V = {branch.values.max():.10g}: 3 points were followed; give more points"
+    assert any(text.endswith(cut) for text in few.remarks)
     assert of(born, "H") == pytest.approx(onsets.V.tolist(), abs=1e-9)
     (rest,), (cycles,) = born.equilibria, born.cycles
     assert (rest.stable == (rest.values < onsets.V[0])).all()
@@ -94,6 +98,10 @@ def test_what_is_undecided_is_said_and_hatched() -> None:
 def test_a_cycle_of_a_branch_that_is_there_gives_no_second_one() -> None:
     model = ss.load("stick_slip")
     onsets = ss.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
+    few = ss.diagram(model.Parameters(), "V", between={"V": (0.08, 0.2)}, points=3)
+    (branch,) = few.cycles
+    cut = f"V = {branch.values.max():.10g}: 3 points were followed; give more points"
+    assert any(text.endswith(cut) for text in few.remarks)
     found = ss.diagram(
         model.Parameters(),
         "V",
@@ -102,6 +110,7 @@ def test_a_cycle_of_a_branch_that_is_there_gives_no_second_one() -> None:
         starts=[ss.cycle(onset=onsets, index=0)],
     )
     assert len(found.cycles) == 1
+    assert not found.remarks
 
 
 @pytest.mark.thorough

@@ -413,7 +413,7 @@ class _LatexReader:
         if power is not None:
             if texts(_flat(power)) == ["0"]:
                 raise Unread(f"0 above {name}: an index; say it under [symbols]", at[0])
-            return Factor(_power(node, self.number(power), (at[0], here.end)))
+            return Factor(tree.power(node, self.number(power), (at[0], here.end)))
         return self.powered(node, here, at[0]) if bracketed else Factor(node)
 
     def argument(self, node: Node, items: Tokens) -> Argument | None:
@@ -524,7 +524,7 @@ class _LatexReader:
             exponent = _argument(here)
             if not isinstance(value, Node):
                 return Factor(self.matrix_power(value, exponent, start))
-            value = _power(value, self.number(exponent), (start, here.end))
+            value = tree.power(value, self.number(exponent), (start, here.end))
         if here.text == "^":
             raise Unread("two exponents", here.at)
         return Factor(value)
@@ -548,7 +548,7 @@ class _LatexReader:
             return replace(node_of(value), at=(it.at[0], here.end))
         if it.text == r"\sqrt":
             return self.root(here, it.at[0])
-        if it.text[0].isdigit() or it.text[0] == ".":
+        if it.text[-1].isdecimal():
             return Node("number", value=it.text, at=it.at)
         inside = it.items or ()
         if it.text in ("|", "|bare") and [one.text in _MATRICES for one in inside] != [True]:
@@ -706,7 +706,7 @@ class _LatexReader:
             if bracket is None or here.text == "'" or power is not None:
                 raise Unread(f"what is attached belongs to {name} or to its argument", begin)
             return self.powered(value, here, begin)
-        return Factor(value if power is None else _power(value, power, value.at), open_end)
+        return Factor(value if power is None else tree.power(value, power, value.at), open_end)
 
     def bare_argument(self, name: str, here: Cursor) -> tuple[Node, str]:
         """An argument without brackets: a number, a name, or a number times one of these.
@@ -891,10 +891,10 @@ class _LatexReader:
         if it.items is not None:
             name = self.only_name(it.items) if it.text == "{" else None
         elif it.text in (r"\dot", r"\ddot", *_OVER):
-            dots = _argument(here) if it.text in _OVER else ()
-            order = sum(map(_label(dots).count, (".", "cdot"))) or it.text.count("d")
+            dots = texts(_argument(here)) if it.text in _OVER else ["."] * it.text.count("d")
+            order = len(dots) if {*dots} <= {".", r"\cdot"} else 0
             name = self.only_name(_argument(here))
-            if name is None or (it.text in _OVER and not order):
+            if name is None or not order:
                 raise Unread("dots on what is no name", it.at[0])
             name = replace(name, order=name.order + order, has_dots=True)
         elif it.text in (*_ROMAN, *_BOLD, *_ACCENTS):
@@ -1034,7 +1034,3 @@ def _numeric(value: Value) -> bool:
     if value.kind == "div":
         return all(map(_numeric, value.args))
     return value.kind == "number" and value.value != "pi"
-
-
-def _power(base: Value, exponent: Node, at: tuple[int, int]) -> Node:
-    return Node("pow", (node_of(base), exponent), at=at)

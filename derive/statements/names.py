@@ -37,8 +37,17 @@ class Name:
     @property
     def spelled(self) -> str:
         """The name in letters, digits and underscores, with a prime for each order."""
-        parts = [re.sub(r"\W+", "", part) for part in (self.base, self.sub, self.sup)]
-        return "_".join(part for part in parts if part) + "'" * self.order
+        return "_".join(self.parts) + "'" * self.order
+
+    @property
+    def parts(self) -> list[str]:
+        """Base and indices in letters and digits; marks in an index as words, k^* as k_star."""
+        found = [self.base]
+        for part in (self.sub, self.sup):
+            for mark, word in {"*": "star", "ast": "star", "+": "plus", "-": "minus"}.items():
+                part = part.replace(mark, word)
+            found.append(part)
+        return [word for part in found if (word := re.sub(r"\W+", "", part))]
 
     def __str__(self) -> str:
         """The name in messages, in LaTeX if it has an accent or a style."""
@@ -112,6 +121,8 @@ class Names:
             return moved(self.renamed[name], at)
         if name.order:
             before = self.known(replace(name, order=name.order - 1), at)
+            if before is not None and not (name.has_dots or self.moves(before)):
+                before = before if self.function_of(before) else None  # k' is no rate of k
             if before is None or name.has_dots or self.function_of(before) is None:
                 return before and self.rate(before)
             return self.derived(before, "")
@@ -123,6 +134,9 @@ class Names:
         if not found and self.has_roots and re.fullmatch(r"\d([,/]\d)+", name.sub):
             root = self.known(replace(name, sub=""), at)  # as λ_{1,2}
             return root if root is not None and root.value in ("lam", "frequency") else None
+        if not found and name.sup in ("*", "ast", "star"):  # of an equilibrium
+            place = self.known(replace(name, sup=""), at)
+            return place if place is not None and place.value in self.next else None
         if len(found) > 1:
             raise Unread(f"{name.spelled} is two names of the page", at[0], (found[0], found[1]))
         if found:
@@ -220,7 +234,7 @@ def moved(node: Node, at: tuple[int, int]) -> Node:
 
 def _spellings(name: Name) -> Sequence[str]:
     """Spellings that a printed name may have on a page, k_c or kc."""
-    labels = [re.sub(r"\W+", "", it) for it in (name.sub, name.sup) if it]
+    labels = name.parts[1:]
     bases = {"ell": ("ell", "l"), "lambda": ("lambda_", "lamda", "lam")}.get(
         name.base, (name.base,)
     )

@@ -21,6 +21,7 @@ from ..mechanics import MU, PUSHING, Mechanics, NormalForce, number, of_contact
 from ..model import Datum, Page, expression_of
 from ..motion import Motion
 from ..units import Dimension
+from .identities import is_zero
 
 #: Symbols of a print: normal force, eigenvalue of the characteristic polynomial, time.
 NORMAL, LAMBDA, TIME = Symbol("N", real=True), Symbol("lam"), Symbol("t", real=True)
@@ -467,15 +468,20 @@ def _state(derivation: Derivation, name: str, side: str) -> Object:
         stiffness, loads = sp.linear_eq_to_matrix(rows, derivation.model.coordinates)
     except NonlinearError as error:
         raise NoObject("forces are not linear; print the equations as equilibrium") from error
-    if stiffness.has(*derivation.model.coordinates) or stiffness.det().equals(0):
+    whole = stiffness.det(method="laplace")
+    if stiffness.has(*derivation.model.coordinates) or is_zero(whole):
         raise NoObject("there is not one state; print the equations as equilibrium")
     place = derivation.places(name)
     names = frozenset(
         f"{derivation.model.coordinates[one]}{mark}" for one in place for mark in ("", "_0")
     )
-    by, solved = "mechanics.Mechanics.residuals", stiffness.LUsolve(loads)
-    entries = tuple(map(factored, solved))
-    return Object(entries, by, "vector", place, names=names, steady=True)
+    entries = []
+    for column in range(stiffness.cols):  # by Cramer's rule: quotients of sums, small to factor
+        numerator = stiffness.copy()
+        numerator[:, column] = loads
+        entries.append(factored(numerator.det(method="laplace") / whole))
+    by = "mechanics.Mechanics.residuals"
+    return Object(tuple(entries), by, "vector", place, names=names, steady=True)
 
 
 def _entries(
@@ -535,7 +541,7 @@ def _threshold(derivation: Derivation, name: str, side: str) -> Object:
     )
     if K.applyfunc(derivation.expanded).has(*derivation.model.coordinates):
         raise NoObject("the threshold depends on the state; only those of linear forces are judged")
-    condition = K.det()
+    condition = K.det(method="laplace")
     if name in ("", "flutter") and K.rows == 2:
         A = derivation.model.mass.inv() * K
         condition = sp.numer(sp.together((A[0, 0] - A[1, 1]) ** 2 + 4 * A[0, 1] * A[1, 0]))

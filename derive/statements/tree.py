@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, S
 
 
 @dataclass(frozen=True)
@@ -183,6 +183,22 @@ def undone(tree: Node, other: Node, has: Callable[[Node], bool]) -> tuple[Node, 
     return None
 
 
+def power(base: Node, exponent: Node, at: tuple[int, int]) -> Node:
+    """A power.
+
+    Raises
+    ------
+    Unread
+        If its exponent is so high that exact algebra would take minutes.
+    """
+    is_sum = any(it.kind == "add" for it in nodes(base))
+    highest = 8 if is_sum else 100  # an expanded sum has very many terms
+    size = S.Zero if symbols(exponent) else abs(to_sympy(exponent, {}))
+    if not (size.is_finite and size <= highest):
+        raise Unread(f"a power higher than {highest} is not read", at[0])
+    return Node("pow", (base, exponent), at=at)
+
+
 def number_of(tree: Node) -> float:
     """The value of a number node, which may be pi."""
     return math.pi if tree.value == "pi" else float(tree.value)
@@ -311,6 +327,8 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             one, other = (_tree(side, begin, vocabulary) for side in (left, right))
             if kind in ("mul", "div") and one.kind == "neg":  # -a b is -(a b)
                 return Node("neg", (_flattened(kind, one.args[0], other, at),), at=at)
+            if isinstance(op, ast.Pow):
+                return power(one, other, at)
             if isinstance(op, ast.Sub):
                 other = minus(other)
             return _flattened(kind, one, other, at)

@@ -138,8 +138,8 @@ def jump_margin(
         radii = (share * distance for share in (0.95, 0.8, 0.5, 0.2) if distance)
         safe = (r for r in radii if safe_within(designs, r, name, first, options.proof))
         proved = next(safe, 0.0)
-    # Just beside the design found some are unknown only because they lie on the fold.
-    nearer = unknown < (np.inf if best is None else 0.999 * distance)
+    # Designs just beside the one that was found are unknown only because they lie on the fold.
+    nearer = unknown < (np.inf if best is None else distance - 1e-6 * max(1.0, distance))
     text = (
         f"whether some designs at a distance of {unknown:.3g} or farther jump is not known, "
         f"as where no state is in contact where {name} begins"

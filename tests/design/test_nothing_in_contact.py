@@ -72,6 +72,13 @@ def test_a_margin_says_where_designs_do_not_touch(wedge: Any) -> None:
 
 
 @pytest.mark.thorough
+def test_a_design_that_locks_by_rounding_has_no_nearer_one(wedge: Any) -> None:
+    locks = (0.01 / math.sin(0.2) + math.sin(0.2)) / math.cos(0.2)
+    found = ss.jump_margin(wedge.Parameters(mu=locks), {"mu": 0.1}, vary="mu")
+    assert (found.distance < 1e-9, found.remarks) == (True, ())
+
+
+@pytest.mark.thorough
 def test_a_report_of_what_does_not_touch_says_so(wedge: Any) -> None:
     brake = {"m": 1.0, "k_c": 1.0, "g_0": 1.0, "mu": 0.1, "a": 0.2, "k_r": 0.1, "F": 0.1}
     report = ss.Study(brake, model=str(wedge.where), vary="mu").report(

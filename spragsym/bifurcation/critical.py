@@ -24,7 +24,7 @@ from ..numerics.interval_arrays import scale_of
 from ..results import CriticalLoad, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
-from ..statics.reference_state import nearest_state, reference_place
+from ..statics.reference_state import nearest_state, reference_place, reference_state
 from ..statics.search import balances_of, number_of, of_ranges
 from .bifurcation_sets import border_extrema, extrema
 from .crossings import followed_across
@@ -95,13 +95,14 @@ def critical_friction(
     Notes
     -----
     The followed state is the reference state at the lower ends of both ranges, and what it becomes
-    along ``over`` there, proved by tubes. It may end on curves of folds, and on curves on which a
-    contact is lost or regained. The least value on a piece of these curves is at a cusp; at a limit
-    point of the curve, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0; where the piece ends on a
-    border; or at an end of the range of ``over``. All of these are isolated. In ascending order,
-    the state is followed along ``vary`` at each of them, to decide whether it ends there. Below the
-    first one at which it ends, no piece begins on which it could end. The article's model:
-    :mod:`spragsym.kang_nam.lowest_fold`.
+    along ``over`` there, proved by tubes; at another value of ``over`` another state may be the
+    reference state, which :func:`spragsym.jump_value` follows. It may end on curves of folds, and
+    on curves on which a contact is lost or regained. The least value on a piece of these curves is
+    at a cusp; at a limit point of the curve, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0; where
+    the piece ends on a border; or at an end of the range of ``over``. All of these are isolated. In
+    ascending order, the state is followed along ``vary`` at each of them, to decide whether it ends
+    there. Below the first one at which it ends, no piece begins on which it could end. The
+    article's model: :mod:`spragsym.kang_nam.lowest_fold`.
 
     Examples
     --------
@@ -138,6 +139,26 @@ def critical_friction(
     return CriticalLoad(
         vary, over, found.value, found.where, found.kind, found.error, complete, tuple(remarks)
     )
+
+
+def lowest_of_followed(p: ParameterSet, *, method: Method = "auto") -> CriticalLoad:
+    """:func:`critical_friction` of the state that is followed at the inclination of ``p``, if that
+    has a value: ConvergenceError where another one is followed from the least inclination on.
+    """
+    found = critical_friction(p, method=method)
+    vary, over = p.model.rising_over(None, None)
+    if found.kind == "undecided" or p[over] is None:
+        return found
+    search_of, place = _CandidateSearch(p, vary, over, None), float(p[over])
+    first = float(search_of.spans[0, 0])
+    search_of.begin([first, place])
+    eq = equilibria(p.replace(**{vary: search_of.low}))
+    near = dict(zip(p.model.coordinates, search_of.beginning[place], strict=True))
+    if nearest_state(eq, near) != reference_state(eq, p.followed):
+        unit = "rad" * p.model.is_angle(over)
+        ends = (At(over, (value,), ".6g", unit) for value in (first, place))
+        raise ConvergenceError(Remark("at {} another state is followed than at {}", *ends))
+    return found
 
 
 @question

@@ -16,6 +16,7 @@ import numpy as np
 
 import spragsym as ss
 
+from ..bifurcation.critical import lowest_of_followed
 from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError
 from ..core.progress import show_progress
@@ -344,7 +345,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
                 raise ParameterError(f"{model.name} has no {' and no '.join(missing)}")
             return question()
         except SpragsymError as reason:
-            remarks.append(f"{name}: {reason}")
+            remarks.append(Remark("{}: {}", name, next(iter(reason.args), "")))
             return None
 
     def jump() -> float:
@@ -355,7 +356,7 @@ def _frictions(case: Case, p: Any) -> tuple[Row, list[str]]:
         return float(found.value)
 
     def fold() -> tuple[float, float, str | None] | None:
-        found = ss.critical_friction(p, **case.ask)
+        found = lowest_of_followed(p, **case.ask)
         remarks.extend(Remark("mu0_lowest: {}", text) for text in found.remarks)
         if found.complete:
             return (float(found), math.degrees(found.where), found.kind or None)

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 
-from ..bifurcation.critical import critical_friction, cusp_friction
+from ..bifurcation.critical import cusp_friction, lowest_of_followed
 from ..bifurcation.folds import folds
 from ..core.errors import ParameterError, SpragsymError
 from ..core.progress import doing
@@ -470,7 +470,7 @@ def _lowest(answers: _Answers) -> tuple[CriticalLoad | None, float | None]:
     if not (study.of_friction and p.model.inclination):
         return None, None
     what = "the friction below which it jumps at no angle is"
-    found = answers.known(what, partial(critical_friction, p))
+    found = answers.known(what, partial(lowest_of_followed, p))
     if found is not None and found.kind == "undecided":
         below = "whether some friction is too small for a jump at any angle"
         if found.value:

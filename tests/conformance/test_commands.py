@@ -227,6 +227,44 @@ def test_critical_values_have_the_same_keys(name: str, run: Run) -> None:
     )
 
 
+#: Its tip is pressed on the belt on either side of the pivot; which side is less strained depends on
+#: the direction of the pull.
+TWO_SIDES = '''"""An arm that turns, its tip on a belt."""
+from spragsym.derive.model import Page, cos, sin, tanh
+page = Page("An arm whose tip rubs on a belt.")
+m = page.unit("m", "kg", "mass of the tip")
+W = page.unit("W", "N", "weight of the tip")
+R = page.unit("R", "m", "length of the arm")
+theta0 = page.parameter("theta0", "rad", "angle of the pull", "(0, pi)", 0.9)
+mu0 = page.parameter("mu0", "1", "friction coefficient", "[0, 1]", 0.1)
+k_c = page.parameter("k_c", "N/m", "stiffness of the belt", "> 0", 100.0, becomes="stiff")
+h = page.parameter("h", "m", "height of the pivot", "> 0", 0.8)
+F = page.parameter("F", "N", "pull", ">= 0", 0.5)
+V = page.parameter("V", "m/s", "belt speed", "> 0", 0.5)
+phi = page.coordinate("phi", "rad", "angle of the arm")
+X, Y = R * sin(phi), h - R * cos(phi)
+page.kinetic(m * (R * page.rate(phi)) ** 2 / 2)
+page.potential(W * Y)
+page.force(F * cos(theta0), F * sin(theta0), at=(X, Y))
+page.contact(Y, lambda depth: k_c * depth)
+page.friction(X, V, lambda v: mu0 * tanh(v / V), at_rest=mu0)
+'''
+
+
+@pytest.mark.thorough
+def test_a_lowest_friction_of_another_state_is_not_told(run: Run) -> None:
+    """What is followed from the least inclination on never jumps; the state at 30 degrees does."""
+    folder = derived(TWO_SIDES, "two_sides")
+    p = ss.load(folder).Parameters(theta0=math.radians(30.0))
+    assert ss.critical_friction(p).value == math.inf
+    words = ["critical", "--model", str(folder), "--theta0", "30"]
+    told = json.loads(run(*words, "--json"))
+    assert told["mu0_jump"] == pytest.approx(ss.jump_value(p), rel=1e-9)
+    assert told["mu0_lowest"] is None
+    (why,) = [text for text in told["remarks"] if text.startswith("mu0_lowest: ")]
+    assert why.endswith(f" another state is followed than at theta0 = {p.theta0:.6g} rad")
+
+
 @pytest.mark.by_hand("soft_brake", "sprag_rod", *ALIKE)
 @pytest.mark.parametrize("name", few(MODELS, "stick_slip", "kang_nam"))
 def test_paths_have_the_same_keys_and_are_those_of_python(name: str, run: Run) -> None:

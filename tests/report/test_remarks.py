@@ -70,25 +70,25 @@ def lowest(kind: str, value: float, complete: bool = True) -> Callable[..., Any]
         (
             "_lowest",
             EXACT,
-            {"critical_friction": lowest("undecided", 0.2)},
+            {"lowest_of_followed": lowest("undecided", 0.2)},
             "below a friction of 0.2 it cannot jump at any angle; above that is not decided",
         ),
         (
             "_lowest",
             EXACT,
-            {"critical_friction": lowest("undecided", 0.0)},
+            {"lowest_of_followed": lowest("undecided", 0.0)},
             "whether some friction is too small for a jump at any angle is not decided",
         ),
         (
             "_lowest",
             EXACT,
-            {"critical_friction": lowest("fold", 0.2, complete=False)},
+            {"lowest_of_followed": lowest("fold", 0.2, complete=False)},
             "that nothing jumps below mu_lowest is not proved: a region is open",
         ),
         (
             "_lowest",
             EXACT,
-            {"critical_friction": refused},
+            {"lowest_of_followed": refused},
             "the friction below which it jumps at no angle is not known: the search did not end",
         ),
         (

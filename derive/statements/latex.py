@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from . import tree
-from .lexer import Cursor, Token, Tokens, nested, split, texts
+from .lexer import FRACTIONS, Cursor, Token, Tokens, nested, split, texts
 from .matrices import Matrix, Value, determinant, each, identity, inverse, named, negative, node_of
 from .matrices import of_blocks, paired, product, quotient, shape_of, total
 from .names import Name, Names, moved
@@ -28,14 +28,23 @@ from .tree import nodes, read_sympy, renamed, symbols
 #: SymPy's names of functions by their names in LaTeX.
 FUNCTIONS = {name: name for name in tree.FUNCTIONS.keys() - {"log", "sqrt", "Abs", "Heaviside"}}
 FUNCTIONS |= {f"arc{name[1:]}": name for name in FUNCTIONS if name.startswith("a")}
-FUNCTIONS |= {"ln": "log", "sgn": "sign", "abs": "Abs"}
+FUNCTIONS |= {"ln": "log", "abs": "Abs", **dict.fromkeys(("sgn", "Sgn", "Sign"), "sign")}
 
-_FRACTIONS = (r"\frac", r"\dfrac", r"\tfrac")
 _DERIVATIVES = {r"\dv": "d", r"\pdv": r"\partial"}  #: of the package physics
-_ROMAN = (r"\mathrm", r"\text", r"\mathit", r"\mathsf", r"\operatorname", r"\textrm", r"\rm")
+_ROMAN = (
+    r"\mathrm",
+    r"\text",
+    r"\mathit",
+    r"\mathsf",
+    r"\operatorname",
+    r"\textrm",
+    r"\mathop",
+    r"\mbox",
+    r"\rm",
+)
 _BOLD = (r"\mathbf", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
-_ACCENTS |= dict.fromkeys((r"\boldsymbol", r"\bm", r"\pmb"), r"\mathbf")
+_ACCENTS |= dict.fromkeys((r"\boldsymbol", r"\bm", r"\pmb", r"\mathbb", r"\underline"), r"\mathbf")
 _OVER = (r"\overset", r"\stackrel")
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array")
@@ -123,6 +132,12 @@ def _equations_inside(item: Token) -> Tokens:
     return inside[item.text == "array" :] if item.text == "{" or is_table else ()
 
 
+def _is_number(items: Tokens) -> bool:
+    """Whether the items are the number of an equation in brackets, as (3.1a)."""
+    inside = len(items) == 1 and items[0].text == "(" and "".join(texts(items[0].items or ()))
+    return bool(inside and re.fullmatch(r"\d+(\.\d+)*[a-z]?", inside))
+
+
 def _is_condition(items: Tokens) -> bool:
     """Whether the items hold a relation other than equality."""
     return any(it.text in _RELATIONS and it.text not in _EQUAL for it in items)
@@ -150,7 +165,7 @@ def _pieces(items: Tokens) -> list[list[Token]]:
                     pieces = [piece for piece in pieces if piece] or [[]]
             pieces[-1].append(it)
             is_new_line = False
-    pieces = [piece for piece in pieces if piece]
+    pieces = [piece for piece in pieces if piece and not _is_number(piece)]
     for piece in pieces if len(pieces) > 1 else ():
         if all(it.text not in (*_EQUAL, *_RELATIONS) for it in piece):
             raise Unread("this part is no equation", piece[0].at[0])
@@ -238,7 +253,7 @@ class _LatexReader:
         if not items:
             raise Unread("a side of the equation is empty", place)
         here = Cursor(items)
-        name, power = self.name(here)
+        name, power = (None, None) if self.function(Cursor(items)) else self.name(here)
         if name not in (None, Name("diag"), Name(r"\mathbf 0")) and named and power is None:
             at = _span(items)
             known = self.names.known(name, at)
@@ -355,7 +370,7 @@ class _LatexReader:
         value = factor.value if isinstance(factor.value, Node) else Node("matrix")
         if value.kind == "number" and value.value != "pi":
             raise Unread("a number behind a factor: an index, a digit, or a product", at)
-        if sign in _FRACTIONS and _numeric(before.value) and _numeric(value):
+        if sign in FRACTIONS and _numeric(before.value) and _numeric(value):
             raise Unread("a mixed number, or a product", at)
         is_rate = value.kind == "symbol" and value.value in self.names.next.values()
         moves = sign in (r"\dot", r"\ddot") or is_rate
@@ -373,7 +388,7 @@ class _LatexReader:
         """The next factor."""
         begin, start = here.place, here.at
         is_sign = texts(_inside(here.items[begin:][:2])) == ["d"]
-        may_derive = is_sign or here.text in ("d", r"\partial", *_FRACTIONS, *_DERIVATIVES)
+        may_derive = is_sign or here.text in ("d", r"\partial", *FRACTIONS, *_DERIVATIVES)
         if may_derive and (found := self.derivative(here)):
             return found
         if function := self.function(here):
@@ -492,15 +507,16 @@ class _LatexReader:
         return bool(letters) and {it.removeprefix("\\") for it in letters} <= self.names.times()
 
     def product_only(self, node: Node, bracket: Tokens, place: int, is_base: bool) -> None:
-        """Refuse f(x) where it may be a product or a function of x; f(-x)^n, of a bracket that
-        ``is_base`` of a power, is a product.
+        """Refuse f(x) where it may be a product or a function of x; of a constant f and a bracket
+        that ``is_base`` of a power it is a product.
         """
         if any(it.text == "," for it in bracket):
             raise Unread(f"{node.value} is no function that is known", place)
         inside = self.number(bracket)
-        bare = inside.args[0] if inside.kind == "neg" and not is_base else inside
+        bare = inside.args[0] if inside.kind == "neg" else inside
         is_function = node.value in self.names.laws or self.names.function_of(node) is not None
-        if bare.kind in ("symbol", "number") or is_function:
+        is_power = is_base and not self.names.moves(node)
+        if is_function or (bare.kind in ("symbol", "number") and not is_power):
             text = printed(inside)
             readings = (f"{node.value}*({text})", f"{node.value}({text})")
             said = "a product, or a function of what stands in brackets"
@@ -543,7 +559,7 @@ class _LatexReader:
     def base(self, here: Cursor) -> Value:
         """A number, a bracket, a root, a fraction or an environment, without its exponent."""
         it = here.take()
-        if it.text in _FRACTIONS:
+        if it.text in FRACTIONS:
             value = quotient(self.expression(_argument(here)), self.number(_argument(here)))
             return replace(node_of(value), at=(it.at[0], here.end))
         if it.text == r"\sqrt":
@@ -564,6 +580,9 @@ class _LatexReader:
             return self.environment(it)
         if it.text not in ("(", "[", "{", r"\{"):
             raise Unread(f"{it.text} is not read", it.at[0])
+        if it.text == "{" and r"\over" in texts(inside):
+            line = texts(inside).index(r"\over")
+            return quotient(self.expression(inside[:line]), self.number(inside[line + 1 :]))
         whole = self.expression(inside)
         summed = isinstance(whole, Node) and {*"+-"} & {*texts(inside)}
         if it.text == "{" and summed and len(here.items) > 1:
@@ -631,7 +650,7 @@ class _LatexReader:
 
         The word "otherwise" is the relation 0 = 0.
         """
-        unread = (r"\quad", r"\qquad", r"\text", r"\mathrm", ",", ".")
+        unread = (r"\quad", r"\qquad", ",", ".", *_ROMAN)
         items = [it for it in items if it.text not in unread]
         # A word is a group of letters; "if" may also be printed as two letters.
         in_word = itertools.takewhile(lambda it: it.text in ("{", "i", "f"), items)
@@ -742,7 +761,7 @@ class _LatexReader:
         is read.
         """
         begin, start = here.place, here.at
-        is_fraction = here.text in (*_FRACTIONS, *_DERIVATIVES)
+        is_fraction = here.text in (*FRACTIONS, *_DERIVATIVES)
         if here.text == r"\partial" and (order := self.order_by_index(here)):
             return self.rate(self.differentiated(here, start), order, True, here, start)
         differentials = self.differentials(here)
@@ -774,7 +793,7 @@ class _LatexReader:
                 raise Unread("a derivative of this order is not read", start)
             by = given[1:] or given
             return sign, [*given[0]] if given[1:] else [], by * int(times)
-        if here.text in _FRACTIONS:
+        if here.text in FRACTIONS:
             here.take()
             above, below = _argument(here), _argument(here)
         else:
@@ -962,7 +981,7 @@ def _argument(here: Cursor) -> Tokens:
         return it.items
     if it.text in (*_ROMAN, *_BOLD, *_ACCENTS) and here.item is not None:
         return [it, here.take()]
-    if it.items is not None or it.text in (*_FRACTIONS, r"\sqrt", r"\dot", r"\ddot", "^", "_"):
+    if it.items is not None or it.text in (*FRACTIONS, r"\sqrt", r"\dot", r"\ddot", "^", "_"):
         raise Unread("an argument without braces", it.at[0])
     return [it]
 

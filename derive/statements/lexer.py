@@ -87,6 +87,7 @@ class Cursor:
         return self.items[self.place - 1]
 
 
+FRACTIONS = (r"\frac", r"\dfrac", r"\tfrac", r"\cfrac", r"\nicefrac", r"\sfrac")
 #: Operators that stand between two operands.
 BINARY = ("+", "/", r"\cdot", r"\times", "*", "=", ":=", ",", ";", "<", ">", "^", "_")
 
@@ -153,7 +154,7 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
         (
             r"\begin{cases}",
             r"\end{cases}",
-            r"\\left\s*\\\{\s*\\begin\{array\}\s*\{[^{}]*\}(?P<inside>(?:(?!\\begin\{array).)*?)"
+            r"\\left\s*\\\{\s*\\begin\{array\}\s*\{(?:[^{}]|\{\})*\}(?P<inside>(?:(?!\\begin\{array).)*?)"
             r"\\end\{array\}\s*\\right\s*\.",
         ),
         (
@@ -169,7 +170,8 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
     tokens: list[tuple[str, int, int, str]] = []
     place = 0
     single_digits = 0  # arguments that follow, each of one digit if it is a number without braces
-    bars = {r"\vert": "|", r"\mid": "|", r"\lvert": "|", r"\rvert": "|"}
+    bars = dict.fromkeys((r"\vert", r"\mid", r"\lvert", r"\rvert"), "|")
+    bars |= {rf"\{one}{{dcases}}": rf"\{one}{{cases}}" for one in ("begin", "end")}
     sides = dict.fromkeys((r"\left", r"\lvert", "l"), "left")
     sides |= dict.fromkeys((r"\right", r"\rvert", "r"), "right")
     a_token = re.compile(
@@ -181,7 +183,7 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
         if single_digits and token[0].isdigit():
             token, place = token[0], found.start("text") + 1
             single_digits -= 1
-        elif token in (r"\frac", r"\dfrac", r"\tfrac"):
+        elif token in FRACTIONS:
             single_digits = 2
         else:
             single_digits = int(token in ("^", "_", r"\sqrt"))

@@ -118,6 +118,19 @@ READ = {
     ],
     r"x^* - y^{*} = \sin\theta(\cos\theta - a)": ["x - y = sin(theta)*(cos(theta) - a)"],
     r"k_c(-y)^{3/2}": ["k_c*(-y)**(3/2) = 0"],
+    r"T = {1 \over 2} m\left(\frac{dx}{dt}\right)^2 \quad (3.1a)": ["T = 1/2*m*vx**2"],
+    r"N = \begin{dcases} -\nicefrac{k}{2} y & \mbox{if } y < 0\\ 0 & \mbox{otherwise}\end{dcases}": [
+        "N = Piecewise(Tuple(-k/2*y, Lt(y, 0)), Tuple(0, Eq(0, 0)))"
+    ],
+    r"a = \left\{\begin{array}{@{}ll@{}} k & y < 0 \\ 0 & y > 0 \end{array}\right.": [
+        "a = Piecewise(Tuple(k, Lt(y, 0)), Tuple(0, Gt(y, 0)))"
+    ],
+    r"a\mathop{\mathrm{sgn}}(x) = \mathrm{Sgn}(y)": ["a*sign(x) = sign(y)"],
+    r"\underline{q} + k\mathbf{q} = m\mathbb{I}_3\underline q": [
+        "theta + k*theta = m*theta",
+        "x + k*x = m*x",
+        "y + k*y = m*y",
+    ],
 }
 
 

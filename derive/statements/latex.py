@@ -955,7 +955,8 @@ class _LatexReader:
             elif label in ("*", "+", "-", "ast", "star") or (
                 is_roman and not (label == "T" and self.is_matrix(name))
             ):
-                name = replace(name, sup=label)  # an upper index, no exponent
+                # An upper index, no exponent.
+                name = replace(name, sup="*" if label in ("ast", "star") else label)
             elif exponent is not None:
                 raise Unread("two exponents", place)
             else:

@@ -42,11 +42,8 @@ class Name:
     @property
     def parts(self) -> list[str]:
         """Base and indices in letters and digits; marks in an index as words, k^* as k_star."""
-        found = [self.base]
-        for part in (self.sub, self.sup):
-            for mark, word in {"*": "star", "ast": "star", "+": "plus", "-": "minus"}.items():
-                part = part.replace(mark, word)
-            found.append(part)
+        marks = str.maketrans({"*": "star", "+": "plus", "-": "minus"})
+        found = (self.base, self.sub.translate(marks), self.sup.translate(marks))
         return [word for part in found if (word := re.sub(r"\W+", "", part))]
 
     def __str__(self) -> str:
@@ -134,7 +131,7 @@ class Names:
         if not found and self.has_roots and re.fullmatch(r"\d([,/]\d)+", name.sub):
             root = self.known(replace(name, sub=""), at)  # as λ_{1,2}
             return root if root is not None and root.value in ("lam", "frequency") else None
-        if not found and name.sup in ("*", "ast", "star"):  # of an equilibrium
+        if not found and name.sup == "*":  # of an equilibrium
             place = self.known(replace(name, sup=""), at)
             return place if place is not None and place.value in self.next else None
         if len(found) > 1:

@@ -118,6 +118,7 @@ READ = {
     ],
     r"x^* - y^{*} = \sin\theta(\cos\theta - a)": ["x - y = sin(theta)*(cos(theta) - a)"],
     r"k_c(-y)^{3/2}": ["k_c*(-y)**(3/2) = 0"],
+    r"k_{\mathrm{fast}}^\ast = a": ["k_fast_star = a"],
     r"T = {1 \over 2} m\left(\frac{dx}{dt}\right)^2 \quad (3.1a)": ["T = 1/2*m*vx**2"],
     r"N = \begin{dcases} -\nicefrac{k}{2} y & \mbox{if } y < 0\\ 0 & \mbox{otherwise}\end{dcases}": [
         "N = Piecewise(Tuple(-k/2*y, Lt(y, 0)), Tuple(0, Eq(0, 0)))"

@@ -138,6 +138,11 @@ def _is_number(items: Tokens) -> bool:
     return bool(inside and re.fullmatch(r"\d+(\.\d+)*[a-z]?", inside))
 
 
+def _is_order(text: str) -> bool:
+    """Whether a text is an order of a derivative or of a matrix, which has one digit."""
+    return len(text) == 1 and text.isdecimal()
+
+
 def _is_condition(items: Tokens) -> bool:
     """Whether the items hold a relation other than equality."""
     return any(it.text in _RELATIONS and it.text not in _EQUAL for it in items)
@@ -415,7 +420,7 @@ class _LatexReader:
         if name == Name(r"\mathbf 0") and known is None and power is None:
             return Factor(replace(ZERO, at=at))
         if replace(name, sub="") == Name(r"\mathbf I") and known is None and power is None:
-            return Factor(identity(int(name.sub) if name.sub.isdigit() else self.size))
+            return Factor(identity(int(name.sub) if _is_order(name.sub) else self.size))
         if known is None and self.has_roots and name.spelled in ("i", "j", "imath", "jmath"):
             return Factor(leaf(IMAGINARY, at))
         node = self.names.of(name, at)
@@ -789,7 +794,7 @@ class _LatexReader:
             here.take()
             times = _label(here.take().items or ()) if here.text == "[" else "1"
             given = [_argument(here) for _ in range(3) if here.text == "{"]
-            if not given or not times.isdigit():
+            if not given or not _is_order(times):
                 raise Unread("a derivative of this order is not read", start)
             by = given[1:] or given
             return sign, [*given[0]] if given[1:] else [], by * int(times)
@@ -810,7 +815,7 @@ class _LatexReader:
         steps: list[Tokens] = []
         for part in split(_inside(below), down[0])[1:]:
             times = _label(part[-1:]) if texts(part[-2:-1]) == ["^"] else ""
-            steps += [part[:-2]] * int(times) if times.isdigit() else [part]
+            steps += [part[:-2]] * int(times) if _is_order(times) else [part]
         if str(len(steps)) != power:
             raise Unread("a derivative of this order is not read", start)
         return down[0], what, steps
@@ -846,7 +851,7 @@ class _LatexReader:
             sign = here.take().text
             marks[sign] = texts(_flat(_argument(here)))
         power = "".join(marks["^"])
-        if self.is_times(marks["_"]) and power.isdigit():
+        if self.is_times(marks["_"]) and _is_order(power):
             return len(marks["_"]) * int(power)
         here.place = begin
         return 0

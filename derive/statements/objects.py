@@ -493,7 +493,7 @@ def _entries(
         matrix = of(derivation)
         n = matrix.rows - (derivation.model.clock is not None)
         matrix = matrix[:n, :n]
-        places = [int(part) - 1 for part in name.split() if part.isdigit()]
+        places = [int(part) - 1 for part in name.split() if part.isdecimal()]
         if places and (len(places) != 2 or not all(0 <= place < n for place in places)):
             raise NoObject(f"{letter} has rows and columns 1 to {n}; give two of them, or none")
         index = (places[0] * n + places[1],) if places else tuple(range(n * n))
@@ -621,7 +621,7 @@ def _direction(derivation: Derivation, name: str, side: str) -> Object:
     if word in ("norm", "eliminated") and not place:  # 1 = bᵀ (D Dᵀ)⁻¹ b, and times det² D
         entry = _cleared(D, b) / (D.det() ** 2 if word == "norm" else 1)
         return Object((entry,), by, steady=True)
-    if word == "coefficient" and place.isdigit():
+    if word == "coefficient" and place.isdecimal():
         coefficients = derivation.kept("coefficients", side, lambda: _coefficients(*in_mu))
         entry = coefficients.get(int(place), S.Zero).xreplace(derivation.at_rest)
         return Object((entry,), by, names=frozenset({name}), steady=True)

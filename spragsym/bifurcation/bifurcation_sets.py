@@ -59,6 +59,7 @@ from .defining_systems import (
 from .folds import cusps, folds
 from .options import ContinuationOptions
 from .points import Found, isolated, listed, search, which
+from .singularities import even_one
 
 #: Mask of pairs of states, (n + 2, N) each, that may be neighbours on a curve.
 Alike: TypeAlias = Callable[[FloatArray, FloatArray], BoolArray]
@@ -222,7 +223,7 @@ def extrema(
     bends = set(vary) <= set(p.model.balanced)
     for one in families if bends else ():
         for block in blocks_of(one):
-            yield "turn", isolated(one, turn(block[0], block), "turn")
+            yield "turn", isolated(one, turn(even_one(one, block), block), "turn")
     low, high = families[0].spans[0].tolist()
     for end in (low, high):
         value = p.ranges[over].reached(end, high - low)

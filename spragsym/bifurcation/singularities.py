@@ -278,6 +278,15 @@ def _mirrors(family: Family) -> list[Mirror]:
     return found
 
 
+def even_one(family: Family, block: Sequence[int]) -> int:
+    """The number of a coordinate of a block that no mirror changes, else of its first.
+
+    At a fold on a mirror, rows and columns of the adjugate of K are 0 for odd coordinates.
+    """
+    odd = {number for mirror in _mirrors(family) for number in mirror.odd}
+    return next((number for number in block if number not in odd), block[0])
+
+
 def mirrors_of(balance: Balance, over: Intervals) -> list[Mirror]:
     """The mirrors that the page states for these parameters, shape (P, 1).
 

@@ -112,3 +112,14 @@ def test_all_loads_of_a_column_on_two_springs(kappa: float) -> None:
         found.P, sorted([1.0, kappa]) + [angle / np.sin(angle) for angle in tilts[2:]], atol=1e-12
     )
     np.testing.assert_allclose([found.a, found.b], [tilts, np.zeros(len(tilts))], atol=1e-12)
+
+
+@pytest.mark.thorough
+def test_the_lowest_load_of_a_truss_that_keeps_its_mirror() -> None:
+    """P = 2 (L^(2/3) − 1)^(3/2) at x = 0, on the whole curve of folds, with L² = 1 + h²: it rises
+    with h. The first row of the adjugate of K is 0 there.
+    """
+    p, plane = model_of(TRUSS, "truss").Parameters(), {"P": (0.0, 1.0), "h": (0.3, 0.6)}
+    found = ss.critical_friction(p, "P", "h", between=plane)
+    assert (found.complete, found.where) == (True, 0.3)
+    assert float(found) == pytest.approx(2 * (1.09 ** (1 / 3) - 1) ** 1.5, rel=1e-13)

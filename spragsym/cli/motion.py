@@ -157,9 +157,7 @@ def sweep(
         case, t_end, transient, "each motion of a sweep is followed to its end"
     )
     p, start = _grid(case)
-    own = store if case.study is None else store.with_suffix(f".model{store.suffix}")
-    if own != store and not own.exists():
-        refuse([store])
+    own = _resumed_from(case, store)
     with resumed():
         options = {
             **start,
@@ -178,6 +176,18 @@ def sweep(
     )
 
 
+def _resumed_from(case: Case, store: Path) -> Path:
+    """The file, in units of the model, from which the same command goes on: beside the one in units
+    of the data, if there are such.
+    """
+    if case.study is None:
+        return store
+    own = store.with_suffix(f".model{store.suffix}")
+    if not own.exists():
+        refuse([store])
+    return own
+
+
 def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
     """The parameters and the initial state; every option with several numbers has an axis of its
     own, so that they broadcast to the grid.
@@ -192,7 +202,8 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 @click.option(
     "--t-end",
     type=float,
-    help="How long to follow it; 40,000 units of its time if left out. Exponents come after.",
+    help="How long to follow it, with --data in seconds; 40,000 units of its time if left out. "
+    "Exponents come after.",
 )
 @o.backend("heyoka", "scipy")
 @o.workers(1)
@@ -200,12 +211,15 @@ def _grid(case: Case) -> tuple[Any, dict[str, FloatArray]]:
 @o.file("--output", "-o", "store", folder=True, required=True, help="FILE.csv.")
 @o.plot("the map")
 @o.force
-def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: Any) -> None:
+def fates(
+    case: Case, t_end: float | None, quiet: bool, store: Path, plot: Path | None, **settings: Any
+) -> None:
     """Fates of motions: rest, a cycle, chaos, lift-off, or undecided, and why.
 
     Every parameter is an axis: a single number, a,b,c, or start:stop:count; a picture is of two
     that vary. Killed or interrupted, the same command goes on where it stopped; finished, it reads
-    the file.
+    the file. With --data it holds columns in the units of that file, and beside it stands what it
+    is made from, in those of the model, as FILE.model.csv.
 
     \b
     Examples:
@@ -214,16 +228,21 @@ def fates(case: Case, quiet: bool, store: Path, plot: Path | None, **settings: A
     from ..orbits import fate_map
 
     case.require(case.values)
-    if plot is not None and sum(np.size(values) > 1 for values in case.values.values()) != 2:
+    many = [name for name, values in case.values.items() if np.size(values) > 1]
+    if plot is not None and len(many) != 2:
         raise ParameterError(
             f"--plot {plot}: it draws a map over two parameters that vary; give two of them "
             "several values"
         )
     p, start = _grid(case)
     begin = [float(value) for value in start.values()]
+    own = _resumed_from(case, store)
+    t_end = None if t_end is None else t_end / case.time
     with resumed():
-        found = fate_map(p, start=begin, progress=not quiet, store=store, **settings)
-    drawn(plot, "drawing the map", found.plot)
+        found = fate_map(p, t_end=t_end, start=begin, progress=not quiet, store=own, **settings)
+    if case.study is not None:
+        found.to_units(case.study).save(store)
+    drawn(plot, "drawing the map", found.plot, lambda: [[*map(case.axis, many)]])
     click.echo(
         f"{store}: "
         + ", ".join(f"{count} {name}" for name, count in found.count().items() if count)

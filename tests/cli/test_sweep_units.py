@@ -1,5 +1,6 @@
 """A sweep of a brake's data has its columns in the units of the file."""
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -63,3 +64,21 @@ def test_a_sweep_at_one_angle_names_it_on_every_line(tmp_path: Path, run: Run) -
     given = columns(store)
     assert given["theta0_deg"] == pytest.approx([50, 50])
     assert given["mu0"].tolist() == [0.3, 0.4]
+
+
+@pytest.mark.thorough
+def test_a_map_of_fates_of_a_brake_is_in_the_units_of_its_file(tmp_path: Path, run: Run) -> None:
+    """The time to follow is in seconds, and what the columns are made from stands beside."""
+    data, store = tmp_path / "brake.toml", tmp_path / "map.csv"
+    data.write_text(example(ss.load("stick_slip")), encoding="utf-8")
+    call = ["fates", "--data", str(data), "-V", "0.2,0.3", "--t-end", "0.5", "-q", "-o"]
+    run(*call, str(store))
+    own = tmp_path / "map.model.csv"
+    scales = ss.Study.from_file(data).scales
+    (t_end,) = re.findall(r"# t_end: (.*)", own.read_text(encoding="utf-8"))
+    assert float(t_end) * scales.time == pytest.approx(0.5, rel=1e-12)
+    given, kept = (read(path)[0] for path in (store, own))
+    assert given["V_m/s"].astype(float) == pytest.approx([0.2, 0.3])
+    periods = scales.time * kept["period"].astype(float)
+    assert given["period_s"].astype(float) == pytest.approx(periods, rel=1e-12, nan_ok=True)
+    assert np.isfinite(periods).any()

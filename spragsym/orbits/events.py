@@ -21,7 +21,7 @@ import numpy as np
 from ..core.errors import ConvergenceError
 from ..models.parameters import FloatArray
 from ..motion.multipliers import CRITERIA, criterion_of, is_complex_pair, unsure
-from ..motion.shooting import Conditions, Orbit, closed_orbit, remeshed
+from ..motion.shooting import Conditions, Orbit, closed_orbit, extent, remeshed
 from ..numerics.vectors import magnitude
 from .arclength import (
     BranchPoint,
@@ -160,8 +160,10 @@ def vertical(one: BranchPoint, other: BranchPoint, length: float) -> bool:
 
 
 def _constant(point: BranchPoint) -> float:
-    """Change of the parameter per arclength that counts as 0."""
-    return 1e-8 * point.setting.spans[0]
+    """Change of the parameter per arclength that counts as 0: less in smaller orbits, as it shrinks
+    with them next to a Hopf point.
+    """
+    return 1e-8 * point.setting.spans[0] * min(1.0, extent(point.orbit))
 
 
 def _stationary(point: BranchPoint) -> bool:

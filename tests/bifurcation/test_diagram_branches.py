@@ -56,4 +56,9 @@ def test_a_cycle_is_born_with_a_tenth_of_the_speed_at_which_it_sticks() -> None:
     p = sticking.dry().Parameters(v_s=1.0, zeta=0.2)
     onsets = ss.flutter_onsets(p, "V", between={"V": (0.1, 2.0)})
     assert onsets.V == pytest.approx([np.log(0.5 / 0.2)], rel=1e-12)
-    assert ss.cycle(onset=onsets).amplitude == pytest.approx(0.1 * onsets.V[0], rel=1e-3)
+    born = ss.cycle(onset=onsets)
+    assert born.amplitude == pytest.approx(0.1 * onsets.V[0], rel=1e-3)
+    # Beside a wide range the parameter hardly changes where the orbit is small.
+    first, _ = ss.cycle_branch(born, "V", between={"V": (0.1, 1e5)}).events
+    assert first.how == "it shrinks onto an equilibrium"
+    assert abs(first.value - onsets.V[0]) <= first.error < 1e-7

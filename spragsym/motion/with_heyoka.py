@@ -250,7 +250,7 @@ class MotionState:
     crossing of each border; the ``latest`` extrema of the leading coordinate, by the sign of its
     second derivative, and passages of a whole turn; in ``reach`` its least minimum and largest
     maximum, by the same sign. A motion that is ``resting`` may rest on a border: then only samples
-    can tell its events from chatter.
+    can tell its events from chatter. ``turned`` is what was taken off the phase of a clock.
     """
 
     problem: Problem
@@ -268,6 +268,7 @@ class MotionState:
     )
     reach: dict[int, float] = field(default_factory=lambda: {1: np.inf, -1: -np.inf})
     resting: bool = False
+    turned: float = 0.0
 
     def __post_init__(self) -> None:
         self.carried = np.array(self.problem.start, dtype=float)
@@ -391,7 +392,8 @@ class BatchIntegrator:
         self.pars[self.constants : self.constants + self.told, lane] = one.mode[: self.told]
         for crossing in crossings:
             if self.lanes == 1:
-                one.crossings.append(crossing)
+                whole = self._with_turns(one, crossing.state)
+                one.crossings.append(crossing._replace(state=whole))
             elif (kind := self.kinds.get((row, crossing.sign))) is not None:
                 one.counts[kind] += 1
                 self._rest(one, row, state)
@@ -414,9 +416,10 @@ class BatchIntegrator:
         self.solver.update_d_output(t)
         one = self.some[lane]
         if self.lanes == 1:
-            one.extrema.append(Extremum(t, border, direction, *self._split(self.dense[:, lane])))
+            values = self._with_turns(one, self.dense[:, lane])
+            one.extrema.append(Extremum(t, border, direction, *self._split(values)))
             return
-        state = self.dense[: self.m, lane].tolist()
+        state = self._with_turns(one, self.dense[: self.m, lane]).tolist()
         # The direction is 0 if the second derivative is 0, too.
         kind, bound = (-1, max) if direction < 0 else (1, min)
         one.latest[PASSAGE if border == PASSAGE else kind].append([t, *state])
@@ -465,6 +468,9 @@ class BatchIntegrator:
             [one.carried[: self.m] for one in some], dtype=float
         ).T
         self.pars[:, : len(some)] = np.array(pars, dtype=float).T[: len(self.pars)]
+        for lane, one in enumerate(some):
+            one.turned = 0.0
+            self._unwind(lane)
         if self.derivatives:
             columns = np.eye(self.m, (len(self.state) - 2) // self.m - 1)
             one, state = some[0], self.state[: self.m, 0]
@@ -472,6 +478,28 @@ class BatchIntegrator:
             self.state[self.m : -2, 0] = columns.T.ravel() * DEVIATION_UNIT
         if self.solver.with_events:  # heyoka has no cooldowns where there are none
             self.solver.reset_cooldowns()
+
+    @property
+    def burst(self) -> int:
+        """Number of steps between checks; of a clock in so few that its phase stays small."""
+        return BURST // 100 if self.field.clock else BURST
+
+    def _unwind(self, lane: int) -> None:
+        """Take whole turns off the phase of a clock once it is large: errors of a Taylor method are
+        relative to the largest component, and would come to those of a level that has to be met.
+        """
+        clock, turn, large = self.m // 2 - 1, 2 * math.pi, 100.0
+        phase = float(self.state[clock, lane])
+        if self.field.clock and abs(phase) > large:
+            self.state[clock, lane] = phase % turn
+            self.some[lane].turned += phase - phase % turn
+
+    def _with_turns(self, one: MotionState, values: FloatArray) -> FloatArray:
+        """A copy of variables of the integrator with the whole phase of a clock."""
+        whole = values.copy()
+        if one.turned:
+            whole[self.m // 2 - 1] += one.turned
+        return whole
 
     def propagate(
         self, motions: Sequence[MotionState], begin: float, end: float, *, record: bool = False
@@ -504,12 +532,14 @@ class BatchIntegrator:
             begun = self.times.copy()
             remaining = min(self.some[lane].most - self.some[lane].steps for lane in running)
             output, _ = self.solver.propagate_until(
-                end, c_output=record, max_steps=min(BURST, remaining + 1)
+                end, c_output=record, max_steps=min(self.burst, remaining + 1)
             )
             if output is not None:  # Taylor series of each step, evaluated at its Lobatto points
                 ends, series = output.times[:, 0], output.tcs[..., 0]
                 step, order = np.diff(ends)[:, None, None], np.arange(series.shape[2])
                 states = (series * step**order) @ unit_points() ** order[:, None]
+                if turned := self.some[0].turned:
+                    states[:, self.m // 2 - 1] += turned
                 pieces.append((sample_times(ends[:-1], ends[1:]), states))
             for lane in running.copy():
                 one = self.some[lane]
@@ -521,9 +551,11 @@ class BatchIntegrator:
                     one.error = error
                 if one.error or not self.times[lane] < end:
                     running.remove(lane)
-                    one.carried = self.state[:, lane].copy()
                     for border in [*one.crossed]:
-                        self._rest(one, border, one.carried[: self.m])
+                        self._rest(one, border, self.state[: self.m, lane])
+                    one.carried = self._with_turns(one, self.state[:, lane])
+                else:
+                    self._unwind(lane)
         return pieces
 
     def _check(self, one: MotionState, lane: int, begun: float, end: float) -> None:
@@ -541,7 +573,7 @@ class BatchIntegrator:
             raise out_of_range()
         if one.steps > one.most:
             raise too_many_steps(problem, one.most, t, state)
-        if made == BURST:
+        if made == self.burst:
             check_stiffness(problem, state, (t - begun) / made, problem.t_end - t)
         elif len(self.some) == 1 and outcome not in (
             outcomes.time_limit,

@@ -100,10 +100,13 @@ def test_folds_of_the_resonance_of_duffing_are_those_of_the_stroboscopic_map() -
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("backend", ["scipy", "heyoka"])
-def test_a_motion_with_everything_that_follows_the_clock(backend: str) -> None:
-    model = model_of(MOVED, "moved")
-    motion = ss.simulate(model.Parameters(), x0=0.6, vx0=-0.3, t_end=40.0, backend=backend)
+@pytest.mark.parametrize(("backend", "turns"), [("scipy", 0), ("heyoka", 0), ("heyoka", 1e5)])
+def test_a_motion_with_everything_that_follows_the_clock(backend: str, turns: float) -> None:
+    """Also where the phase is so large that a step, relative to it, has too large an error."""
+    model, phase = model_of(MOVED, "moved"), 2 * math.pi * turns
+    start = {"x0": 0.6, "vx0": -0.3, "phase0": phase}
+    motion = ss.simulate(model.Parameters(), t_end=40.0, backend=backend, **start)
+    assert motion.phase[[0, -1]] == pytest.approx([phase, phase + 40 * 0.6], rel=1e-14)
     assert len(motion.events.of(Event.CONTACT_LOST)) > 2
     assert off(motion, clocks.moved) < 1e-8
     cycle = ss.cycle(model.Parameters(), turns=1)

@@ -119,8 +119,10 @@ def is_typed(option: str) -> bool:
     return click.get_current_context().get_parameter_source(option) == ParameterSource.COMMANDLINE
 
 
-def refuse(paths: Iterable[Path | None], *, made: bool = False) -> None:
-    """Raise, before any work, if a file exists without --force, or can't be written."""
+def refuse(paths: Iterable[Path | None], *, made: bool = False, size: int = 0) -> None:
+    """Raise, before any work, if a file exists without --force, or can't be written; ``size`` is
+    that of all files in bytes, as far as it is known.
+    """
     targets = [path for path in paths if path is not None]
     found = [str(path) for path in targets if path.exists()]
     if found and not is_typed("force"):
@@ -130,7 +132,7 @@ def refuse(paths: Iterable[Path | None], *, made: bool = False) -> None:
             "give another path"
         )
     for path in targets:
-        probe(path, made=made)
+        probe(path, size, made=made)
 
 
 def write(files: Mapping[Path, Any], *, made: bool = False) -> bool:
@@ -147,7 +149,7 @@ def write(files: Mapping[Path, Any], *, made: bool = False) -> bool:
         for path, held in data.items()
         if not (path.is_file() and path.read_bytes() == held)
     }
-    refuse(changed, made=made)
+    refuse(changed, made=made, size=sum(map(len, changed.values())))
     for path, content in changed.items():
         put(path, content, made=made)
     return bool(changed)

@@ -78,9 +78,10 @@ class Items(Mapping[str, Any]):
 class Result(Tabular):
     """Base class of results. ``print`` shows the table; ``repr`` shows long arrays by their shapes.
 
-    Columns are items, ``result["x"]``, and ``result.columns`` has the meaning of each. A column is
-    an attribute too, unless the class has an attribute of that name. If a column of the package has
-    the name of a quantity of the page, the package's is the item with an underscore behind it.
+    Columns are items, ``result["x"]``, and ``result.columns`` has the meaning of each. Of most
+    classes a column is an attribute too, unless the class has an attribute of that name. If a
+    column of the package has the name of a quantity of the page, the package's is the item with an
+    underscore behind it.
     """
 
     def __init_subclass__(cls, **options: Any) -> None:

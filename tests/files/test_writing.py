@@ -11,12 +11,14 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.cli import main
 from spragsym.core.errors import ParameterError, SpragsymError, StoreError
 from spragsym.files import storage, text
 from spragsym.files.journal import journal
@@ -288,3 +290,14 @@ def test_what_is_no_path_is_refused(value: Any) -> None:
     for ask in asked[: 3 if value is None else 4]:
         with pytest.raises(ss.errors.ParameterTypeError, match="is no path"):
             ask()
+
+
+def test_files_that_do_not_fit_are_not_begun(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An export has several, of which none is written where the disk has room for the first."""
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=20_000))
+    with pytest.raises(SystemExit) as stop:
+        main(["export", "--language", "c", "--out", str(tmp_path / "sprag")])
+    assert stop.value.code == 2
+    assert not [*tmp_path.iterdir()]

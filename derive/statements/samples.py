@@ -91,7 +91,8 @@ def _drawn(derivation: Derivation, subject: Object, is_base: bool) -> dict[str, 
         found.setdefault(str(symbol), numeric(value, found))
     for (symbol, law), touches in zip(derivation.normals.items(), pushing.values(), strict=True):
         found.setdefault(str(symbol), multiplied(touches * 1.0, numeric(law, found)))
-    return found
+    # A page without contact or friction has a force or a coefficient of 0, which no print may name.
+    return {name: value for name, value in found.items() if name in derivation.names}
 
 
 def _redraw(

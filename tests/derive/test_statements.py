@@ -652,6 +652,15 @@ def test_what_a_page_has_besides_its_equations_is_known(
     assert row.status == "confirmed", row.evidence
 
 
+@pytest.mark.parametrize("about", ["motion y", "scale N"])
+def test_a_page_without_contact_has_no_normal_force(about: str) -> None:
+    """Nor a scale of it."""
+    page = pages.read(Path(__file__).parents[2] / "validation/papers/pad_flutter/page.py")
+    (row,) = rows(page, (about, r"m\ddot y = N"))
+    assert row.status == "unread"
+    assert "N, which has no values" in row.evidence or "N is no name" in row.evidence
+
+
 def test_a_power_that_is_a_fraction_has_a_unit() -> None:
     """Of a length, in a print that is no sum of different units."""
     x, k = sp.symbols("x k", real=True)

@@ -21,7 +21,7 @@ from ..core.remarks import At, Remark
 from ..models.parameters import FloatArray, ParameterSet, Ranges, as_ranges, varied_range
 from ..numerics.columns import selected_rows
 from ..numerics.interval_arrays import scale_of
-from ..results import CriticalLoad, Points
+from ..results import CriticalLoad, Equilibria, Points
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.reference_state import nearest_state, reference_place, reference_state
@@ -152,9 +152,8 @@ def lowest_of_followed(p: ParameterSet, *, method: Method = "auto") -> CriticalL
     search_of, place = _CandidateSearch(p, vary, over, None), float(p[over])
     first = float(search_of.spans[0, 0])
     search_of.begin([first, place])
-    eq = equilibria(p.replace(**{vary: search_of.low}))
-    near = dict(zip(p.model.coordinates, search_of.beginning[place], strict=True))
-    if nearest_state(eq, near) != reference_state(eq, p.followed):
+    eq, slot = search_of.begun_at(place)
+    if slot != reference_state(eq, p.followed):
         unit = "rad" * p.model.is_angle(over)
         ends = (At(over, (value,), ".6g", unit) for value in (first, place))
         raise ConvergenceError(Remark("at {} another state is followed than at {}", *ends))
@@ -488,12 +487,18 @@ class _CandidateSearch:
         states = carried(balance, here, self.over, np.array(places), first, error)
         self.beginning = dict(zip(places, states.T, strict=True))
 
+    def begun_at(self, value: float) -> tuple[Equilibria, int]:
+        """The equilibria at the lower end of ``vary`` at one value of ``over``, and the slot of the
+        state.
+        """
+        eq = equilibria(self.p.replace(**{self.over: value, self.vary: self.low}))
+        near = dict(zip(self.p.model.coordinates, self.beginning[value], strict=True))
+        return eq, int(nearest_state(eq, near))
+
     def end_at(self, value: float, limit: float) -> ModelEnd | None:
         """The end of the state at one value of ``over``, below a limit; None if it does not end."""
-        here = self.p.replace(**{self.over: value})
-        near = dict(zip(self.p.model.coordinates, self.beginning[value], strict=True))
-        slot = nearest_state(equilibria(here.replace(**{self.vary: self.low})), near)
-        return first_end(here, self.vary, (self.low, limit), start=int(slot))
+        here, (_, slot) = self.p.replace(**{self.over: value}), self.begun_at(value)
+        return first_end(here, self.vary, (self.low, limit), start=slot)
 
     def ends_at(self, one: _Candidate, above: float) -> bool | None:
         """Whether the state ends at a candidate; None if that is undecided. It ends at no lower

@@ -174,12 +174,11 @@ def remedy(si: str, allowed: Range, example: str, exact: bool = False) -> str:
     """
     by_sign = {allowed.low, allowed.high} <= {0.0, math.inf, -math.inf}
     good = []
-    for text in (example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))):
-        if exact:
-            text = text.partition(" ±")[0]
+    texts = [example, *EXAMPLES.get(si, (f"1 {si}", f"[1, 2] {si}"))]
+    if exact:
+        texts = [text.partition(" ±")[0] for text in texts if not text.startswith("[")]
+    for text in texts:
         with suppress(ParameterError):
-            if exact and _measured(text, si).varies:
-                continue
             # If the sign decides, the size of the unit is not needed.
             if not by_sign:
                 _read(text, si, allowed)

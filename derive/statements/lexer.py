@@ -154,7 +154,8 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
         (
             r"\begin{cases}",
             r"\end{cases}",
-            r"\\left\s*\\\{\s*\\begin\{array\}\s*\{(?:[^{}]|\{\})*\}(?P<inside>(?:(?!\\begin\{array).)*?)"
+            r"\\left\s*\\\{\s*\\begin\{array\}\s*\{(?:[^{}]|\{\})*\}"
+            r"(?P<inside>(?:(?!\\begin\{array).)*?)"
             r"\\end\{array\}\s*\\right\s*\.",
         ),
         (

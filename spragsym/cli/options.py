@@ -152,7 +152,7 @@ def _span(typed: str) -> Span:
         ends = float(low), float(high)
         (count,) = map(int, counts) if counts else (Span.count,)
     except ValueError as error:
-        cure = "give it as mu0=0:1, or with values as mu0=0:1:11"
+        cure = f"give it as {name}=0:1, or with values as {name}=0:1:11"
         raise click.BadParameter(f"{typed!r} is neither a name nor a range; {cure}") from error
     if not 2 <= count <= 100_000:
         raise click.BadParameter(f"{typed!r}: values with both ends are 2 to 100000")

@@ -381,6 +381,14 @@ def test_any_arguments_end_as_documented(
     end_as_documented([command, *(word for pair in options for word in pair), *rest])
 
 
+@pytest.mark.parametrize(("option", "typed"), [("vary", "kappa=5"), ("within", "x=5")])
+def test_a_value_in_place_of_a_range_is_told_the_range_of_its_name(
+    option: str, typed: str, run: Run
+) -> None:
+    said = run("folds", "--theta0", "40", f"--{option}", typed, code=USAGE)
+    assert f"give it as {typed[:-2]}=0:1, or with" in said
+
+
 def test_remarks_are_told_in_other_units() -> None:
     remark = Remark(
         "on lines: {}", Remark("searched {}, a part of its range", At("x", (0.0, 1.0), unit="rad"))

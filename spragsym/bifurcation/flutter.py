@@ -7,7 +7,7 @@ of the parameter, and report crossings that are not proved as ``"detected"``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import chain, pairwise
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.questions import Method, question
+from ..core.remarks import At, Remark
 from ..display import Column, own_name
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import UndecidedSign
@@ -84,6 +85,8 @@ def flutter_onsets(
 ) -> Onsets:
     """Onsets of flutter in contact along one parameter; ``complete`` says whether these are all.
 
+    Remarks name those that are found at states in which no contact touches.
+
     Parameters
     ----------
     p : Parameters
@@ -136,7 +139,28 @@ def flutter_onsets(
     """
     name = p.model.one(vary)
     families = Family.every(p, (name,), between, within, options)
-    return Onsets(**vars(together([_in_combination(family, damping) for family in families])))
+    found = together([_in_combination(family, damping) for family in families])
+    others = partial(_in_lift_off, p, name, between, within, options)
+    return Onsets(**vars(found) | {"remarks": (*found.remarks, *others(damping))})
+
+
+def _in_lift_off(
+    p: ParameterSet,
+    vary: str,
+    between: Ranges | None,
+    within: Ranges | None,
+    options: SearchOptions | None,
+    damping: bool | None,
+) -> Iterator[Remark]:
+    """A remark on the onsets at states in which no contact touches, which are not listed."""
+    several, opening = len(p.model.contacts) > 1, all(it["unilateral"] for it in p.model.contacts)
+    if not (several and opening and False in p.model.regimes):
+        return
+    for balance in balances_of(p.model, within, options, contact=False):
+        found = _in_combination(Family.of(p, (vary,), between, within, balance), damping)
+        for value in found[vary].tolist():
+            text = "where no contact touches is an onset at {}, which is not listed"
+            yield Remark(text, At(vary, (value,), ".6g"))
 
 
 @dataclass(frozen=True)

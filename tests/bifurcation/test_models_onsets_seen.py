@@ -82,3 +82,35 @@ def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
     found = ss.flutter_onsets(pad.Parameters(zeta=0.0), "mu_s", between={"mu_s": (0.1, 0.4)})
     assert (found.complete, len(found)) == (True, 4)
     np.testing.assert_allclose(found.mu_s, mu_k + more, atol=1e-9)
+
+
+def test_an_onset_where_no_contact_touches_is_a_remark() -> None:
+    """A wheelset hunts between its flanges from V² = 0.1² + 1.1 c² on: λ² + c λ + κ = 0 for
+    κ = 1.1 ± i √(V² − 0.1²).
+    """
+    text = '''
+"""A wheelset between two flanges."""
+from spragsym.derive.model import Page
+page = Page("A wheelset that hunts between two flanges.")
+m, k = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness")
+g = page.unit("g", "m", "clearance")
+V = page.parameter("V", "m/s", "speed", ">= 0", 0.2)
+W = page.parameter("W", "N s/m^2", "conicity", "> 0", 1.0)
+c = page.parameter("c", "N s/m", "creep", "> 0", 0.3)
+y = page.coordinate("y", "m", "displacement")
+z = page.coordinate("z", "m", "yaw times half the gauge")
+page.kinetic(m * (page.rate(y)**2 + page.rate(z)**2) / 2)
+page.potential(k * (y**2 + 6 * z**2 / 5) / 2)
+page.damper(c, along=y)
+page.damper(c, along=z)
+page.force(V * W * z, along=y)
+page.force(-V * W * y, along=z)
+left = page.contact(g - y, lambda depth: 10 * k * depth, name="left")
+right = page.contact(y + g, lambda depth: 10 * k * depth, name="right")
+'''
+    p = model_of(text, "wheelset").Parameters()
+    found = ss.flutter_onsets(p, "V", between={"V": (0.0, 5.0)})
+    assert found.V.size == 0
+    (remark,) = found.remarks
+    assert f"no contact touches is an onset at V = {0.109**0.5:.6g}," in str(remark)
+    assert not ss.flutter_onsets(p, "V", between={"V": (0.0, 0.3)}).remarks

@@ -392,8 +392,10 @@ class BatchIntegrator:
         self.pars[self.constants : self.constants + self.told, lane] = one.mode[: self.told]
         for crossing in crossings:
             if self.lanes == 1:
-                whole = self._with_turns(one, crossing.state)
-                one.crossings.append(crossing._replace(state=whole))
+                if one.turned:
+                    whole = self._with_turns(one, crossing.state)
+                    crossing = crossing._replace(state=whole)
+                one.crossings.append(crossing)
             elif (kind := self.kinds.get((row, crossing.sign))) is not None:
                 one.counts[kind] += 1
                 self._rest(one, row, state)
@@ -495,10 +497,11 @@ class BatchIntegrator:
             self.some[lane].turned += phase - phase % turn
 
     def _with_turns(self, one: MotionState, values: FloatArray) -> FloatArray:
-        """A copy of variables of the integrator with the whole phase of a clock."""
+        """Variables of the integrator with the whole phase of a clock; themselves without one."""
+        if not one.turned:
+            return values
         whole = values.copy()
-        if one.turned:
-            whole[self.m // 2 - 1] += one.turned
+        whole[self.m // 2 - 1] += one.turned
         return whole
 
     def propagate(
@@ -553,7 +556,7 @@ class BatchIntegrator:
                     running.remove(lane)
                     for border in [*one.crossed]:
                         self._rest(one, border, self.state[: self.m, lane])
-                    one.carried = self._with_turns(one, self.state[:, lane])
+                    one.carried = self._with_turns(one, self.state[:, lane].copy())
                 else:
                     self._unwind(lane)
         return pieces

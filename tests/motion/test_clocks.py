@@ -430,3 +430,7 @@ page.friction(y * 1e-20, 0, slip=lambda v: mu * sgn(v), holds=mu, on=other)
         for text, name in ((small, "small"), (free, "free"))
     ]
     assert [one.regime == ss.Regime.EQUILIBRIUM for one in regimes] == [True, False]
+    p, start = model_of(free, "free").Parameters(f=5.0), [0.3, 0.2, 0.0, 0.0]
+    mean = ss.simulate(p, start=start, t_end=50.0)(np.linspace(10.0, 50.0, 40_001))[1].mean()
+    sweep = ss.rms_sweep(p, x0=0.3, y0=0.2, t_end=50.0, transient=10.0)
+    assert float(sweep["mean_y"]) == pytest.approx(mean, abs=1e-4)

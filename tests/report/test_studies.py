@@ -1,5 +1,6 @@
 """A brake in, a verdict out: units, files, and the report's numbers against direct calls."""
 
+import itertools
 import json
 import math
 import re
@@ -212,6 +213,18 @@ def test_how_far_a_change_is_is_told_in_tolerances(
             assert change.distance == pytest.approx(math.hypot(*steps), rel=1e-9)
             told += 1
     assert told
+
+
+@pytest.mark.thorough
+def test_a_change_that_is_small_in_si_goes_on_to_its_own_end() -> None:
+    """A longer spring, by centimetres: at no corner of the tolerances it jumps in use."""
+    used = 0.499
+    study = ss.Study({**IN_SI, "mu0": used}, {"L_0": "2 %", "k": "10 %"})
+    (longer,) = (one for one in redesigns.changes(study, 0.5) if [*one.after] == ["L_0"])
+    assert longer.after["L_0"] > IN_SI["L_0"]
+    for length, stiffness in itertools.product((0.98, 1.02), (0.9, 1.1)):
+        corner = brake(L_0=length * longer.after["L_0"], k=stiffness * IN_SI["k"])
+        assert not ss.jump_value(corner.dimensionless()) < used
 
 
 @pytest.mark.thorough

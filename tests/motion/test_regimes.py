@@ -152,3 +152,22 @@ def test_a_motion_that_a_damper_brings_to_rest_above_the_belt_rests_there() -> N
     assert found.rest[1] > 1
     # The slowest deviation decays at half of a damping of 0.01 along the belt.
     assert found.rate == pytest.approx(0.005, rel=1e-3)
+
+
+def test_a_mass_in_a_well_above_the_belt_never_comes_down() -> None:
+    """Held by a stiff k_x beside the anchor it rests at (0, 2 sin θ₀), where the spring has its own
+    length. Nothing dissipates there, so that it stays if its energy is below that of the saddles.
+    """
+    p = ss.Parameters(theta0=np.pi / 3, mu0=0.3, kappa=0.01, alpha=10.0, sigma=10.0, beta=0.0)
+
+    def energy(x: float, y: float) -> float:
+        length = np.hypot(x - 0.5, y - np.sin(p.theta0))
+        return float(0.01 * y + 5.0 * x**2 + 5.0 * (length - 1) ** 2)
+
+    away = ss.equilibria(p, contact=False)
+    saddles = [energy(x, y) for x, y in zip(away.x[[0, 2]], away.y[[0, 2]], strict=True)]
+    for off, stays in ((0.05, True), (0.2, True), (0.6, False)):
+        start = [off, 2 * np.sin(p.theta0) + off / 2, 0.0, 0.0]
+        assert (energy(*start[:2]) < min(saddles)) == stays
+        motion = ss.simulate(p, **BELT, start=start, t_end=100.0)
+        assert (motion.outcome().regime == Regime.LIFT_OFF) == stays

@@ -233,8 +233,8 @@ class Comparison:
         """
         derivation = self.item.derivation
         model = derivation.model
-        states = (*model.coordinates, *model.rates, *derivation.accelerations, LAMBDA)
-        states = (*states, *derivation.laws)
+        moving = (*model.coordinates, *model.rates, *derivation.accelerations)
+        states = (*moving, LAMBDA, *derivation.laws)
 
         def apart(expression: Expr) -> list[Pair]:
             """The factor of parameters and the remaining factor of each of the first 40 terms."""

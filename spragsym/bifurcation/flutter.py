@@ -153,8 +153,7 @@ def _in_lift_off(
     damping: bool | None,
 ) -> Iterator[Remark]:
     """A remark on the onsets at states in which no contact touches, which are not listed."""
-    several, opening = len(p.model.contacts) > 1, all(it["unilateral"] for it in p.model.contacts)
-    if not (several and opening and False in p.model.regimes):
+    if len(p.model.contacts) == 1 or not p.model.lifts_off:
         return
     for balance in balances_of(p.model, within, options, contact=False):
         found = _in_combination(Family.of(p, (vary,), between, within, balance), damping)

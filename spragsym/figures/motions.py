@@ -23,7 +23,7 @@ from ..core.errors import require_kind
 from ..generated import laws
 from ..models import Model
 from ..models.forces import contact_force
-from ..models.parameters import FloatArray
+from ..models.parameters import FloatArray, ParameterSet
 from ..models.quantities import Scales
 from ..motion import Trajectory, simulate
 from ..motion.simulation import row_of
@@ -196,17 +196,17 @@ def draw_phase(
     row, states = row_of(of, names), motion(np.linspace(motion.t[0], motion.t[-1], 6000))
     shown = shown or (_own(motion, names[row]), _own(motion, model.rates[row]))
     line = _line(ax, states[row], states[len(names) + row], shown)
-    for speed in _steady_belts(motion, names[row]):
+    for speed in steady_belts(motion.p, names[row]):
         ax.axhline(shown[1][1] * speed, color=GREY, linewidth=0.6, linestyle=":")
     return line
 
 
-def _steady_belts(motion: Trajectory, along: str | None = None) -> list[float]:
+def steady_belts(p: ParameterSet, along: str | None = None) -> list[float]:
     """Speeds of belts that do not vary in time, each once; with ``along`` of those along a
     coordinate.
     """
-    frictions, parameters = motion.model.frictions, set(motion.model.parameters)
-    speeds = belt_speeds(motion.p) if frictions else ()
+    frictions, parameters = p.model.frictions, set(p.model.parameters)
+    speeds = belt_speeds(p) if frictions else ()
     found = (
         float(speed)
         for speed, friction in zip(speeds, frictions, strict=False)
@@ -301,7 +301,7 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
             {"frequency": frequency[1] * found.frequency, "amplitude": place[1] * found.amplitude},
         )
     figure.tables |= dict(zip(ascii_lowercase, columns, strict=False))
-    belts = _steady_belts(motion)
+    belts = steady_belts(motion.p)
     after = f"{transient:g}" if units is None else f"{transient * units.time:.4g} s"
     if units is not None and len(belts) == 1:
         moved = f"belt speed {1e3 * belts[0] * units.length / units.time:.4g} mm/s"

@@ -36,7 +36,7 @@ from ..report.texts import sections, verdict
 from ..results import BifurcationSet, Points
 from ..statics.stability import NEUTRAL_GROWTH
 from .curves import curves_between, draw_branches, draw_path, mark_folds
-from .motions import draw_harmonics, draw_phase, draw_spectrum
+from .motions import draw_harmonics, draw_phase, draw_spectrum, steady_belts
 from .planes import draw_onset_curves, draw_plane, growth_of_oscillations, on_undecided
 from .style import (
     BLACK,
@@ -263,8 +263,7 @@ def _of_motion(report: Facts, lives: Oscillation) -> Rows:
     time = report.study.scales.time
     name = report.study.kind.model.coordinates[0]
     motion = lives.motion.trajectory(8) if lives.kind == "cycle" else lives.motion
-    frictions = report.study.kind.model.frictions
-    belt = any(one["along"] == name and one["belt"] is not None for one in frictions)
+    belt = bool(steady_belts(report.study.dimensionless, name))
     what = "speed along the belt" if belt and unit == "mm" else f"rate of {name}"
     in_si, share = ("m/s", 1e-3) if unit == "mm" else ("deg/s", 1.0)
     speed = f"{what} in {in_si}", share * size / time

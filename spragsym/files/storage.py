@@ -347,7 +347,7 @@ def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
         If it can't be written.
     """
     target = resolved(path)
-    new = [folder for folder in target.parents if not folder.exists()]
+    new = [folder for folder in target.parents if not folder.exists()] if made else []
     try:
         if made:
             target.parent.mkdir(parents=True, exist_ok=True)

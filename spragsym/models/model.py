@@ -229,6 +229,13 @@ class Model:
         return found | ({False: apart} if opening else {})
 
     @property
+    def lifts_off(self) -> bool:
+        """Whether there may be states in which no contact touches; a contact that never opens does
+        in all of them.
+        """
+        return False in self.regimes and all(entry["unilateral"] for entry in self.contacts)
+
+    @property
     def has_regimes(self) -> bool:
         """Whether equilibria may have several combinations of touching contacts: with several
         contacts, or with one that presses on either of two faces.

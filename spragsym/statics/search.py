@@ -86,8 +86,7 @@ def balances_of(
     """
     if contact is None:
         # The combination False counts as contact if some contact never opens.
-        never_opens = not all(entry["unilateral"] for entry in model.contacts)
-        combinations = [key for key in model.regimes if key or never_opens]
+        combinations = [key for key in model.regimes if key or not model.lifts_off]
     else:
         combinations = [_combination(model, contact)]
     balances = [Balance(model, key, law, options=options) for key in combinations]

@@ -156,7 +156,7 @@ def _motion(
     ) -> targets.Variable:
         """A variable: the time derivative of an order of a quantity with a unit."""
         radians = Fraction(unit == "rad")
-        dimension = units.times(units.read(unit), units.TIME, -order)
+        dimension = units.times(units.read(unit), units.read("s"), -order)
         if data is None:
             return targets.Variable(
                 name, meaning, "rad" if radians and not order else "", (*units.NONE, radians)

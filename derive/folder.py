@@ -217,7 +217,7 @@ def description(page_model: PageModel) -> dict[str, Any]:
                 "meaning": entry.meaning,
                 "unit": entry.unit,
                 "scale": scale(units.read(entry.unit)),
-                "rate_scale": scale(units.times(units.read(entry.unit), units.TIME, -1)),
+                "rate_scale": scale(units.times(units.read(entry.unit), units.read("s"), -1)),
                 **_comes_around(model, index, turns.get(index, {})),
             }
             for index, entry in enumerate(page_model.page.coordinates)
@@ -238,10 +238,10 @@ def description(page_model: PageModel) -> dict[str, Any]:
             for datum in model.parameters
         ],
         "scales": {
-            "length": scale(units.LENGTH),
-            "time": scale(units.TIME),
-            "force": scale(units.FORCE),
-            "rate": scale(units.RATE),
+            "length": scale(units.read("m")),
+            "time": scale(units.read("s")),
+            "force": scale(units.read("N")),
+            "rate": scale(units.read("Hz")),
         },
         "roles": _roles(model),
         "angles": {str(angle.symbol): [str(angle.c), str(angle.s)] for angle in model.angles},

@@ -440,5 +440,5 @@ class _MethodReader:
         factors = sp.Mul.make_args(product) if product.free_symbols <= dimensions.keys() else ()
         for size in range(1, len(factors)):
             for part in map(sp.prod, itertools.combinations(factors, size)):
-                if units.of(part, dimensions) == units.STIFFNESS:
+                if units.of(part, dimensions) == units.read("N/m"):
                     yield part

@@ -19,7 +19,7 @@ def check_units(page: Page) -> None:
     """Raise a PageError for a sum of different dimensions, or a statement of the wrong
     dimension.
     """
-    dimensions = _dimensions(page) | {DEPTH: units.LENGTH, SLIP: units.SPEED}
+    dimensions = _dimensions(page) | {DEPTH: units.read("m"), SLIP: units.read("m/s")}
     for it in statements(page):
         _check_dimension(it, dimensions)
     angles = {datum.symbol for datum in page.parameters if datum.unit == "rad"}
@@ -54,9 +54,9 @@ def _check_dimension(it: PageExpression, dimensions: dict[Symbol, Dimension]) ->
         found = units.of(it.value, dimensions)
     except UnitsError as error:
         raise PageError(it.line, f"{it.what}: {error}") from error
-    if it.dimension is None or found is None:
+    if it.unit is None or found is None:
         return
-    expected = units.times(it.dimension, units.of(it.per, dimensions) or units.NONE, -1)
+    expected = units.times(units.read(it.unit), units.of(it.per, dimensions) or units.NONE, -1)
     if found != expected:
         raise PageError(
             it.line,
@@ -72,7 +72,9 @@ def _dimensions(page: Page) -> dict[Symbol, Dimension]:
         except UnitsError as error:
             raise PageError(entry.line, str(error)) from error
     for coordinate in page.coordinates:
-        dimensions[coordinate.rate] = units.times(dimensions[coordinate.symbol], units.TIME, -1)
+        dimensions[coordinate.rate] = units.times(
+            dimensions[coordinate.symbol], units.read("s"), -1
+        )
     return dimensions
 
 

@@ -11,12 +11,11 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, S, Symbol
 
-from . import reserved, signs, units
+from . import reserved, signs
 from .emit.quantities import interval
 from .limits import Limit
 from .mechanics import DEPTH, SLIP
 from .model import Page, PageError, acceleration_of, expression_of, speed_of
-from .units import Dimension
 
 #: Largest length of a name: MATLAB distinguishes 63 letters, of which generated code needs some.
 LONGEST = 40
@@ -376,13 +375,13 @@ def check_used(page: Page) -> None:
 class PageExpression:
     """An expression of a page, and what it is called in errors.
 
-    Times ``per`` it has to have the ``dimension``; None allows any.
+    Times ``per`` it has to be in the ``unit``; None allows any.
     """
 
     value: Expr
     what: str
     line: int
-    dimension: Dimension | None
+    unit: str | None
     per: Expr = S.One
 
 
@@ -393,57 +392,53 @@ def statements(page: Page) -> Iterator[PageExpression]:
         if along is not None:
             yield PageExpression(along, f"along of this {kind}", line, None)
         for part in (part for end in element.ends or () for part in end):
-            yield PageExpression(part, "the end of this line", line, units.LENGTH)
+            yield PageExpression(part, "the end of this line", line, "m")
         if kind == "spring":
-            dimension = units.LENGTH if along is None else units.NONE
             yield PageExpression(
                 element.rest,
                 "the undeformed length of this spring",
                 line,
-                dimension,
+                "m" if along is None else "1",
                 1 / (along or S.One),
             )
         for function in (sp.cos, sp.sin) if kind == "torsion spring" else ():
             yield PageExpression(
-                function(element.rest), "the inclination at rest of this spring", line, units.NONE
+                function(element.rest), "the inclination at rest of this spring", line, "1"
             )
-        dimension = units.STIFFNESS if along is None and kind != "torsion spring" else units.ENERGY
-        if kind == "damper":
-            dimension = units.times(dimension, units.TIME)
+        in_line, along_angle = ("N s/m", "J s") if kind == "damper" else ("N/m", "J")
+        unit = in_line if along is None and kind != "torsion spring" else along_angle
         yield PageExpression(
             element.strength,
             f"the {element.quality} of this {kind}",
             line,
-            dimension,
+            unit,
             (along or S.One) ** 2,
         )
     for energy, line in page.energies:
-        yield PageExpression(energy, "this potential energy", line, units.ENERGY)
+        yield PageExpression(energy, "this potential energy", line, "J")
     if page.inertia is not None:
-        yield PageExpression(page.inertia[0], "the kinetic energy", page.inertia[1], units.ENERGY)
+        yield PageExpression(page.inertia[0], "the kinetic energy", page.inertia[1], "J")
     if page.timer is not None:
         said, line = "the speed of the clock", page.timer.line
-        yield PageExpression(page.timer.speed, said, line, units.RATE)
+        yield PageExpression(page.timer.speed, said, line, "Hz")
     for force in page.forces:
         alone = len(force.place) == 1
         for component, position in zip(force.components, force.place, strict=True):
             yield PageExpression(
-                position, "the place of this force", force.line, None if alone else units.LENGTH
+                position, "the place of this force", force.line, None if alone else "m"
             )
-            work = (units.ENERGY, position) if alone else (units.FORCE, S.One)
+            work = ("J", position) if alone else ("N", S.One)
             yield PageExpression(component, "this force", force.line, *work)
     for contact in page.contacts:
-        yield PageExpression(contact.gap or S.Zero, "the gap", contact.line, units.LENGTH)
+        yield PageExpression(contact.gap or S.Zero, "the gap", contact.line, "m")
         what = "the normal force" if contact.gap is None else "the contact law"
-        yield PageExpression(expression_of(contact.law(DEPTH)), what, contact.line, units.FORCE)
+        yield PageExpression(expression_of(contact.law(DEPTH)), what, contact.line, "N")
     for it in page.frictions:
-        yield PageExpression(
-            it.along, "the displacement that friction opposes", it.line, units.LENGTH
-        )
-        yield PageExpression(it.belt, "the belt's speed", it.line, units.SPEED)
+        yield PageExpression(it.along, "the displacement that friction opposes", it.line, "m")
+        yield PageExpression(it.belt, "the belt's speed", it.line, "m/s")
         for sign in (1, -1):
             yield PageExpression(
-                expression_of(it.law(sign * SLIP)), "the friction law", it.line, units.NONE
+                expression_of(it.law(sign * SLIP)), "the friction law", it.line, "1"
             )
-        yield PageExpression(it.at_rest or S.Zero, "at_rest", it.line, units.NONE)
-        yield PageExpression(it.holds or S.Zero, "what friction holds", it.line, units.NONE)
+        yield PageExpression(it.at_rest or S.Zero, "at_rest", it.line, "1")
+        yield PageExpression(it.holds or S.Zero, "what friction holds", it.line, "1")

@@ -23,9 +23,8 @@ def _of(kilograms: int, metres: int, seconds: int) -> Dimension:
     return Fraction(kilograms), Fraction(metres), Fraction(seconds)
 
 
-NONE, LENGTH, TIME, SPEED = _of(0, 0, 0), _of(0, 1, 0), _of(0, 0, 1), _of(0, 1, -1)
-FORCE, ENERGY, STIFFNESS = _of(1, 1, -2), _of(1, 2, -2), _of(1, 0, -2)
-RATE = _of(0, 0, -1)
+#: Of a number, and of an angle.
+NONE = _of(0, 0, 0)
 
 
 class UnitsError(ArithmeticError):
@@ -38,6 +37,7 @@ def times(one: Dimension, other: Dimension, power: Fraction | int = 1) -> Dimens
     return kilograms, metres, seconds
 
 
+@cache
 def read(text: str) -> Dimension:
     """The dimension of a written unit: ``N/m``, ``N s/m``, ``kg m/s^2``, ``N/m^(3/2)``."""
     dimension, power = NONE, 1
@@ -45,11 +45,11 @@ def read(text: str) -> Dimension:
         "1": NONE,
         "rad": NONE,
         "kg": _of(1, 0, 0),
-        "m": LENGTH,
-        "s": TIME,
-        "N": FORCE,
-        "J": ENERGY,
-        "Hz": RATE,
+        "m": _of(0, 1, 0),
+        "s": _of(0, 0, 1),
+        "N": _of(1, 1, -2),
+        "J": _of(1, 2, -2),
+        "Hz": _of(0, 0, -1),
     }
     for part in re.findall(
         r"/|[^\s/]+(?:\^\([^)]*\))?", re.sub(r"\^\((\S+)/(\S+)\)", r"^\1|\2", text)

@@ -20,9 +20,9 @@ from ..motion import Motion
 from . import nomenclature as nm
 
 #: Symbols of the accelerations.
-AX, AY = sp.symbols("x_tt y_tt", real=True)
+ACCELERATIONS = sp.symbols("x_tt y_tt", real=True)
 #: Rates and accelerations at steady sliding.
-AT_REST = dict.fromkeys((AX, AY, nm.vx, nm.vy), 0)
+AT_REST = dict.fromkeys((*ACCELERATIONS, nm.vx, nm.vy), 0)
 
 #: The dimensionless parameters of the published model.
 PUBLISHED = (nm.theta0, *nm.PARAMETERS, nm.V, nm.creep)
@@ -161,7 +161,7 @@ def motion() -> Pair:
     accelerations − forces, in x, y, L, the contact force n and the friction coefficient μ.
     """
     general = Motion(of_page())
-    accelerations = dict(zip(general.acceleration_symbols, (AX, AY), strict=True))
+    accelerations = dict(zip(general.acceleration_symbols, ACCELERATIONS, strict=True))
     along, across = (
         expand(in_article(of_page(), row.subs(accelerations))) for row in general.balance(nm.n)
     )

@@ -122,7 +122,7 @@ fa_v, fb_v, fd_v, fm_v = (
     _local(f"{name}_v", f"derivative of {name} of f by the parameter that varies")
     for name in "abdm"
 )
-K11, K12, K21, K22 = (
+stiffness_entries = tuple(
     _local(f"K{place}", f"entry {place[0]}, {place[1]} of the stiffness matrix")
     for place in ("11", "12", "21", "22")
 )

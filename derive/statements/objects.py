@@ -302,12 +302,12 @@ class Derivation:
             dimension = units.read(entry.unit)
             for symbol in (entry.symbol, entry.rate, second):
                 known[str(symbol)] = dimension
-                dimension = units.times(dimension, units.TIME, -1)
+                dimension = units.times(dimension, units.read("s"), -1)
         for name in self.geometry:
-            known[name] = units.LENGTH if name.startswith("L") else units.NONE
-        found = dict.fromkeys(map(str, self.normals), units.FORCE)
+            known[name] = units.read("m") if name.startswith("L") else units.NONE
+        found = dict.fromkeys(map(str, self.normals), units.read("N"))
         found |= dict.fromkeys(map(str, self.coefficients), units.NONE)
-        return found | {"lam": units.RATE, str(TIME): units.TIME} | known
+        return found | {"lam": units.read("Hz"), str(TIME): units.read("s")} | known
 
     @cached_property
     def turning(self) -> tuple[str, ...]:
@@ -384,7 +384,7 @@ def _energy(derivation: Derivation, name: str, side: str) -> Object:
     potential = derivation.spelled(derivation.model.potential) + still
     if name == "T":
         by, names = "mechanics.Mechanics.kinetic", frozenset({name})
-        return Object((kinetic,), by, names=names, unit=units.ENERGY)
+        return Object((kinetic,), by, names=names, unit=units.read("J"))
     values = {"V": potential, "L": kinetic - potential}
     if name not in values:
         raise NoObject(f"there is no energy {name}; there are T, V and L")
@@ -420,7 +420,7 @@ def _energy(derivation: Derivation, name: str, side: str) -> Object:
         (0,),
         "constant",
         names,
-        unit=units.ENERGY,
+        unit=units.read("J"),
         readings=tuple(readings) if choices else (),
     )
 
@@ -552,7 +552,7 @@ def _threshold(derivation: Derivation, name: str, side: str) -> Object:
 def _scale(derivation: Derivation, name: str, side: str) -> Object:
     """A dimensionless number, a quantity over its scale, or the scale of time, length or force."""
     groups = physical_checks.groups(derivation.page)
-    named = {"time": units.TIME, "length": units.LENGTH, "force": units.FORCE}
+    named = {"time": units.read("s"), "length": units.read("m"), "force": units.read("N")}
     measured = {str(it): it for it in (*derivation.model.coordinates, *derivation.normals)}
     measured |= {name: Symbol(name) for name in derivation.geometry} | {"time": TIME}
     by, names = "physical_checks.groups", frozenset({name})
@@ -597,7 +597,7 @@ def _gap(derivation: Derivation, name: str, side: str) -> Object:
         raise NoObject("the normal force is given, and the contact has no gap")
     own = frozenset({str(of_contact(Symbol("gap", real=True), name))})
     value = derivation.spelled(contact.gap)
-    return Object((value,), "mechanics.NormalForce.gap", names=own, unit=units.LENGTH)
+    return Object((value,), "mechanics.NormalForce.gap", names=own, unit=units.read("m"))
 
 
 def _pushing(derivation: Derivation, name: str, side: str) -> Object:

@@ -11,5 +11,3 @@ DRAWN = (
     "rms-map",
     "sensitivity",
 )
-
-FORMATS = ("pdf", "png", "svg")

@@ -15,7 +15,7 @@ from typing import Any
 
 import click
 
-from ..article.drawn import DRAWN, FORMATS
+from ..article.drawn import DRAWN
 from ..core.errors import ParameterError, one_of
 from ..core.progress import advance, show_progress
 from ..core.type_variables import T
@@ -349,7 +349,7 @@ def _words(allowed: Sequence[str], option: str) -> Callable[..., list[str]]:
     "--format",
     "kinds",
     default="pdf",
-    callback=_words(FORMATS, "--format"),
+    callback=_words(("pdf", "png", "svg"), "--format"),
     help="pdf, png, svg, or several with commas.",
 )
 @o.workers(-1)

@@ -15,9 +15,9 @@ from ..files.text import text_of
 from ..models.parameters import FloatArray
 from ..models.quantities import factor
 
-#: Names of the two columns, in lower case and without hyphens. Other columns are ignored.
-SPEED = frozenset(
-    (
+#: Names of the two columns by unit, in lower case and without hyphens. Other columns are ignored.
+NAMES = {
+    "m/s": (
         "v",
         "v rel",
         "v slip",
@@ -29,10 +29,8 @@ SPEED = frozenset(
         "slip velocity",
         "relative speed",
         "relative velocity",
-    )
-)
-FRICTION = frozenset(
-    (
+    ),
+    "1": (
         "mu",
         "mu k",
         "friction",
@@ -40,8 +38,8 @@ FRICTION = frozenset(
         "coefficient of friction",
         "coefficient",
         "cof",
-    )
-)
+    ),
+}
 #: Example of a header.
 EXAMPLE = "v [m/s],mu"
 
@@ -109,7 +107,7 @@ def _measurements(path: Path, lines: Sequence[tuple[int, str]]) -> list[tuple[fl
             f"in what unit; put a line such as {EXAMPLE} above it"
         )
     at = f"{path}, line {first}"
-    speed, friction = _column(at, names, SPEED, "m/s"), _column(at, names, FRICTION, "1")
+    speed, friction = _column(at, names, "m/s"), _column(at, names, "1")
     found, written = list[tuple[float, float]](), list[str]()
     for number, line in data:
         row = _cells(line, between)
@@ -166,8 +164,8 @@ def _cells(line: str, between: str) -> list[str]:
     return [cell.strip(" \t\"'").replace("\N{MINUS SIGN}", "-") for cell in cells]
 
 
-def _column(at: str, names: Sequence[str], words: frozenset[str], si: str) -> tuple[int, float]:
-    """Index of the column with one of the names ``words``, and the factor of its unit to SI."""
+def _column(at: str, names: Sequence[str], si: str) -> tuple[int, float]:
+    """Index of the column in a unit, and the factor from the unit in the head to it."""
     what, write = ("the friction coefficient", "mu or mu [%]")
     if si == "m/s":
         what, write = ("the sliding speed", "v [m/s]")
@@ -175,7 +173,7 @@ def _column(at: str, names: Sequence[str], words: frozenset[str], si: str) -> tu
     units = {
         i: (part[2] or "").strip()
         for i, part in enumerate(parts)
-        if part and _word(part[1]) in words
+        if part and _word(part[1]) in NAMES[si]
     }
     if len(units) != 1:
         several = f"is named {len(units)} times" if units else "is not among the names"

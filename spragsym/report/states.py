@@ -34,8 +34,6 @@ from .units import Numbers
 
 #: The motion of a jump starts at this share of the distance from the fold to the remaining state.
 SHARE_BEYOND_FOLD = 1e-2
-#: Largest time over which a motion from rest is followed, in the motion's own unit.
-LONGEST_TIME = 3000.0
 
 #: A number for the only inclined spring or contact, a mapping by name for several, None for none.
 OfSprings: TypeAlias = float | Numbers | None
@@ -515,7 +513,7 @@ def oscillation_of(study: Study, stability: str | None, holds: bool) -> Oscillat
 
 def _followed(p: ParameterSet, start: FloatArray) -> tuple[Trajectory, Outcome]:
     """The motion from a state, and its limit."""
-    t_end = LONGEST_TIME * System.of(p, None).scales(start).time
+    t_end = 3000.0 * System.of(p, None).scales(start).time  # some hundred periods
     motion, outcome = simulate(p, start=start, t_end=t_end), Outcome()
     with suppress(ConvergenceError):
         outcome = motion.outcome(0.75 * t_end)

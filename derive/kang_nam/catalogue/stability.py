@@ -8,8 +8,8 @@ from sympy import Matrix
 from ...algebra import Names, Row
 from ...emit.function import Function, Module, rows
 from .. import stability
-from ..nomenclature import B, C11, K11, K12, K21, K22, L, M, PARAMETERS, V, alpha, beta, c
-from ..nomenclature import creep, kappa, mu0, nbar, p, q, s, sigma, y
+from ..nomenclature import B, C11, L, M, PARAMETERS, V, alpha, beta, c, creep, kappa, mu0, nbar
+from ..nomenclature import p, q, s, sigma, stiffness_entries, y
 from .arrangement import (
     ANGLE,
     ANGLE0,
@@ -33,8 +33,7 @@ def module() -> Module:
         ]
     )
     require_same("K (28)", tuple(arranged), tuple(K))
-    entries = (K11, K12, K21, K22)
-    generic, C = Matrix(2, 2, entries), stability.damping()
+    generic, C = Matrix(2, 2, stiffness_entries), stability.damping()
     damped = Matrix(C)
     damped[0, 0] = C11
     characteristic = sp.Poly(stability.characteristic(generic, damped), stability.lam).all_coeffs()
@@ -61,7 +60,7 @@ def module() -> Module:
                 "Trace, determinant (negative: divergence) and discriminant in λ² (negative: "
                 "flutter) of K.",
                 "(27)",
-                entries,
+                stiffness_entries,
                 (generic.trace(), determinant, stability.flutter_discriminant(generic)),
                 "trace, determinant, discriminant",
             ),
@@ -78,7 +77,7 @@ def module() -> Module:
                 "characteristic",
                 "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
                 "(27) with damping",
-                (*entries, C11),
+                (*stiffness_entries, C11),
                 tuple(characteristic),
                 "e4, e3, e2, e1, e0",
             ),

@@ -127,6 +127,14 @@ class Family:
         balances = balances_of(p.model, within, options)
         return [cls.of(p, vary, between, within, balance) for balance in balances]
 
+    def in_lift_off(self, between: Ranges | None, within: Ranges | None) -> list[Self]:
+        """The family of the states in which no contact touches, where one of several may."""
+        model, options = self.p.model, self.balance.options
+        if len(model.contacts) == 1 or not model.lifts_off:
+            return []
+        balances = balances_of(model, within, options, contact=False)
+        return [self.of(self.p, self.vary, between, within, balance) for balance in balances]
+
     def beyond(self, *contacts: int) -> Self:
         """The same family with states a little beyond the borders of contacts accepted; without
         any, of the borders that the balance is extended beyond already, or of all.

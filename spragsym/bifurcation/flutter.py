@@ -7,7 +7,7 @@ of the parameter, and report crossings that are not proved as ``"detected"``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import chain, pairwise
@@ -17,7 +17,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.questions import Method, question
-from ..core.remarks import At, Remark
 from ..display import Column, own_name
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import UndecidedSign
@@ -61,7 +60,18 @@ from .defining_systems import (
     undamped_mode,
     within_block,
 )
-from .points import Found, all_of, arranged, matrices, merged, nothing, of_ends, search, together
+from .points import (
+    Found,
+    all_of,
+    arranged,
+    in_lift_off,
+    matrices,
+    merged,
+    nothing,
+    of_ends,
+    search,
+    together,
+)
 
 if TYPE_CHECKING:
     from .normal_forms import Coefficient, NormalForm
@@ -140,26 +150,8 @@ def flutter_onsets(
     name = p.model.one(vary)
     families = Family.every(p, (name,), between, within, options)
     found = together([_in_combination(family, damping) for family in families])
-    others = partial(_in_lift_off, p, name, between, within, options)
-    return Onsets(**vars(found) | {"remarks": (*found.remarks, *others(damping))})
-
-
-def _in_lift_off(
-    p: ParameterSet,
-    vary: str,
-    between: Ranges | None,
-    within: Ranges | None,
-    options: SearchOptions | None,
-    damping: bool | None,
-) -> Iterator[Remark]:
-    """A remark on the onsets at states in which no contact touches, which are not listed."""
-    if len(p.model.contacts) == 1 or not p.model.lifts_off:
-        return
-    for balance in balances_of(p.model, within, options, contact=False):
-        found = _in_combination(Family.of(p, (vary,), between, within, balance), damping)
-        for value in found[vary].tolist():
-            text = "where no contact touches is an onset at {}, which is not listed"
-            yield Remark(text, At(vary, (value,), ".6g"))
+    others = in_lift_off(families[0], between, within, partial(_in_combination, damping=damping))
+    return Onsets(**vars(found) | {"remarks": (*found.remarks, *others)})
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,8 @@ def folds(
 ) -> Points:
     """All folds in contact along one parameter, each proved.
 
+    Where several contacts can all open, remarks name those of states in which none touches.
+
     Parameters
     ----------
     p : Parameters

@@ -48,7 +48,17 @@ from .flutter import (
 )
 from .normal_forms import Coefficient, NormalForm, coefficients
 from .options import ContinuationOptions
-from .points import Found, all_of, arranged, matrices, nothing, search, together, which
+from .points import (
+    OTHERS_IN_LIFT_OFF,
+    Found,
+    all_of,
+    arranged,
+    matrices,
+    nothing,
+    search,
+    together,
+    which,
+)
 
 #: Reason why a point has no normal form.
 UNPROVED = "no generic Hopf point is proved there"
@@ -126,6 +136,8 @@ def onset_curves(
 ) -> OnsetCurves:
     """Curves of Hopf points in the plane of two parameters, each point super- or subcritical.
 
+    Where several contacts can all open, remarks count those of states in which none touches.
+
     Parameters
     ----------
     p : Parameters
@@ -179,7 +191,18 @@ def onset_curves(
     options = options or ContinuationOptions()
     planes = _Plane.every(p, vary, between, options=options.given_search)
     first, *others = (plane.curves(n, damping, options) for plane in planes)
-    return _joined(first, others) if others else first
+    found = _joined(first, others) if others else first
+    more = list[str]()
+    for plane in planes[0].in_lift_off(between, None):
+        apart = plane.curves(n, damping, options)
+        if len(apart):
+            more.append(
+                f"onsets where no contact touches form curves, {len(apart)} in number, which are "
+                "not listed; flutter_onsets names their points along one parameter"
+            )
+        if not apart.complete:
+            more.append(OTHERS_IN_LIFT_OFF)
+    return replace(found, remarks=(*found.remarks, *more))
 
 
 def _joined(first: OnsetCurves, others: Sequence[OnsetCurves]) -> OnsetCurves:

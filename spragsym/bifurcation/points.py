@@ -17,7 +17,7 @@ u; the sign of λ' says on which side of λ* it exists.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
@@ -29,6 +29,7 @@ from ..core.progress import doing
 from ..core.remarks import At, Remark
 from ..display import own_name
 from ..models.model import label_of
+from ..models.parameters import Ranges
 from ..numerics import boxes, certified_roots, contractors
 from ..numerics.arithmetic import Number, determinant
 from ..numerics.certified_roots import Roots, distinct, in_order, stepped
@@ -237,6 +238,35 @@ def together(parts: Sequence[Points]) -> Points:
         remarks=tuple(dict.fromkeys(remark for part in parts for remark in part.remarks)),
         _values={name: column[order] for name, column in values.items()},
     )
+
+
+#: The kinds of points at states in which no contact touches, as a remark names them.
+IN_WORDS = {
+    "fold": "a fold",
+    "pitchfork": "a pitchfork",
+    "detected": "an onset, seen by floats and not proved,",
+    "hopf": "an onset",
+    "flutter": "an onset",
+}
+OTHERS_IN_LIFT_OFF = "whether there are others where no contact touches is not decided"
+
+
+def in_lift_off(
+    family: Family,
+    between: Ranges | None,
+    within: Ranges | None,
+    search_of: Callable[[Family], Points],
+) -> Iterator[Remark]:
+    """Remarks on points along one parameter at states in which no contact touches: they are not
+    listed.
+    """
+    (vary,) = family.vary
+    for found in map(search_of, family.in_lift_off(between, within)):
+        for kind, value in zip(found.kind.tolist(), found[vary].tolist(), strict=True):
+            text = f"where no contact touches is {IN_WORDS[kind]} at {{}}, which is not listed"
+            yield Remark(text, At(vary, (value,), ".6g"))
+        if not (found.decided and found.whole):
+            yield Remark(OTHERS_IN_LIFT_OFF)
 
 
 def listed(

@@ -74,7 +74,7 @@ from .defining_systems import (
     change,
     cusp,
 )
-from .points import Found, all_of, arranged, of_ends, search, together, vanishes
+from .points import Found, all_of, arranged, in_lift_off, of_ends, search, together, vanishes
 
 
 def folds_of(
@@ -91,7 +91,9 @@ def folds_of(
     parts = [*map(_folds_in, families)]
     if len(families) > 1:
         parts += borders(families)
-    return replace(together(parts), _ended=ended)
+    found = together(parts)
+    others = in_lift_off(families[0], between, within, _folds_in)
+    return replace(found, remarks=(*found.remarks, *others), _ended=ended)
 
 
 def _folds_in(family: Family) -> Points:

@@ -383,14 +383,14 @@ class Followed:
             for i in rows[~proved.decided].tolist():
                 span = float(self.begin[i]), float(self.until[i])
                 none = no_state_to_follow(equilibria(self._points(i)), self.vary)
-                if none:
+                if none and not self._meets_a_fold(i):
                     reasons[i] = none
                     continue
                 try:
                     end = (
                         first_end(self._points(i), self.vary, span) if span[0] != span[1] else None
                     )
-                except ConvergenceError as why:
+                except (ConvergenceError, ParameterError) as why:  # the fold may lie before it
                     reasons[i] = str(why)
                     continue
                 if end is not None:
@@ -405,6 +405,16 @@ class Followed:
             for each in (z, error, self.until, combination)
         )
         return Ends(z[n, ...], error, z[:n], reasons, until, combination, others)
+
+    def _meets_a_fold(self, i: int) -> bool:
+        """Whether states are so near to the first value of a point, at which there are none, that
+        its float may lie beyond their fold by rounding.
+        """
+        beside = float(self.begin[i]) * (1.0 + 1e-9 * np.array([-1.0, 1.0]))
+        allowed = self.model.Parameters.ranges[self.vary]
+        inside = beside[allowed.inside(beside)]
+        point = self._points(np.array([i]))
+        return bool(equilibria(point.replace(**{self.vary: inside})).count.any())
 
     def _at_border(self, proved: _TubeVerdict, column: int) -> ModelEnd:
         """The end at the borders of contacts."""

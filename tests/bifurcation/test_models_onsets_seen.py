@@ -84,11 +84,7 @@ def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
     np.testing.assert_allclose(found.mu_s, mu_k + more, atol=1e-9)
 
 
-def test_an_onset_where_no_contact_touches_is_a_remark() -> None:
-    """A wheelset hunts between its flanges from V² = 0.1² + 1.1 c² on: λ² + c λ + κ = 0 for
-    κ = 1.1 ± i √(V² − 0.1²).
-    """
-    text = '''
+WHEELSET = '''
 """A wheelset between two flanges."""
 from spragsym.derive.model import Page
 page = Page("A wheelset that hunts between two flanges.")
@@ -108,9 +104,53 @@ page.force(-V * W * y, along=z)
 left = page.contact(g - y, lambda depth: 10 * k * depth, name="left")
 right = page.contact(y + g, lambda depth: 10 * k * depth, name="right")
 '''
-    p = model_of(text, "wheelset").Parameters()
+
+
+def test_an_onset_where_no_contact_touches_is_a_remark() -> None:
+    """A wheelset hunts between its flanges from V² = 0.1² + 1.1 c² on: λ² + c λ + κ = 0 for
+    κ = 1.1 ± i √(V² − 0.1²).
+    """
+    p = model_of(WHEELSET, "wheelset").Parameters()
     found = ss.flutter_onsets(p, "V", between={"V": (0.0, 5.0)})
     assert found.V.size == 0
     (remark,) = found.remarks
     assert f"no contact touches is an onset at V = {0.109**0.5:.6g}," in str(remark)
     assert not ss.flutter_onsets(p, "V", between={"V": (0.0, 0.3)}).remarks
+
+
+@pytest.mark.thorough
+def test_onset_curves_where_no_contact_touches_are_a_remark() -> None:
+    p = model_of(WHEELSET, "wheelset").Parameters()
+    crossed = {"V": (0.2, 1.0), "c": (0.1, 0.5)}  # V² = 0.1² + 1.1 c² passes through
+    found = ss.onset_curves(p, ("V", "c"), 2, between=crossed)
+    assert not len(found)
+    (remark,) = found.remarks
+    assert "where no contact touches form curves, 1 in number" in remark
+    below = {"V": (0.0, 0.3), "c": (0.5, 0.6)}
+    assert not ss.onset_curves(p, ("V", "c"), 2, between=below).remarks
+
+
+STOPS = '''
+"""A mass on a softening spring between two stops."""
+from spragsym.derive.model import Page
+page = Page("A mass on a spring that softens, between two stops.")
+m, k = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness")
+g = page.unit("g", "m", "length")
+P = page.parameter("P", "N", "pull", "real", 0.1)
+x = page.coordinate("x", "m", "displacement")
+page.kinetic(m * page.rate(x)**2 / 2)
+page.potential(k * (x**2 / 2 - x**3 / (3 * g)))
+page.force(P, along=x)
+left = page.contact(2 * g + x, lambda depth: 10 * k * depth, name="left")
+right = page.contact(2 * g - x, lambda depth: 10 * k * depth, name="right")
+'''
+
+
+def test_a_fold_where_no_contact_touches_is_a_remark() -> None:
+    """x − x² = P has its fold at P = 1/4, x = 1/2, between the stops at ±2."""
+    p = model_of(STOPS, "stops").Parameters()
+    found = ss.folds(p, "P", between={"P": (-1.0, 1.0)})
+    assert "fold" not in found.kind.tolist()
+    (remark,) = found.remarks
+    assert "where no contact touches is a fold at P = 0.25," in remark
+    assert not ss.folds(p, "P", between={"P": (-1.0, 0.2)}).remarks

@@ -85,3 +85,32 @@ def test_a_report_of_what_does_not_touch_says_so(wedge: Any) -> None:
         oscillation=False, redesign=False
     )
     assert any("no state in contact at mu = 0" in str(remark) for remark in report.warnings)
+
+
+SOFTENING = '''r"""A mass on a softening spring."""
+from spragsym.derive.model import Page
+page = Page("A mass on a spring that softens.")
+m, k = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness")
+g = page.unit("g", "m", "length")
+P = page.parameter("P", "N", "pull", "real", 0.1)
+x = page.coordinate("x", "m", "displacement")
+page.kinetic(m * page.rate(x)**2 / 2)
+page.potential(k * (x**2 / 2 - x**3 / (3 * g)))
+page.force(P, along=x)
+'''
+
+
+def test_a_state_is_followed_from_the_fold_in_which_it_ends() -> None:
+    """x − x² = P has two states up to P = 1/4; the float beside it, from where a path goes down as
+    well, has none.
+    """
+    p = model_of(SOFTENING, "softening").Parameters()
+    (value,) = ss.folds(p, "P").P.tolist()
+    assert value == pytest.approx(0.25, abs=1e-15)
+    for begin in (0.25, np.nextafter(0.25, 1.0)):
+        at_fold = {"direction": "down", "begin": begin, "until": -1.0}
+        assert np.isnan(ss.jump_value(p, "P", **at_fold))
+        path = ss.quasi_static_path(p, "P", [begin, -1.0])
+        assert path.x[-1] == pytest.approx((1.0 - 5.0**0.5) / 2.0)
+    with pytest.raises(ss.errors.SpragsymError, match="begin where there is one"):
+        ss.jump_value(p, "P", direction="down", begin=0.25 * (1.0 + 1e-10), until=-1.0)

@@ -24,7 +24,7 @@ def sums(model: Mechanics) -> Matrix:
     mirror reflects and rows that it does not are not added to each other.
     """
     n = len(model.coordinates)
-    T, rows, reflected = sp.eye(n), list(model.residuals), symmetry.mirror(model).centres
+    T, rows, reflected = sp.eye(n), list(model.residuals), symmetry.mirror(model).images
     for contact in model.contacts:
         along = _along_force(model, contact)
         pivot = next((i for i, part in enumerate(along) if part.is_Number and part != 0), None)

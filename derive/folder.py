@@ -279,11 +279,9 @@ def description(page_model: PageModel) -> dict[str, Any]:
         "equations": equations.equations(model),
         "layers": sum(len(laws.layers(friction)) for friction in model.frictions),
         "mirror": {
-            "turned": [str(symbol) for symbol in mirror.centres],
+            "turned": [str(symbol) for symbol in mirror.images],
             "zero": mirror.zero,
-            "upright": [
-                index for index, line in enumerate(model.lines) if mirror.takes(line, line)
-            ],
+            "upright": mirror.upright,
         },
         **({"exchanges": [asdict(one) for one in exchanged]} if exchanged else {}),
         "ties": [_ties(model, index) for index in range(min(2, len(model.coordinates)))],

@@ -115,7 +115,7 @@ def module(model: Mechanics) -> Module:
             'The image of a state in the model\'s mirror, if it has one: see "mirror" in '
             "model.json.",
             variables,
-            tuple(map(mirror.image, model.coordinates)),
+            tuple(mirror.images.get(q, q) for q in model.coordinates),
             "image",
         ),
         *(it for friction in model.frictions for it in _friction(model, friction)),

@@ -11,11 +11,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import Expr, S, Symbol, expand
+from sympy import Dummy, Expr, S, Symbol, expand
 
 from .algebra import Symbols, expanded
 from .factors import factor_list
-from .mechanics import Line, Mechanics, NormalForce, number
+from .mechanics import Mechanics, NormalForce, number
 
 
 def whole_turns(model: Mechanics) -> dict[int, dict[int, int]]:
@@ -60,50 +60,44 @@ def is_as_before(model: Mechanics, turns: Mapping[int, int]) -> bool:
 class Reflection:
     """A reflection q → 2c − q of some coordinates."""
 
-    centres: Mapping[Symbol, Expr]  #: 2c by the reflected coordinate
+    images: Mapping[Symbol, Expr]  #: 2c − q by the reflected coordinate
     zero: tuple[tuple[str, ...], ...]  #: it is a symmetry if all parameters of one of these are 0
-
-    def takes(self, line: Line, other: Line) -> bool:
-        """Whether the image of a line is the mirror image (−dx, dy) of another one's vector."""
-        images = {symbol: self.image(symbol) for symbol in self.centres}
-        return bool(self.centres) and _lies(line, images, other, (-1, 1))
-
-    def image(self, symbol: Symbol) -> Expr:
-        """The image of a coordinate."""
-        return self.centres[symbol] - symbol if symbol in self.centres else symbol
-
-
-def _lies(
-    line: Line, images: Mapping[Symbol, Expr], other: Line, line_signs: Sequence[int]
-) -> bool:
-    """Whether the vector of a line's image is that of another one with these signs of dx and dy."""
-    dx, dy = (part.subs(images, simultaneous=True) for part in (line.dx, line.dy))
-    return bool(
-        expanded(dx - line_signs[0] * other.dx) == 0 == expanded(dy - line_signs[1] * other.dy)
-    )
+    upright: tuple[int, ...]  #: indices of the lines that are mapped to their own mirror images
 
 
 def mirror(model: Mechanics) -> Reflection:
     """The reflection that needs the fewest parameters to be 0; one of no coordinates if there is no
     reflection.
     """
-    sizes = range(1, len(model.coordinates) + 1)
-    subsets = itertools.chain.from_iterable(
-        itertools.combinations(model.coordinates, size) for size in sizes
-    )
-    found = [one for reflected in subsets for one in _reflections_of(model, reflected)]
+    found = [
+        one
+        for size in range(1, len(model.coordinates) + 1)
+        for reflected in itertools.combinations(model.coordinates, size)
+        for one in _reflections_of(model, reflected)
+    ]
     return min(
-        found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=Reflection({}, ())
+        found, key=lambda one: (len(one.zero[0]), len(one.images)), default=Reflection({}, (), ())
     )
 
 
 def _reflections_of(model: Mechanics, turned: Symbols) -> Iterator[Reflection]:
     """The reflections of just these coordinates, about each centre that is possible."""
+    gaps = [contact.gap for contact in model.contacts if contact.gap is not None]
+    signs = [-1 if symbol in turned else 1 for symbol in model.coordinates]
     for centre in _centres(model, turned):
-        centres = {**dict.fromkeys(turned, S.Zero), turned[0]: centre}
-        sets = _zero(model, _remainders(model, Reflection(centres, ())))
+        images = {symbol: -symbol for symbol in turned} | {turned[0]: centre - turned[0]}
+        if any(expand(gap.subs(images, simultaneous=True) - gap) != 0 for gap in gaps):
+            continue
+        changes = images | _line_images(model, images, [(-1, 1)])
+        upright = [line for line in model.lines if changes[line.c] == -line.c]
+        for torsion in model.torsions:
+            # φ is odd for a line that is mapped to itself and upright at rest; else its image is
+            # unknown.
+            odd = torsion.line in upright and torsion.cosine_of_rest == 0
+            changes[torsion.phi] = -torsion.phi if odd else Dummy(real=True)
+        sets = _zero(model, _remainders(model, changes, range(len(signs)), signs))
         if sets:
-            yield Reflection(centres, sets)
+            yield Reflection(images, sets, tuple(map(model.lines.index, upright)))
 
 
 def _centres(model: Mechanics, turned: Symbols) -> list[Expr]:
@@ -124,38 +118,48 @@ def _centres(model: Mechanics, turned: Symbols) -> list[Expr]:
     return list(dict.fromkeys(expand(-(at_zero + other) / slope) for other in alike))
 
 
-def _remainders(model: Mechanics, one: Reflection) -> list[Expr]:
-    """Expressions in parameters that all vanish if the reflection is a symmetry of the forces."""
-    images = {symbol: one.image(symbol) for symbol in model.coordinates}
-    changes: dict[Expr, Expr] = dict(images)
-    for line in model.lines:
-        image_of = next((other for other in (line, *model.lines) if one.takes(line, other)), None)
-        if image_of is not None:
-            changes |= {line.c: -image_of.c, line.s: image_of.s, line.l: image_of.l}
-        else:
-            # Nothing is known of the direction and length of this line's image.
-            others = sp.symbols(f"{line.c}_image {line.s}_image {line.l}_image", real=True)
-            changes |= dict(zip((line.c, line.s, line.l), others, strict=True))
-    for torsion in model.torsions:
-        # φ is odd for a line that is mapped to itself and upright at rest; else its image is
-        # unknown.
-        odd = one.takes(torsion.line, torsion.line) and torsion.cosine_of_rest == 0
-        image = Symbol(f"{torsion.phi}_image", real=True)
-        changes[torsion.phi] = -torsion.phi if odd else image
-    rows = []
-    gaps = [contact.gap for contact in model.contacts if contact.gap is not None]
-    if any(expand(gap.subs(images, simultaneous=True) - gap) != 0 for gap in gaps):
-        return [S.One]
-    for symbol, row in zip(model.coordinates, model.residuals, strict=True):
-        image = row.subs(changes, simultaneous=True)
-        rows.append(image + row if symbol in one.centres else image - row)
-    return _coefficients(model, rows)
+def _line_images(
+    model: Mechanics, images: Mapping[Symbol, Expr], signs: Sequence[Sequence[int]]
+) -> dict[Symbol, Expr]:
+    """Images of the directions and lengths of lines, of which one's vector (dx, dy) is mapped to
+    that of the same or another line with one of these pairs of signs.
 
-
-def _coefficients(model: Mechanics, terms: list[Expr]) -> list[Expr]:
-    """The coefficients of terms, as expressions in parameters: all vanish if the terms vanish for
-    every state.
+    Of any other line nothing is known: its images are new symbols.
     """
+    found: dict[Symbol, Expr] = {}
+    for line in model.lines:
+        dx, dy = (part.subs(images, simultaneous=True) for part in (line.dx, line.dy))
+        image = next(
+            (
+                (x * other.c, y * other.s, other.l)
+                for other in (line, *model.lines)
+                for x, y in signs
+                if expanded(dx - x * other.dx) == 0 == expanded(dy - y * other.dy)
+            ),
+            sp.symbols("c s l", real=True, cls=Dummy),
+        )
+        found |= dict(zip((line.c, line.s, line.l), image, strict=True))
+    return found
+
+
+def _remainders(
+    model: Mechanics,
+    changes: Mapping[Symbol, Expr],
+    places: Sequence[int],
+    signs: Sequence[int],
+    further: Sequence[Expr] = (),
+) -> list[Expr]:
+    """Expressions in parameters that all vanish if with these changes of symbols every row of the
+    equilibrium becomes the one of its place, with its sign, and ``further`` terms vanish.
+    """
+    rows = zip(model.residuals, places, signs, strict=True)
+    terms = [
+        *further,
+        *(
+            row.subs(changes, simultaneous=True) - sign * model.residuals[place]
+            for row, place, sign in rows
+        ),
+    ]
     moving = {part for term in terms for part in term.free_symbols}
     moving -= {*model.arguments, *model.coefficients}
     found: dict[tuple[int, Expr], Expr] = {}
@@ -222,10 +226,9 @@ def exchanges(model: Mechanics) -> tuple[Exchange, ...]:
     """
     found = [
         Exchange(places, signs, contacts, where)
-        for places, signs in _involutions(model)
-        for contacts in _contact_images(model, places, signs)
-        if min(signs) < 0 or places != tuple(range(len(places)))
-        if (places, contacts) != (tuple(range(len(places))), tuple(range(len(contacts))))
+        for places, signs in _coordinate_maps(model)
+        for contacts in _contact_maps(model, _images(model, places, signs))
+        if [*places] != sorted(places) or (min(signs) < 0 and [*contacts] != sorted(contacts))
         if (where := _equations(model, _exchanged(model, places, signs, contacts)))
     ]
     # For each map of the coordinates the exchange with the fewest equations.
@@ -235,51 +238,53 @@ def exchanges(model: Mechanics) -> tuple[Exchange, ...]:
     return tuple(least.values())
 
 
-def _involutions(model: Mechanics) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
+def _involutions(count: int) -> Iterator[tuple[int, ...]]:
+    """Permutations that are their own inverse."""
+    orders = itertools.permutations(range(count))
+    return (order for order in orders if all(order[order[k]] == k for k in order))
+
+
+def _coordinate_maps(model: Mechanics) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
     """Signed permutations of the coordinates that are their own inverse.
 
     They exchange coordinates of the same unit, and map a clock to itself.
     """
-    units, n = [it.unit for it in model.page.coordinates], len(model.coordinates)
-    for places in itertools.permutations(range(n)):
-        if any(places[places[k]] != k or units[places[k]] != units[k] for k in range(n)):
-            continue
-        for signs in itertools.product((1, -1), repeat=n):
-            clocks = [k for k, it in enumerate(model.coordinates) if it == model.clock]
-            if all(signs[k] == signs[places[k]] for k in range(n)) and all(
-                places[k] == k and signs[k] == 1 for k in clocks
+    kinds = ["" if it.symbol == model.clock else it.unit for it in model.page.coordinates]
+    for places in _involutions(len(kinds)):
+        for signs in itertools.product(*((1, -1) if kind else (1,) for kind in kinds)):
+            if all(
+                (kinds[k], signs[k]) == (kinds[place], signs[place])
+                for k, place in enumerate(places)
             ):
                 yield places, signs
 
 
-def _images(model: Mechanics, places: Sequence[int], signs: Sequence[int]) -> dict[Expr, Expr]:
+def _images(model: Mechanics, places: Sequence[int], signs: Sequence[int]) -> dict[Symbol, Expr]:
     """The images of the coordinates under a signed permutation."""
     moved = model.coordinates
     return {moved[k]: signs[k] * moved[place] for k, place in enumerate(places)}
 
 
-def _contact_images(
-    model: Mechanics, places: Sequence[int], signs: Sequence[int]
-) -> Iterator[tuple[int, ...]]:
+def _contact_maps(model: Mechanics, images: Mapping[Symbol, Expr]) -> Iterator[tuple[int, ...]]:
     """Permutations of the contacts, their own inverse, that agree with the coordinates' images."""
-    images, contacts = _images(model, places, signs), model.contacts
     displacement_of = {it.name: it.along for it in model.frictions if it.along is not None}
 
     def fits(one: NormalForce, other: NormalForce) -> bool:
         # The displacement at a contact is mapped to that at its image, or to its negative.
-        along, along_image = (sp.sympify(displacement_of.get(it.name, 0)) for it in (one, other))
+        along, along_image = (displacement_of.get(it.name, S.Zero) for it in (one, other))
         mapped = along.subs(images, simultaneous=True)
-        if all(expanded(mapped - sign * along_image) != 0 for sign in (1, -1)):
-            return False
-        if (one.gap is None) != (other.gap is None) or one.unilateral != other.unilateral:
-            return False
-        image = S.Zero if one.gap is None else one.gap.subs(images, simultaneous=True)
-        return one.either_face == other.either_face and expanded(image - (other.gap or 0)) == 0
+        kind, kind_of_image = (
+            (it.gap is None, it.unilateral, it.either_face) for it in (one, other)
+        )
+        gap = (one.gap or S.Zero).subs(images, simultaneous=True)
+        return (
+            any(expanded(mapped - sign * along_image) == 0 for sign in (1, -1))
+            and kind == kind_of_image
+            and expanded(gap - (other.gap or 0)) == 0
+        )
 
-    for order in itertools.permutations(range(len(contacts))):
-        if all(order[order[k]] == k for k in order) and all(
-            fits(contacts[k], contacts[other]) for k, other in enumerate(order)
-        ):
+    for order in _involutions(len(model.contacts)):
+        if all(fits(one, model.contacts[k]) for one, k in zip(model.contacts, order, strict=True)):
             yield order
 
 
@@ -288,44 +293,24 @@ def _exchanged(
 ) -> list[Expr]:
     """Expressions that all vanish if the exchange is a symmetry of the forces; 1 if it is none."""
     images = _images(model, places, signs)
-    changes = dict(images)
-    for line in model.lines:
-        same = next(
-            (
-                (other, *ways)
-                for other in (line, *model.lines)
-                for ways in itertools.product((1, -1), repeat=2)
-                if _lies(line, images, other, ways)
-            ),
-            None,
-        )
-        if same is None:
-            return [S.One]
-        line_image, sign_x, sign_y = same
-        changes |= {
-            line.c: sign_x * line_image.c,
-            line.s: sign_y * line_image.s,
-            line.l: line_image.l,
-        }
-    if model.torsions:
+    changes = images | _line_images(model, images, [*itertools.product((1, -1), repeat=2)])
+    if model.torsions or any(image.has(Dummy) for image in changes.values()):
         return [S.One]
     terms = list[Expr]()
     by_contact = {model.contacts.index(it.normal): it for it in model.frictions}
     for k, other in enumerate(contacts):
         one, image = model.contacts[k], model.contacts[other]
         changes |= {one.depth: image.depth, one.pushing: image.pushing}
-        if (k in by_contact) != (other in by_contact):
+        friction, friction_image = by_contact.get(k), by_contact.get(other)
+        if friction is None is friction_image:
+            continue
+        if friction is None or friction_image is None:
             return [S.One]
-        if k in by_contact:
-            friction, friction_image = by_contact[k], by_contact[other]
-            changes[friction.mu] = friction_image.mu
-            for name in ("ahead", "behind", "belt", "at_rest", "holds"):
-                value, image_value = getattr(friction, name), getattr(friction_image, name)
-                terms.append(sp.sympify(value or 0) - sp.sympify(image_value or 0))
-    for k, row in enumerate(model.residuals):
-        moved_row = row.subs(changes, simultaneous=True)
-        terms.append(moved_row - signs[k] * model.residuals[places[k]])
-    return _coefficients(model, terms)
+        changes[friction.mu] = friction_image.mu
+        for name in ("ahead", "behind", "belt", "at_rest", "holds"):
+            value, image_value = (getattr(it, name) or 0 for it in (friction, friction_image))
+            terms.append(S(value - image_value))
+    return _remainders(model, changes, places, signs, terms)
 
 
 def _equations(

@@ -15,6 +15,7 @@ from sympy import Add, Dummy, Expr, Matrix, S, expand
 from . import units
 from .algebra import quotients
 from .limits import Limit
+from .page_errors import refused
 
 if TYPE_CHECKING:
     from sympy.physics.mechanics import KanesMethod, LagrangesMethod, System
@@ -72,7 +73,11 @@ def page_from(
         gyroscopic force, a force that varies in time, or one that is no spring, damper, contact or
         friction.
     """
-    reader = _MethodReader(_formed(method), page, coordinates)
+    if hasattr(method, "eom_method"):
+        if method.eom_method is None:
+            raise refused("the System has no equations yet; call its form_eoms() before page_from")
+        method = method.eom_method
+    reader = _MethodReader(method, page, coordinates)
     page.kinetic(reader.kinetic)
     of_contact = ("normal", "gap", "law", "unilateral", "force")
     of_friction = ("coefficient", "along", "belt", "law", "at_rest", "slip", "holds")
@@ -88,17 +93,6 @@ def page_from(
     return page
 
 
-def _formed(method: Method) -> Method:
-    """The method whose equations a System has formed; any other method itself."""
-    from .model import refused
-
-    if not hasattr(method, "eom_method"):
-        return method
-    if method.eom_method is None:
-        raise refused("the System has no equations yet; call its form_eoms() before page_from")
-    return method.eom_method
-
-
 class _MethodReader:
     """Energies and loads of a method, written in a page's symbols."""
 
@@ -107,10 +101,7 @@ class _MethodReader:
     ) -> None:
         from sympy.physics.vector import dynamicsymbols
 
-        from .model import refused
-
         self.page = page
-        self.refused = refused
         self.loads = [*(method.loads or ())]
         self.time = dynamicsymbols._t
         kane = hasattr(method, "kindiffdict")
@@ -154,7 +145,7 @@ class _MethodReader:
         for names in self.names:
             value = value.subs(names)
         if value.has(self.time):
-            raise self.refused(f"{value} varies in time by itself: {Limit.FORCING}")
+            raise refused(f"{value} varies in time by itself: {Limit.FORCING}")
         return value
 
     def gradient(self, expression: Expr) -> Matrix:
@@ -177,7 +168,7 @@ class _MethodReader:
         if what == "friction" and said.keys() <= {"belt", "holds"}:
             needed = ()
         if said and (wrong := [*(said.keys() - {*names}), *({*needed} - said.keys())]):
-            raise self.refused(
+            raise refused(
                 f"{what}= has {', '.join(map(str, said))}, and "
                 f"{', '.join(map(str, wrong))} is unknown or missing; its names are "
                 f"{', '.join(names)}"
@@ -200,7 +191,7 @@ class _MethodReader:
     def split(self, contact: dict[str, Any], friction: dict[str, Any]) -> Matrix:
         """State contact and friction, and return the generalized forces of all other loads."""
         if friction and not contact:
-            raise self.refused(
+            raise refused(
                 "there is friction and no normal force; give contact=(N, gap, law), or a given "
                 'one as contact={"normal": N, "force": F_L}'
             )
@@ -234,7 +225,7 @@ class _MethodReader:
         }
         for coordinate, force in zip(self.places, forces, strict=True):
             if unknown := sorted(map(str, force.free_symbols - allowed)):
-                raise self.refused(
+                raise refused(
                     f"the force along {coordinate} holds {', '.join(unknown)} beside contact and "
                     "friction, which act along the slope of the "
                     "gap and of the displacement; give contact=(N, gap, law) and "
@@ -264,8 +255,6 @@ class _MethodReader:
         Friction in loads is a law of a speed r times N times sign(r), along r, which is a sum of
         rates minus the speed of the belt.
         """
-        from .model import sgn
-
         jumps = sorted(forces.atoms(sp.sign), key=sp.default_sort_key)
         r, side, speed = expand(jumps[0].args[0]), Dummy(), Dummy(real=True)
         belt = -r.subs(dict.fromkeys(self.rates, 0))
@@ -298,13 +287,13 @@ class _MethodReader:
                 'normal force be a symbol N, and give contact={"normal": N, "force": W} and '
                 'friction={"belt": V}'
             )
-            raise self.refused(f"the loads hold {jumps[0]}: {advice}")
+            raise refused(f"the loads hold {jumps[0]}: {advice}")
         return by_side.subs(side, 0), {
             "along": sum(
                 slope * coordinate for slope, coordinate in zip(slopes, self.places, strict=True)
             ),
             "belt": belt,
-            "slip": lambda v: law.subs(speed, v) * sgn(v),
+            "slip": lambda v: law.subs(speed, v) * sp.sign(v),
             "holds": law.subs(speed, 0),
             **friction,
         }
@@ -333,7 +322,7 @@ class _MethodReader:
         ):
             parts = [part.base for part in Add.make_args(base) if part.is_Pow and part.exp == 2]
             if len(parts) != 2 or expand(sum(part**2 for part in parts) - base) != 0:
-                raise self.refused(
+                raise refused(
                     f"the root of {base} is no length between two points; write it as "
                     "sqrt(dx**2 + dy**2)"
                 )
@@ -361,12 +350,12 @@ class _MethodReader:
         """State dampers for forces linear in the rates, given as a column."""
         C = -forces.jacobian(self.rates).applyfunc(self.expanded)
         if C.has(*self.rates):
-            raise self.refused(
+            raise refused(
                 f"{', '.join(str(one) for one in forces if one != 0)} is no damper of a page: "
                 f"{Limit.NONLINEAR_DAMPER}"
             )
         if not (C - C.T).applyfunc(self.expanded).is_zero_matrix:
-            raise self.refused(
+            raise refused(
                 f"the forces {', '.join(map(str, forces))} are no dampers; if they are gyroscopic, "
                 "let the kinetic energy have them, as m*((x′ − W*y)**2 + (y′ + W*x)**2)/2 in a "
                 "frame that turns at W"
@@ -400,7 +389,7 @@ class _MethodReader:
             if not remainders or any(
                 base in self.bases(force) for force in next(iter(remainders.values()))
             ):
-                raise self.refused(
+                raise refused(
                     f"the force {forces[row]} depends on {sp.sqrt(base)}, and is no k (l - "
                     "r): it is no spring of a page"
                 )

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import inspect
 import math
-import re
 import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -24,6 +23,7 @@ from .algebra import Pair, Row, Symbols
 from .emit.quantities import interval
 from .from_mechanics import page_from
 from .limits import Limit
+from .page_errors import PageError, line_of_page, refused
 
 __all__ = [
     "Abs",
@@ -66,21 +66,6 @@ WRITTEN = tuple(function for name, function in FUNCTIONS.items() if name not in 
 Point = Pair
 #: A law: a force as a function of penetration, or a friction coefficient of sliding speed.
 Law = Callable[[Expr], Expr]
-
-
-class PageError(ArithmeticError):
-    """A page that can't be derived: its line, what was expected there, and what still works."""
-
-    def __init__(self, line: int, message: str, page: str = "") -> None:
-        # Internal symbols begin with an underscore that pages do not have.
-        message = re.sub(r"(?<!['\w])_(?=[a-z])", "", message)
-        where = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
-        super().__init__(f"{where}: {message}" if where else message)
-        self.line, self.message = line, message
-
-    def of(self, page: str) -> PageError:
-        """The same error, with the name of the page."""
-        return PageError(self.line, self.message, page)
 
 
 @dataclass(frozen=True)
@@ -289,7 +274,8 @@ class Page:
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = Symbol(name, positive=True)
         return self._entered(
-            self.units, Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), _line())
+            self.units,
+            Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), line_of_page()),
         )
 
     def parameter(
@@ -347,7 +333,9 @@ class Page:
         letter = latex or sp.latex(symbol)
         return self._entered(
             self.parameters,
-            Datum(symbol, unit, meaning, domain, letter, _line(), becomes or name, number, role),
+            Datum(
+                symbol, unit, meaning, domain, letter, line_of_page(), becomes or name, number, role
+            ),
         )
 
     def coordinate(self, name: str, unit: str, meaning: str, latex: str = "") -> Symbol:
@@ -356,7 +344,8 @@ class Page:
         symbol = Symbol(name, real=True)
         letter = latex or sp.latex(symbol)
         entered = self._entered(
-            self.coordinates, Coordinate(symbol, speed_of(symbol), unit, meaning, letter, _line())
+            self.coordinates,
+            Coordinate(symbol, speed_of(symbol), unit, meaning, letter, line_of_page()),
         )
         # The clock is the last coordinate: reports that show the first one show a motion.
         clock = self.timer and self.timer.symbol
@@ -385,7 +374,7 @@ class Page:
                 'that says it is not, as "> 0"'
             )
         symbol = self.coordinate(name, "rad", "phase of the clock")
-        self.timer = Clock(symbol, rate, _line())
+        self.timer = Clock(symbol, rate, line_of_page())
         return symbol
 
     def rate(self, of: Expr) -> Expr:
@@ -404,11 +393,11 @@ class Page:
                 f"line {self.inertia[1]} says the kinetic energy already, and this would replace "
                 "it; add it there"
             )
-        self.inertia = expression_of(energy), _line()
+        self.inertia = expression_of(energy), line_of_page()
 
     def potential(self, energy: Expr) -> None:
         """State a potential energy besides that of the springs."""
-        self.energies.append((expression_of(energy), _line()))
+        self.energies.append((expression_of(energy), line_of_page()))
 
     def spring(
         self,
@@ -454,7 +443,7 @@ class Page:
                 f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)"
             )
         point = (_along(along),) if at is None else tuple(map(expression_of, at))
-        self.forces.append(Force(tuple(map(expression_of, components)), point, _line()))
+        self.forces.append(Force(tuple(map(expression_of, components)), point, line_of_page()))
 
     # ---------------------------------------------------------------------------------------------
     # laws
@@ -471,7 +460,7 @@ class Page:
         self._check_law(law, "contact", "penetration")
         distance = expression_of(gap)
         self._check_speeds(distance, "the gap")
-        return self._pressed(Contact(distance, law, unilateral, _line(), name))
+        return self._pressed(Contact(distance, law, unilateral, line_of_page(), name))
 
     def normal_force(self, force: Expr, unilateral: bool = True, *, name: str = "") -> Contact:
         """State a contact with a given normal force N in place of a law.
@@ -481,7 +470,7 @@ class Page:
         """
         given = expression_of(force)
         self._check_speeds(given, "the normal force", Limit.NORMAL_SPEED)
-        return self._pressed(Contact(None, lambda depth: given, unilateral, _line(), name))
+        return self._pressed(Contact(None, lambda depth: given, unilateral, line_of_page(), name))
 
     def _pressed(self, contact: Contact) -> Contact:
         _check_texts(name=contact.name)
@@ -537,7 +526,13 @@ class Page:
         limit = None if at_rest is None else expression_of(at_rest)
         self.frictions.append(
             Friction(
-                expression_of(along), expression_of(belt), given, limit, _line(), coefficient, on
+                expression_of(along),
+                expression_of(belt),
+                given,
+                limit,
+                line_of_page(),
+                coefficient,
+                on,
             )
         )
 
@@ -586,25 +581,6 @@ class Page:
             raise refused(f"{entry.symbol} is defined twice; give the second quantity another name")
         entries.append(entry)
         return entry.symbol
-
-
-def _line() -> int:
-    """The line of the page that is being run, for errors.
-
-    It is the line of the innermost frame of a page; frames of SymPy may lie above it. A page is
-    run and not imported, so that its globals have no ``__spec__``. Without a page it is the line of
-    the innermost frame outside these files.
-    """
-    ours = (__file__, page_from.__code__.co_filename)
-    found = [info.frame for info in inspect.stack(0)]
-    outside = [frame for frame in found if frame.f_code.co_filename not in ours]
-    of_page = [frame for frame in outside if "__spec__" not in frame.f_globals]
-    return next((frame.f_lineno for frame in (*of_page, *outside)), 0)
-
-
-def refused(message: str) -> PageError:
-    """The error for the line of the page that is being run."""
-    return PageError(_line(), message)
 
 
 def _needed(law: Law, kind: str, of: str) -> list[str]:
@@ -660,7 +636,7 @@ def _element(
         (both[0], both[1]) if both else None,
         along,
         expression_of(rest),
-        _line(),
+        line_of_page(),
     )
 
 
@@ -672,7 +648,7 @@ def _check_texts(**texts: object) -> None:
                 f"{what} = {text!r} is no text; write it in quotation marks, in its place "
                 "among the arguments"
             )
-        check_characters(what, text, _line())
+        check_characters(what, text, line_of_page())
 
 
 def check_characters(what: str, text: str, line: int, allowed: str = "") -> None:

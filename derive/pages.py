@@ -91,7 +91,7 @@ def _model(path: Path, text: str, name: str) -> PageModel:
 def _run(path: Path, text: str) -> tuple[Page, str]:
     """Run a page: the Page that it makes, and its docstring."""
     try:
-        tree = _Imports().visit(ast.parse(text, str(path)))
+        tree = ast.parse(text, str(path))
     except SyntaxError as error:
         raise PageError(error.lineno or 0, f"the page is no Python: {error.msg}") from error
     except (
@@ -102,6 +102,13 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
         raise PageError(
             0, f"the page is no Python that can be read: {error}; write shorter lines"
         ) from error
+    # All pages use one module, by whichever name they import it.
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.module in (
+            "spragsym.derive.model",
+            "derive.model",
+        ):
+            node.module, node.level = "model", 2
     package = __name__.rpartition(".")[0]
     names: dict[str, Any] = {
         "__name__": f"{package}.models.{path.stem}",
@@ -142,14 +149,3 @@ def _said(error: BaseException) -> str:
         )
         return f"{said}{forcing}; a page has {offered}"
     return said
-
-
-class _Imports(ast.NodeTransformer):
-    """Rewrites imports from ``spragsym.derive.model`` and ``derive.model`` to ``..model``, so that
-    all pages use one module.
-    """
-
-    def visit_ImportFrom(self, node: ast.ImportFrom) -> ast.ImportFrom:
-        if node.level == 0 and node.module in ("spragsym.derive.model", "derive.model"):
-            return ast.copy_location(ast.ImportFrom("model", node.names, 2), node)
-        return node

@@ -185,25 +185,18 @@ def check_forces(model: Mechanics) -> None:
 
 
 def _check_inertia(model: Mechanics) -> None:
-    """The mass matrix is positive definite at the base values, by its leading minors.
-
-    They are computed at coordinates 0, where one may be singular, and at a second place.
+    """The mass matrix is positive definite at the base values: at coordinates 0, where it may be
+    singular, or else at a second place.
     """
     if model.page.inertia is None:
         return
     energy, line = model.page.inertia
     M = model.mass.subs(_bases(model))
-    places = [
-        dict.fromkeys(model.coordinates, S.Zero),
-        {q: Rational(3 + i, 7) for i, q in enumerate(model.coordinates)},
-    ]
-    minors = [
-        [M[:size, :size].subs(position).det() for size in range(1, M.rows + 1)]
-        for position in places
-    ]
-    numbers = [[sp.N(minor) for minor in row if minor.is_number] for row in minors]
-    if any(minor < 0 for row in numbers for minor in row) or all(
-        any(minor == 0 for minor in row) for row in numbers
+    second = {q: Rational(3 + i, 7) for i, q in enumerate(model.coordinates)}
+    places = [M.subs(at) for at in (dict.fromkeys(model.coordinates, 0), second)]
+    if not (
+        all(it.is_positive_semidefinite for it in places)
+        and any(it.is_positive_definite for it in places)
     ):
         raise PageError(
             line,
@@ -308,7 +301,7 @@ def _negative(model: Mechanics, law: Expr, variable: Symbol) -> str:
     """Where a law is negative at the base values, as text; empty if no value of its variable that
     is tried shows it.
     """
-    if law.is_nonnegative or sp.factor_terms(sp.expand(law)).is_nonnegative:
+    if signs.is_nonnegative_everywhere(law):
         return ""
     values = _bases(model)
     for power in range(-6, 3):
@@ -324,5 +317,7 @@ def _negative(model: Mechanics, law: Expr, variable: Symbol) -> str:
 
 def _bases(model: Mechanics) -> dict[Symbol, Expr]:
     """Base values of all parameters; 1 for those without one."""
-    bases = {number(it): 1.0 if it.base is None else it.base for it in model.parameters}
-    return signs.placed(model, {symbol: Rational(str(one)) for symbol, one in bases.items()})
+    bases = {
+        number(it): Rational(1 if it.base is None else str(it.base)) for it in model.parameters
+    }
+    return signs.placed(model, bases)

@@ -23,7 +23,7 @@ def is_nonnegative(model: Mechanics, expression: Expr) -> bool:
     In quantities in which it is affine, an expression has its minimum at an end of their ranges: it
     is judged at all corners, by SymPy's assumptions or as a polynomial of one quantity.
     """
-    if _is_nonnegative(expression):
+    if is_nonnegative_everywhere(expression):
         return True
     free = sp.Dummy(real=True)
     bounded = {
@@ -35,12 +35,15 @@ def is_nonnegative(model: Mechanics, expression: Expr) -> bool:
     if not bounded or 2 ** len(bounded) > most_corners:
         return False
     return all(
-        _is_nonnegative(expression.xreplace(dict(zip(bounded, corner, strict=True))))
+        is_nonnegative_everywhere(expression.xreplace(dict(zip(bounded, corner, strict=True))))
         for corner in itertools.product(*bounded.values())
     )
 
 
-def _is_nonnegative(expression: Expr) -> bool:
+def is_nonnegative_everywhere(expression: Expr) -> bool:
+    """Whether an expression is proved to be ≥ 0 for all values of its symbols, by SymPy's
+    assumptions or as a polynomial of one quantity.
+    """
     forms = (expression, sp.factor_terms(sp.expand(expression)))
     return any(bool(form.is_nonnegative) for form in forms) or _is_nonnegative_polynomial(
         expression
@@ -79,25 +82,16 @@ def _bounded(model: Mechanics, expression: Expr) -> dict[Expr, _Ends]:
     angles = {angle.symbol: angle for angle in model.angles}
     for datum in model.parameters:
         symbol, allowed = number(datum), interval(datum.domain)
-        ends = (
-            Rational(allowed.low) if math.isfinite(allowed.low) else -sp.oo,
-            Rational(allowed.high) if math.isfinite(allowed.high) else sp.oo,
+        low, high = (
+            Rational(end) if math.isfinite(end) else S(end) for end in (allowed.low, allowed.high)
         )
-        angle = angles.get(symbol)
+        angle, between = angles.get(symbol), sp.AccumBounds(low, high)
         if angle:
-            found |= {angle.c: _cosine(*ends), angle.s: _cosine(*(e - sp.pi / 2 for e in ends))}
-        if (angle is None or angle.alone) and sp.oo not in (ends[1], -ends[0]):
-            found[symbol] = ends
+            turned = {angle.c: sp.cos(between), angle.s: sp.sin(between)}
+            found |= {wave: (its.min, its.max) for wave, its in turned.items()}
+        if (angle is None or angle.alone) and sp.oo not in (high, -low):
+            found[symbol] = low, high
     return {atom: ends for atom, ends in found.items() if expression.has(atom)}
-
-
-def _cosine(low: Expr, high: Expr) -> _Ends:
-    """The range of the cosine over an interval."""
-    if sp.oo in (high, -low):
-        return S.NegativeOne, S.One
-    inside = range(int(sp.ceiling(low / sp.pi)), int(sp.floor(high / sp.pi)) + 1)
-    values = [sp.cos(low), sp.cos(high), *((-1) ** turn * S.One for turn in inside)]
-    return sp.Min(*values), sp.Max(*values)
 
 
 def witness(model: Mechanics, expression: Expr) -> str:

@@ -28,14 +28,6 @@ def check(page: Page, docstring: str) -> None:
             1,
             'the page has no docstring; begin it with r"""…""": what the model is, and its drawing',
         )
-    _check_coordinates(page)
-    _check_contacts(page)
-    _check_names(page)
-    _check_elements(page)
-    _check_places(page)
-
-
-def _check_coordinates(page: Page) -> None:
     if not page.coordinates:
         raise PageError(
             0, "the page has no coordinate, and a model has 1 to 4; add page.coordinate(…)"
@@ -46,6 +38,10 @@ def _check_coordinates(page: Page) -> None:
             excess.line,
             f"{excess.symbol} is coordinate 5 of {len(page.coordinates)}: {Limit.FIFTH_COORDINATE}",
         )
+    _check_contacts(page)
+    _check_names(page)
+    _check_elements(page)
+    _check_places(page)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -263,17 +259,12 @@ def _is_negative(page: Page, value: Expr) -> bool:
     """Whether an expression is negative by its form or at the base values, with 1 for quantities
     that have none.
     """
-    if value.is_nonnegative:
-        return False
-    bases = {entry.symbol: S.One for entry in page.units}
-    bases |= {
-        entry.symbol: S.One if entry.base is None else sp.Float(entry.base)
-        for entry in page.parameters
+    bases = {
+        it.symbol: S.One if it.base is None else sp.Float(it.base)
+        for it in (*page.units, *page.parameters)
     }
     at_base = value.subs(bases)
-    return bool(
-        (value.is_nonpositive and not value.is_zero) or (at_base.is_number and at_base.is_negative)
-    )
+    return bool((value.is_nonpositive and not value.is_zero) or at_base.is_negative)
 
 
 def _negative_place(page: Page, value: Expr) -> str:
@@ -294,11 +285,10 @@ def _negative_place(page: Page, value: Expr) -> str:
 # laws, forces, energies
 
 
-def _check_clock(page: Page) -> None:
-    """The clock occurs only in statements that may hold it."""
-    if page.timer is None:
-        return
-    own = {page.timer.symbol, speed_of(page.timer.symbol)}
+def _check_clock(page: Page, own: set[Symbol]) -> None:
+    """The clock and its speed, which are its ``own`` symbols, occur only in statements that may
+    hold them.
+    """
     said = [(page.inertia[0], page.inertia[1], "the kinetic energy")] if page.inertia else []
     said += [(it.along, it.line, "what friction opposes") for it in page.frictions]
     said += [(it.strength, it.line, f"the {it.quality} of this {it.what}") for it in page.elements]
@@ -313,7 +303,8 @@ def _check_clock(page: Page) -> None:
 
 
 def _check_places(page: Page) -> None:
-    _check_clock(page)
+    own = {page.timer.symbol, speed_of(page.timer.symbol)} if page.timer else set()
+    _check_clock(page, own)
     moving, rates = set(page.places), set(page.rates)
     for energy, line in page.energies:
         if energy.free_symbols & rates:
@@ -339,8 +330,6 @@ def _check_places(page: Page) -> None:
             )
     for sliding in page.frictions:
         _check_along(sliding.along, "what friction opposes", sliding.line, moving, rates)
-        clock = page.timer and page.timer.symbol
-        own = set() if clock is None else {clock, speed_of(clock)}
         if others := sliding.belt.free_symbols & ((moving | rates) - own):
             held = ", ".join(sorted(map(str, others)))
             raise PageError(
@@ -348,7 +337,7 @@ def _check_places(page: Page) -> None:
                 f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that "
                 f"stays, as V{f': {Limit.PLANE}' if sliding.belt.free_symbols & rates else ''}",
             )
-        if sliding.belt == 0 and clock is None:
+        if sliding.belt == 0 and not own:
             raise PageError(
                 sliding.line,
                 "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V",

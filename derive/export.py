@@ -146,7 +146,7 @@ def _motion(
     """The variables of a motion for an FMU: in the units of the data, else in SI; dimensionless
     without data.
     """
-    model_mechanics, page = model.mechanics, model.page
+    it, page = model.mechanics, model.page
     measures = page.units if data is not None else []
     kinds = tuple(units.read(measure.unit) for measure in measures)
     sizes = [math.prod((data or {})[str(measure.symbol)][::2]) for measure in measures]
@@ -180,9 +180,7 @@ def _motion(
         one = variable(
             datum.becomes if data is None else name, datum.meaning, datum.unit, quantity=name
         )
-        start = (
-            data[name][0] if data and name in data else _base(model_mechanics, datum) * one.nominal
-        )
+        start = data[name][0] if data and name in data else _base(datum) * one.nominal
         ends = interval(datum.domain)
         return replace(
             one,
@@ -195,35 +193,18 @@ def _motion(
         """Whether a change of the quantity may end a mode: a border depends on it, or it is a unit
         of measure, on which all numbers depend.
         """
-        return datum in page.units or bool({*model_mechanics.parts(number(datum))} & bordering)
+        return datum in page.units or bool({*it.parts(number(datum))} & bordering)
 
-    equations = motion.Motion(model_mechanics)
+    equations = motion.Motion(it)
     bordering = sp.Tuple(*equations.borders).free_symbols
     time, places = variable("time", "time", "s" if data is not None else "1"), page.coordinates
-    available = [
-        str(datum.symbol if data is not None else datum.becomes)
-        for datum in model_mechanics.parameters
-    ]
-    available += [str(measure.symbol) for measure in measures]
+    quantities = tuple(map(given, (*it.parameters, *measures)))
+    available = [one.name for one in quantities]
     if unknown := sorted(set(inputs) - set(available)):
         raise UnknownInput(
             f"{', '.join(unknown)} is no quantity of {model.name}; give {', '.join(available)}"
         )
-    slips = zip(
-        equations.borders[len(model_mechanics.contacts) :], model_mechanics.frictions, strict=True
-    )
-    with_sticking = [slip for slip, friction in slips if friction.holds is not None]
-    # Meaning, unit in SI and order of the derivative of each output.
-    outputs = {
-        "force.normal": ("normal force of the contact", "N", 0),
-        "force.friction": ("force of friction, positive in the belt's direction", "N", 0),
-        "energy": ("kinetic and stored energy, contact and applied forces included", "J", 0),
-        "power": (
-            "rate at which friction, dampers and forces without a potential change the energy",
-            "J",
-            1,
-        ),
-    }
+    with_sticking = [equations.slip(friction) for friction in equations.with_sticking]
     return targets.MotionMaterial(
         time=time,
         states=(
@@ -238,32 +219,38 @@ def _motion(
                     ),
                     reset=any(level.has(rate) for level in with_sticking),
                 )
-                for coordinate, rate in zip(places, model_mechanics.rates, strict=True)
+                for coordinate, rate in zip(places, it.rates, strict=True)
             ),
         ),
         accelerations=tuple(
             variable("", f"acceleration of {coordinate.symbol}", coordinate.unit, 2)
             for coordinate in places
         ),
-        given=tuple(map(given, (*model_mechanics.parameters, *measures))),
+        given=quantities,
         step=float(f"{0.1 * time.nominal:.0e}"),
-        borders=_edges(model_mechanics),
-        turnings=len(model_mechanics.torsions),
-        rooted=tuple(not contact.polynomial for contact in model_mechanics.contacts),
-        of_place=tuple(
-            len(model_mechanics.contacts) > 1 and contact.unilateral
-            for contact in model_mechanics.contacts
-        ),
-        rubbing=tuple(
-            model_mechanics.contacts.index(friction.normal)
-            for friction in model_mechanics.frictions
-        ),
-        outputs=tuple(variable(name, *_of_contact(name, outputs)) for name in equations.outputs),
+        borders=_edges(it),
+        turnings=len(it.torsions),
+        rooted=tuple(not contact.polynomial for contact in it.contacts),
+        of_place=tuple(len(it.contacts) > 1 and contact.unilateral for contact in it.contacts),
+        rubbing=tuple(it.contacts.index(friction.normal) for friction in it.frictions),
+        outputs=tuple(variable(name, *_output(name)) for name in equations.outputs),
     )
 
 
-def _of_contact(name: str, outputs: Mapping[str, tuple[str, str, int]]) -> tuple[str, str, int]:
-    """Meaning, unit and order of an output, which may end in the name of a contact."""
+def _output(name: str) -> tuple[str, str, int]:
+    """Meaning, unit in SI and order of the derivative of an output, which may end in the name of a
+    contact.
+    """
+    outputs = {
+        "force.normal": ("normal force of the contact", "N", 0),
+        "force.friction": ("force of friction, positive in the belt's direction", "N", 0),
+        "energy": ("kinetic and stored energy, contact and applied forces included", "J", 0),
+        "power": (
+            "rate at which friction, dampers and forces without a potential change the energy",
+            "J",
+            1,
+        ),
+    }
     spring = "tension of a spring, negative where it pushes", "N", 0
     kind, what, *contact = name.split(".") if "." in name else (name, "")
     meaning, unit, order = outputs.get(f"{kind}.{what}" if what else kind, spring)
@@ -276,7 +263,7 @@ def _edges(it: Mechanics) -> tuple[targets.Edge, ...]:
     for index, contact in enumerate(it.contacts):
         kinds = ["gap"] * contact.unilateral + ["face"] * contact.either_face
         found += [targets.Edge(kind, index, contact.name) for kind in kinds]
-    holding = [friction for friction in it.frictions if friction.holds is not None]
+    holding = motion.Motion(it).with_sticking
     for index, friction in enumerate(it.frictions, len(it.contacts)):
         row = holding.index(friction) if friction in holding else -1
         kinds = ["slip"] * (friction.along is not None) + ["ahead", "behind"] * (row >= 0)
@@ -306,12 +293,11 @@ def library(name: str) -> str:
     return tidy if tidy[:1].isalpha() and tidy != "main" else f"page_{tidy}"
 
 
-def _base(it: Mechanics, datum: Datum) -> float:
+def _base(datum: Datum) -> float:
     """The base value of a parameter; without one π/4 for an angle and 1 for any other."""
     if datum.base is not None:
         return datum.base
-    angles = {str(angle.symbol) for angle in it.angles}
-    return math.pi / 4 if datum.becomes in angles else 1.0
+    return math.pi / 4 if datum.unit == "rad" else 1.0
 
 
 #: For each language the file of its example, the prefix of functions, and formats of a text, a
@@ -335,17 +321,15 @@ _EXAMPLES["casadi"] = _EXAMPLES["jax"]
 
 def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
     """By language, the file of an example: a motion at the base values."""
-    mechanics_of_page = model.mechanics
-    count = len(mechanics_of_page.coordinates)
-    values = {
-        number(datum): repr(_base(mechanics_of_page, datum))
-        for datum in mechanics_of_page.parameters
-    }
+    it = model.mechanics
+    count = len(it.coordinates)
+    values = {number(datum): repr(_base(datum)) for datum in it.parameters}
+    shown = [*map(str, (*it.coordinates, *it.rates))]
     # At rest, except that the clock, the last coordinate, has its rate.
-    start = [*[0.0] * (2 * count - 1), float(mechanics_of_page.speed.subs(values))]
+    start = [*[0.0] * (2 * count - 1), float(it.speed.subs(values))]
     common = {
         "count": str(count),
-        "borders": str(len(mechanics_of_page.contacts) + len(mechanics_of_page.frictions)),
+        "borders": str(len(it.contacts) + len(it.frictions)),
         "library": library(model.name),
         "LIBRARY": library(model.name).upper(),
         "values": ", ".join(values.values()) or "0.0",
@@ -353,10 +337,8 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
         "state": ", ".join(f"state[{index}]" for index in range(2 * count)),
         "given": ", ".join(f"p[{index}]" for index in range(len(values))),
         "start": ", ".join(map(repr, start)),
-        "shown": "  ".join(
-            f"{name} %+.9f" for name in (*mechanics_of_page.coordinates, *mechanics_of_page.rates)
-        ),
-        "texts": " ".join("%s" for _ in mechanics_of_page.contacts),
+        "shown": "  ".join(f"{name} %+.9f" for name in shown),
+        "texts": " ".join("%s" for _ in it.contacts),
     }
 
     def filled(language: str) -> str:
@@ -368,22 +350,16 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
                 choice.format(border.format(index), touches(one), lifted)
                 if one.unilateral
                 else touches(one)
-                for index, one in enumerate(mechanics_of_page.contacts)
+                for index, one in enumerate(it.contacts)
             )
 
-        taken = [
-            f"{of}{'cos' if index else 'sin'}({values[symbol]})"
-            if part != symbol
-            else values[symbol]
-            for symbol in values
-            for part, index in _parts_of_angle(mechanics_of_page.parts(symbol))
-        ]
+        taken = dict(values)
+        for angle in it.angles:
+            value = values[angle.symbol]
+            taken |= {angle.c: f"{of}cos({value})", angle.s: f"{of}sin({value})"}
         words = common | {
-            "arguments": ", ".join(taken),
-            "shown_names": ", ".join(
-                text.format(name)
-                for name in (*mechanics_of_page.coordinates, *mechanics_of_page.rates)
-            ),
+            "arguments": ", ".join(taken[part] for part in it.arguments),
+            "shown_names": ", ".join(map(text.format, shown)),
             "pushing": chosen(lambda _: "1.0", "0.0"),
             "touching": joined.format(
                 chosen(
@@ -398,10 +374,7 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
             words["library"] += "_"
         template = name.replace(".py", ".txt")  # which is no Python until it is filled in
         whole = targets.spoken(targets.runtime(__file__, f"{language}/{template}"), words)
-        return "\n".join(
-            broken(line) if language == "c" and len(line) > definitions.WIDTH else line
-            for line in whole.split("\n")
-        )
+        return "\n".join(map(broken, whole.split("\n"))) if language == "c" else whole
 
     own = f"example_{library(model.name)}."
     named = {
@@ -409,8 +382,3 @@ def _examples(model: pages.PageModel) -> dict[str, dict[str, str]]:
         for language, (name, *_) in _EXAMPLES.items()
     }
     return {language: {name: filled(language)} for language, name in named.items()}
-
-
-def _parts_of_angle(parts: tuple[Symbol, ...]) -> list[tuple[Symbol, bool]]:
-    """The arguments that stand for a parameter, each with whether it is the cosine of an angle."""
-    return [(part, len(parts) > 1 and part is parts[-2]) for part in parts]

@@ -69,7 +69,7 @@ class Scene:
         """The value of an expression where all coordinates are 0, or that of its derivative by some
         of them.
         """
-        value = S.Zero if expression is None else sp.sympify(expression)
+        value = expression or S.Zero
         value = value.diff(*by) if by else value
         return expanded(value.subs(dict.fromkeys(self.model.coordinates, 0)))
 
@@ -77,7 +77,7 @@ class Scene:
         """Coordinates that an expression contains, in the page's order, without the phase of a
         drive.
         """
-        symbols = set() if expression is None else sp.sympify(expression).free_symbols
+        symbols = (expression or S.Zero).free_symbols
         return [it for it in self.model.coordinates if it in symbols and it != self.model.clock]
 
     @cached_property

@@ -97,7 +97,8 @@ def _algebra(model: PageModel, header: str, shared: Shared | None) -> str:
             if function.name in left_out:
                 continue
             # Functions with the same algebra, as of several contacts, are one under several names.
-            twin = next((one for one in first if _have_same_body(one, function)), None)
+            body = replace(function, name="", summary="")
+            twin = next((one for one in first if replace(one, name="", summary="") == body), None)
             if twin is not None:
                 own.append(f"{function.name} = {twin.name}")
                 continue
@@ -117,11 +118,6 @@ def _algebra(model: PageModel, header: str, shared: Shared | None) -> str:
         for home, names in sorted(borrowed.items())
     ]
     return algebra.whole(whole, meanings(model.mechanics), header, imports, sections)
-
-
-def _have_same_body(one: Function, other: Function) -> bool:
-    """Whether two functions are equal apart from their names and summaries."""
-    return replace(one, name="", summary="") == replace(other, name="", summary="")
 
 
 def meanings(model: Mechanics) -> Mapping[str, str]:
@@ -186,10 +182,8 @@ def description(page_model: PageModel) -> dict[str, Any]:
     model = page_model.mechanics
     mirror, stiffness = symmetry.mirror(model), sp.Matrix(statics.jacobian(model))
     turns, exchanged = symmetry.whole_turns(model), symmetry.exchanges(model)
-    balanced = {*statics.parameters(model)}
-    balanced |= {
-        part for one in model.frictions for part in laws.friction_at_rest(one).free_symbols
-    }
+    coefficients = sp.Tuple(*map(laws.friction_at_rest, model.frictions))
+    balanced = {*statics.parameters(model), *coefficients.free_symbols}
     of_statics = {
         str(symbol)
         for symbol in map(mechanics.number, model.parameters)

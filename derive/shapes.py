@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import unicodedata
 from dataclasses import dataclass, field
 from xml.sax.saxutils import escape
 
@@ -65,28 +66,9 @@ class Drawing:
         indices lowered.
         """
         words = []
-        greek = {
-            "alpha": "α",
-            "beta": "β",
-            "delta": "δ",
-            "eta": "η",
-            "gamma": "γ",
-            "kappa": "κ",
-            "lambda": "λ",
-            "mu": "μ",
-            "nu": "ν",
-            "omega": "ω",
-            "phi": "φ",
-            "psi": "ψ",
-            "rho": "ρ",
-            "sigma": "σ",
-            "tau": "τ",
-            "theta": "θ",
-            "zeta": "ζ",
-        }
         for word in text.split():
             stem, _, index = word.partition("_")
-            if stem not in greek:
+            if greek(stem) == stem:
                 name = stem.rstrip("0123456789")
                 stem, index = name, stem[len(name) :] + index
             lowered = (
@@ -94,7 +76,7 @@ class Drawing:
                 if index
                 else ""
             )
-            words.append(escape(greek.get(stem, stem)) + lowered)
+            words.append(escape(greek(stem)) + lowered)
         kind = f' class="{style}"' if style else ""
         at = f'x="{_number(point.real)}" y="{_number(point.imag)}"'
         self.elements.append(f'<text{kind} {at} text-anchor="{anchor}">{" ".join(words)}</text>')
@@ -128,6 +110,16 @@ class Drawing:
             + "\n".join(self.elements)
             + "\n</svg>\n"
         )
+
+
+def greek(word: str) -> str:
+    """The Greek letter of a name as "alpha"; any other word itself."""
+    size = "SMALL" if word.islower() else "CAPITAL"
+    letter = word.upper().replace("LAMBDA", "LAMDA").removesuffix("_")
+    try:
+        return unicodedata.lookup(f"GREEK {size} LETTER {letter}") if len(word) > 1 else word
+    except KeyError:
+        return word
 
 
 def _number(value: float) -> str:

@@ -15,7 +15,6 @@ from .mechanics import FrictionForce, Mechanics, NormalForce, named, number, on
 
 def parameters(model: Mechanics) -> Symbols:
     """The parameters in the balance of forces."""
-    used = {symbol for row in model.residuals for symbol in row.free_symbols}
     parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)]
     parts += model.depths.values()
     parts += [
@@ -23,7 +22,7 @@ def parameters(model: Mechanics) -> Symbols:
         for torsion in model.torsions
         for part in (torsion.cosine, torsion.sine, torsion.stiffness)
     ]
-    used |= {symbol for part in parts for symbol in part.free_symbols}
+    used = sp.Tuple(*model.residuals, *parts).free_symbols
     return tuple(
         symbol for symbol in map(number, model.parameters) if used & set(model.parts(symbol))
     )

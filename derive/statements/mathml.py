@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import html
 import re
-import unicodedata
 from collections.abc import Sequence
 
+from ..shapes import greek
 from .tree import FUNCTIONS, Node, Unread, Vocabulary, read_sympy
 
 
@@ -82,18 +82,8 @@ def _name(name: str) -> str:
     letters_and_index = re.compile(r"([^\W\d_]+)_?(\w*)")
     found = letters_and_index.fullmatch(name)
     base, index = (found[1], found[2]) if found else (name, "")
-    letter = f"<mi>{html.escape(_greek(base))}</mi>"
+    letter = f"<mi>{html.escape(greek(base))}</mi>"
     if not index:
         return letter
     sign = "mn" if index.isdigit() else "mi"
-    return f"<msub>{letter}<{sign}>{html.escape(_greek(index))}</{sign}></msub>"
-
-
-def _greek(word: str) -> str:
-    """The Greek letter of a name as "alpha"; any other word itself."""
-    size = "SMALL" if word.islower() else "CAPITAL"
-    letter = word.upper().replace("LAMBDA", "LAMDA").removesuffix("_")
-    try:
-        return unicodedata.lookup(f"GREEK {size} LETTER {letter}") if len(word) > 1 else word
-    except KeyError:
-        return word
+    return f"<msub>{letter}<{sign}>{html.escape(greek(index))}</{sign}></msub>"

@@ -178,16 +178,11 @@ def _flutter_cubic() -> tuple[Row, Names]:
         l1: B / (q * s),
         y0: -(sigma * s + kappa) / q,
         y1: sigma / q,
-        **dict(
-            zip(
-                (e0, e1, e2),
-                (value.subs(M, 0) for value in stability.flutter_quadratic()),
-                strict=True,
-            )
-        ),
         m1: -pull * sigma,
         m2: pull * p,
     }
+    for coefficient, value in zip((e0, e1, e2), stability.flutter_quadratic(), strict=True):
+        names[coefficient] = value.subs(M, 0)
     d0, d1, d2 = e0 + l0 * (e1 + e2 * l0), l1 * (e1 + 2 * e2 * l0), e2 * l1**2
     weight = 4 * sigma * s * c * alpha
     cubic = (

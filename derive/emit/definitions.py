@@ -14,8 +14,6 @@ from typing import Any
 
 #: Largest length of a line of generated text.
 WIDTH = 126
-#: Names of functions that generated algebra calls as ``xp.name``, and the built-in ``abs``.
-NAMES = ("sqrt", "pi", "exp", "log", "tanh", "atan", "cos", "sin", "atan2", "abs", "sign")
 #: Other names for symbols that have the name of a function, for languages that would confuse them.
 SPELLED = {"cos": "cos_theta", "sin": "sin_theta"}
 
@@ -158,10 +156,14 @@ def _plain(text: str, node: ast.expr) -> str:
     )
 
 
-def ported(expression: str, functions: Mapping[str, str]) -> str:
-    """An expression with the names of functions in another language."""
+def ported(expression: str, names: Mapping[str, str], home: str = "") -> str:
+    """An expression in another language, whose functions stand in ``home``: those that have other
+    names there have these from ``names``.
+    """
     return re.sub(
-        r"xp\.(\w+)|\b(abs)(?=\()", lambda found: functions[found[1] or found[2]], expression
+        r"xp\.(\w+)|\b(abs)(?=\()",
+        lambda found: names.get(found[1] or found[2], f"{home}{found[1] or found[2]}"),
+        expression,
     )
 
 

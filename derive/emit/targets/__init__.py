@@ -159,8 +159,9 @@ def runtime(package_file: str, name: str) -> str:
 
 
 def spoken(text: str, words: Mapping[str, str]) -> str:
-    """A text with ``@name@`` replaced by words; unknown names stay."""
-    return re.sub(r"@([\w:]+)@", lambda match: words.get(match[1], match[0]), text)
+    """A text with ``@name@``, or a line ``// @name@``, replaced by words; unknown names stay."""
+    marked = r"// @(\w+)@\n|@([\w:]+)@"
+    return re.sub(marked, lambda at: words.get(at[at.lastindex or 0], at[0]), text)
 
 
 def words(text: str, comment: str) -> set[str]:

@@ -6,7 +6,7 @@ import re
 import textwrap
 from collections.abc import Mapping
 
-from ..definitions import NAMES, WIDTH, Definition, nested, ported
+from ..definitions import WIDTH, Definition, nested, ported
 from . import Angles, Material, taken
 
 #: Functions with kinks choose one of two sides, so that the library takes the derivative of that
@@ -49,8 +49,7 @@ def render(material: Material, module: str, where: str, names: Mapping[str, str]
     head = _HEAD.format(
         module=module, where=where, parameters=material.parameters, base=dict(material.base_values)
     )
-    called = {"abs": "_abs", "sign": "_sign"}
-    ports = {name: called.get(name, f"xp.{name}") for name in NAMES} | dict(names)
+    ports = {"abs": "_abs", "sign": "_sign", **names}
     body = "\n\n\n".join(_function(function, material.angles, ports) for function in functions)
     language = "jax" if where == "where" else "casadi"
     own = material.runtime.get(language, {})
@@ -61,7 +60,7 @@ def _expression(text: str, ports: Mapping[str, str]) -> str:
     """An expression with the library's functions; integers that do not fit into JAX's 32 bits are
     floats.
     """
-    return re.sub(r"(?<![\w.])\d{10,}(?![\w.])", r"\g<0>.0", ported(text, ports))
+    return re.sub(r"(?<![\w.])\d{10,}(?![\w.])", r"\g<0>.0", ported(text, ports, "xp."))
 
 
 def _function(function: Definition, angles: Angles, ports: Mapping[str, str]) -> str:

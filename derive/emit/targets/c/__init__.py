@@ -4,7 +4,7 @@ allocation or global state.
 
 import re
 import textwrap
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from ...definitions import WIDTH
 from ...expressions import hands_back, printed
@@ -41,8 +41,9 @@ def render(material: Material) -> dict[str, str]:
         ),
     }
     names = {"library": library, "LIBRARY": library.upper()}
+    lines = {name: part and f"{part}\n" for name, part in parts.items()}
     header, source = (
-        spoken(_filled(runtime(__file__, name), parts), names).rstrip() + "\n"
+        spoken(spoken(runtime(__file__, name), lines), names).rstrip() + "\n"
         for name in ("library.h", "library.c")
     )
     said = {
@@ -81,15 +82,6 @@ def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
     costs, constants = cost.costs(source, emitted), cost.constants(source)
     said = {f"cost:{name}": cost.describe(value) for name, value in costs.items()}
     return said | {f"constant:{name}": str(value) for name, value in constants.items()}
-
-
-def _filled(text: str, parts: Mapping[str, str]) -> str:
-    """A text with its marks ``/* @name@ */`` replaced by parts, which may have marks of later parts
-    in them.
-    """
-    for name, part in parts.items():
-        text = text.replace(f"/* @{name}@ */\n", f"{part}\n" if part else "")
-    return text
 
 
 def _kernel(material: Material, definitions: str) -> str:

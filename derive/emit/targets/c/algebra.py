@@ -4,7 +4,7 @@ import re
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from ...definitions import NAMES, SPELLED, WIDTH, Definition, ported
+from ...definitions import SPELLED, WIDTH, Definition, ported
 from ...quantities import Quantity
 from .. import Angles, taken
 from .layout import broken, comment, definition, plain
@@ -17,8 +17,8 @@ def _expression(text: str) -> str:
     )
     text = re.sub(r"(?<![\w.])(\d+)(?![\w.])", _whole, text)
     text = re.sub(r"(?<![\w.])(cos|sin)\b(?!\()", lambda found: SPELLED[found[1]], text)
-    functions = {name: name for name in NAMES} | {"abs": "fabs", "pi": "3.14159265358979323846"}
-    return re.sub(r"([*/])", r" \1 ", ported(text, functions))
+    names = {"abs": "fabs", "pi": "3.14159265358979323846"}
+    return re.sub(r"([*/])", r" \1 ", ported(text, names))
 
 
 def _whole(found: re.Match[str]) -> str:

@@ -4,10 +4,9 @@ example if it has one.
 
 import json
 import math
-import re
 import textwrap
 
-from .. import Material, ranges, runtime
+from .. import Material, ranges, runtime, spoken
 from . import algebra, kernel
 
 
@@ -39,11 +38,7 @@ def render(material: Material) -> dict[str, str]:
         f"{library}.d.mts": runtime(__file__, "library.d.mts"),
         **{name: text for name, text in own.items() if name.startswith(example)},
     }
-    marked = re.compile(r"// @(\w+)@\n|@(\w+)@")
-    return {
-        name: marked.sub(lambda at: words.get(at[1] or at[2], at[0]), text)
-        for name, text in texts.items()
-    }
+    return {name: spoken(text, words) for name, text in texts.items()}
 
 
 def _words(material: Material) -> dict[str, str]:

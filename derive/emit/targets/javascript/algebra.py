@@ -5,7 +5,7 @@ single numbers.
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from ...definitions import NAMES, WIDTH, Definition, nested, ported, symbols
+from ...definitions import WIDTH, Definition, nested, ported, symbols
 from ...quantities import Quantity
 
 
@@ -29,8 +29,7 @@ def definition(function: Definition) -> str:
 
 
 def _printed(expression: str) -> str:
-    functions = {name: f"Math.{name}" for name in NAMES} | {"pi": "Math.PI"}
-    return ported(expression, functions)
+    return ported(expression, {"pi": "Math.PI"}, "Math.")
 
 
 def meanings(functions: Iterable[Definition], quantities: Mapping[str, Quantity]) -> str:

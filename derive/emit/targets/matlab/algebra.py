@@ -4,7 +4,7 @@ other.
 
 import textwrap
 
-from ...definitions import NAMES, WIDTH, Definition, ported
+from ...definitions import WIDTH, Definition, ported
 
 
 def definition(function: Definition) -> str:
@@ -30,8 +30,7 @@ def definition(function: Definition) -> str:
 
 def _printed(expression: str) -> str:
     """An expression whose products and quotients are taken element by element."""
-    functions = {name: name for name in NAMES}
-    return ported(expression, functions).replace("*", ".*").replace("/", "./")
+    return ported(expression, {}).replace("*", ".*").replace("/", "./")
 
 
 def _outputs(function: Definition) -> list[str]:

@@ -43,7 +43,7 @@ INLINE double larger(double one, double other) { return (one > other) ? one : ot
 INLINE double smaller(double one, double other) { return (one < other) ? one : other; }
 
 /* ------------------------------------------------------------------------------------ generated algebra */
-/* @algebra@ */
+// @algebra@
 static int finite_all(int length, const double *values) {
     for (int i = 0; i < length; i++) {
         if (!isfinite(values[i])) {
@@ -63,7 +63,7 @@ static @library@_status deliver(int length, const double *values, double *result
     return @LIBRARY@_OK;
 }
 
-/* @primitives@ */
-/* @kernel@ */
-/* @definitions@ */
-/* @public@ */
+// @primitives@
+// @kernel@
+// @definitions@
+// @public@

@@ -31,14 +31,14 @@ typedef enum {
     @LIBRARY@_OUT_OF_RANGE = 3 /**< allowed numbers whose result double can't carry; no results */
 } @library@_status;
 
-/* @declarations@ */
+// @declarations@
 /*
  * Algebra: each function is generated from the derivation and agrees with the Python function of that name, operation for
  * operation. Matrices are row by row. Arguments:
  *
  * @symbols@
  */
-/* @prototypes@ */
+// @prototypes@
 #ifdef __cplusplus
 }
 #endif

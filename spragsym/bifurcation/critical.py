@@ -10,6 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -27,7 +28,7 @@ from ..statics.equilibria import equilibria
 from ..statics.reference_state import nearest_state, reference_place, reference_state
 from ..statics.search import balances_of, number_of, of_ranges
 from .bifurcation_sets import border_extrema, extrema
-from .crossings import followed_across
+from .crossings import border_arrivals, followed_across
 from .defining_systems import Family, given_column
 from .folds import cusps, folds
 from .paths import ModelEnd, first_end
@@ -122,15 +123,31 @@ def critical_friction(
     try:
         found = search_of.lowest()
     except ConvergenceError as error:
+        (why,) = error.args  # a remark keeps its units
         return CriticalLoad(
-            vary, over, search_of.low, math.nan, "undecided", math.nan, False, (str(error),)
+            vary, over, search_of.low, math.nan, "undecided", math.nan, False, (why,)
         )
     remarks, open_from = search_of.remarks, search_of.open_from
     if found.value > open_from:
-        at = At(vary, (open_from,), ".6g")
-        remarks.append(
-            Remark("candidates from {} on are not all decided: the state may end there", at)
+        # A smaller range, up to the known end or a part of what has no end, may be decided.
+        least, size = search_of.low, search_of.high - search_of.low
+        part = 0.1 * size if vary in search_of.endless else math.inf
+        part = min(part, 1.1 * (found.value - least))
+        if part < 0.9 * size:
+            smaller = {**(between or {}), vary: (least, least + part)}
+            again = critical_friction(p, vary, over, between=smaller)
+            if math.isfinite(again.value) and again.kind != "undecided":
+                return again
+        text = (
+            "candidates from {} on are not all decided: the state may end there; ss.certify(p, "
+            "'no jump', between=…) may prove for a range that it does not"
         )
+        remarks.append(Remark(text, At(vary, (open_from,), ".6g")))
+        if math.isfinite(found.value):
+            text = f"it ends at the {found.kind} at {{}}, {{}}, if not before"
+            unit = "rad" * p.model.is_angle(over)
+            ends = At(vary, (found.value,), ".6g"), At(over, (found.where,), ".6g", unit)
+            remarks.append(Remark(text, *ends))
         found = _Candidate(open_from, math.nan, "undecided", math.nan)
     cut = [name for name in search_of.endless if name == over or not math.isfinite(found.value)]
     # Combinations of contacts may share remarks.
@@ -366,9 +383,15 @@ def carried(
     for value in values[1:].tolist():
         tubes, here = followed_across(tubes, here, np.array([value]))
         if not here.proved[0] or here.v[0] != value:
-            raise ConvergenceError(
-                f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}"
-            )
+            text = "the state that is followed from {} is not to {}: it goes on to {} at least"
+            ends = [float(values[0]), float(values[-1]), float(here.v[0])]
+            for end in border_arrivals(tubes, here, np.array([value])):  # none that passes is left
+                text = "the state that is followed from {} does not reach {}: it ends at {}"
+                text += ", where a contact is lost or regained"
+                ends[2] = float(end.z[-1, 0])
+            unit = "rad" * p.model.is_angle(name)
+            text += f"; give between with a range of {name} on one side"
+            raise ConvergenceError(Remark(text, *(At(name, (end,), ".6g", unit) for end in ends)))
         states.append(here.z[:-1, 0])
     return np.stack(states, axis=1)
 
@@ -384,6 +407,8 @@ class _CandidateSearch:
         self.endless = families[0].endless
         self.families = [replace(one, spans=self.spans) for one in families]
         self.low, self.high = map(float, self.spans[1])
+        #: For values of ``over``, up to where the state was followed, and its end.
+        self.followed = dict[float, tuple[float, ModelEnd | None]]()
         #: From this value on candidates may be missing; and remarks on what is not proved.
         self.open_from, self.remarks = math.inf, list[str]()
 
@@ -497,6 +522,19 @@ class _CandidateSearch:
 
     def end_at(self, value: float, limit: float) -> ModelEnd | None:
         """The end of the state at one value of ``over``, below a limit; None if it does not end."""
+        reached, end = self.followed.get(value, (self.low, None))
+        if end is None and reached < limit:
+            # Of many candidates at one value, as after each turn of an angle, few are followed to.
+            ahead = limit + (limit - self.low) * (reached > self.low)
+            for reached in sorted({limit, min(ahead, self.high)}, reverse=True):
+                with suppress(ConvergenceError) if reached > limit else nullcontext():
+                    end = self._first_end(value, reached)
+                    break
+            self.followed[value] = reached, end
+        return end if end is not None and end.value <= limit else None
+
+    def _first_end(self, value: float, limit: float) -> ModelEnd | None:
+        """The end of the state at one value of ``over``, followed up to a limit."""
         here, (_, slot) = self.p.replace(**{self.over: value}), self.begun_at(value)
         return first_end(here, self.vary, (self.low, limit), start=slot)
 

@@ -8,13 +8,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize_scalar
 
 import spragsym as ss
+from spragsym.bifurcation import critical
 from spragsym.bifurcation.branches import Along, _by_tubes, _states, linked
 from spragsym.bifurcation.critical import carried
 from spragsym.bifurcation.paths import first_end
 from spragsym.bifurcation.tubes import Tubes
 from spragsym.statics.balance import Balance
+from tests.oracles.user_pages import model_of
 
 SEARCH = ss.load("kang_nam").search
 #: A set whose lowest fold lies 1 % below the cusp that its curve leaves.
@@ -171,3 +174,99 @@ def test_what_combinations_of_contacts_have_in_common_is_told_once() -> None:
     p = ss.load("pad_on_legs").Parameters(tau=0.0, mu0=None)
     found = ss.critical_friction(p, "mu0", "eta", between={"eta": (0.5, 1.5)})
     assert len(found.remarks) == len({*found.remarks}) > 1
+
+
+DOOR = '''r"""A door on a closer spring, whose edge rubs on a latch, with a stop."""
+from spragsym.derive.model import Page, cos, sin, tanh
+page = Page("A door leaf on a closer spring; its edge rubs on a latch, and a stop limits it.")
+m = page.unit("m", "kg", "mass of the leaf")
+k_c = page.unit("k_c", "N/m", "stiffness of the latch")
+L = page.unit("L", "m", "width of the leaf")
+theta0 = page.parameter("theta0", "rad", "rest angle of the spring", "(0, pi/2)", 0.8)
+mu0 = page.parameter("mu0", "1", "friction coefficient", ">= 0", 0.5)
+k_t = page.parameter("k_t", "N m", "closer spring", "> 0", 0.05, becomes="tau")
+P = page.parameter("P", "N", "push", ">= 0", 0.01, becomes="push")
+V = page.parameter("V", "m/s", "belt speed", "> 0", 0.5)
+psi = page.coordinate("psi", "rad", "angle of the leaf")
+page.kinetic(m * L**2 * page.rate(psi) ** 2 / 6)
+page.potential(k_t * (psi - theta0) ** 2 / 2)
+page.force(0, -P, at=(L * cos(psi), -L * sin(psi)))
+latch = page.contact(3 * L / 5 - L * sin(psi), lambda depth: k_c * depth, name="latch")
+stop = page.contact(19 * L / 20 - L * cos(psi), lambda depth: k_c * depth, name="stop")
+page.friction(L * cos(psi), V, lambda v: mu0 * tanh(10 * v / V), at_rest=mu0, on=latch)
+'''
+
+
+@pytest.mark.validate
+def test_a_state_is_followed_to_few_of_many_folds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A leaf that the latch turns back never ends: N (cos psi + mu sin psi) balances the spring
+    with ever smaller N; after each turn it might slip over the latch, which no state reaches.
+    """
+    p = model_of(DOOR, "door").Parameters()
+    asked = list[tuple[float, float]]()
+
+    def counted(p: Any, vary: str, span: tuple[float, float], **start: Any) -> Any:
+        asked.append((float(p.theta0), span[1]))
+        return first_end(p, vary, span, **start)
+
+    monkeypatch.setattr(critical, "first_end", counted)
+    found = ss.critical_friction(p, between={"theta0": (0.7, 1.5), "mu0": (0.0, 4.0)})
+    assert (found.complete, found.value) == (True, math.inf)
+    ends = sum(
+        len(ss.folds(p.replace(theta0=at), "mu0", between={"mu0": (0.0, 4.0)})) for at in (0.7, 1.5)
+    )
+    assert ends >= 10
+    assert len(asked) <= 8
+
+
+@pytest.mark.thorough
+def test_where_the_state_is_lost_over_the_range_is_said() -> None:
+    """At the stop cos psi = 0.95 a spring with theta0 = psi − push cos psi / tau presses no more."""
+    found = ss.critical_friction(model_of(DOOR, "door").Parameters())
+    (remark,) = found.remarks
+    at = math.acos(0.95) - 0.01 * 0.95 / 0.05
+    assert f"it ends at theta0 = {at:.6g} rad, where a contact is lost" in remark
+
+
+CONE = '''r"""A cone in a hole, with Hertz's law."""
+from spragsym.derive.model import Page, cos, sin, tanh
+page = Page("A cone that is pressed into a hole and drawn along, with Hertz's law.")
+m, k_c = page.unit("m", "kg", "mass"), page.unit("k_c", "N/m", "stiffness")
+L = page.unit("L", "m", "length")
+theta0 = page.parameter("theta0", "rad", "half angle of the cone", "(0, pi/2)", 0.3)
+mu0 = page.parameter("mu0", "1", "friction coefficient", ">= 0", 0.1)
+P = page.parameter("P", "N", "push", "> 0", 0.01)
+k_r = page.parameter("k_r", "N/m", "return spring", "> 0", 0.02, becomes="rho")
+V = page.parameter("V", "m/s", "speed of the hole", "> 0", 0.5)
+z = page.coordinate("z", "m", "depth of the cone")
+page.kinetic(m * page.rate(z) ** 2 / 2)
+page.spring(k_r, along=z)
+page.force(P, along=z)
+page.contact(-z * sin(theta0), lambda depth: k_c * L * (depth / L) ** (3 / 2))
+page.friction(z * cos(theta0), V, lambda v: mu0 * tanh(10 * v / V), at_rest=mu0)
+'''
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("highest", [None, pytest.param(3.0, marks=pytest.mark.validate)])
+def test_a_smaller_range_is_decided_where_the_whole_is_not(highest: float | None) -> None:
+    """With N = (z sin a)^(3/2), rho z = P + N (mu cos a − sin a) has its fold at z = 3 P/rho, mu =
+    tan a + 2 rho/(3 z^(1/2) sin(a)^(3/2) cos a), which runs to infinity as a goes to 0.
+    """
+    rise = 0.02 / (1.5 * math.sqrt(1.5))
+    lowest = minimize_scalar(
+        lambda a: math.tan(a) + rise / (math.sin(a) ** 1.5 * math.cos(a)), (0.1, 0.2, 0.3)
+    )
+    between = highest and {"mu0": (0.0, highest)}
+    found = ss.critical_friction(model_of(CONE, "cone").Parameters(), between=between)
+    assert found.kind == "turn"
+    assert found.value == pytest.approx(lowest.fun, rel=1e-12)
+
+
+@pytest.mark.validate
+def test_of_an_undecided_lowest_end_the_known_one_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(critical, "_least_left", lambda *_: 0.1)
+    between = {"mu0": (0.0, 1.0), "theta0": (0.1, 1.5)}
+    found = ss.critical_friction(model_of(CONE, "cone").Parameters(), between=between)
+    assert (found.kind, found.value) == ("undecided", 0.1)
+    assert "it ends at the turn at mu0 = 0.327391, theta0 = 0.189331 rad" in found.remarks[-1]

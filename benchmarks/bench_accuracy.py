@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 import spragsym as ss
 from benchmarks import rivals
 from benchmarks.timing import on_backend
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.kang_nam.quartic import adaptive_precision, compiled
 from tests.oracles import c_target
 from tests.oracles.families import FAMILIES
@@ -72,7 +72,7 @@ def _gap(found: Array, exact: Array) -> float:
 
 def _exact(p: ss.Parameters) -> list[Array]:
     rows = []
-    for point in zip(*p.broadcast(*NAMES), strict=True):
+    for point in zip(*p.broadcast(*PARAMETERS), strict=True):
         states = adaptive_precision.equilibria(*map(float, point), digits=30).states
         rows.append(np.array([[float(one.L), float(one.x), float(one.y)] for one in states]))
     return rows

@@ -1,9 +1,9 @@
 """This tree beside another commit, in one run: how long each question takes, and whether the
 equilibria are the same.
 
-``python -m benchmarks.bench_before REV [--points N] [--rounds N] [--only NAMES]``: REV is checked
+``python -m benchmarks.bench_before REV [--points N] [--rounds N] [--only PARAMETERS]``: REV is checked
 out into a temporary folder, its compiled code is built there, and a process for each tree is asked
-the questions in turn, all or those whose names begin with one of NAMES, as in
+the questions in turn, all or those whose names begin with one of PARAMETERS, as in
 ``--only folds,cusps``. A question that raises is "not there". asv builds an environment for each
 commit, times the commits one after the other, and compares no answers.
 """
@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles.families import random
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -189,7 +189,7 @@ def main() -> None:
         )
         np.save(
             folder / "points.npy",
-            np.stack(random(np.random.default_rng(1), given.points).broadcast(*NAMES)),
+            np.stack(random(np.random.default_rng(1), given.points).broadcast(*PARAMETERS)),
         )
         workers = [
             stack.enter_context(worker(where, folder / "points.npy")) for where in (tree, ROOT)

@@ -21,7 +21,7 @@ import spragsym as ss
 from benchmarks import rivals
 from benchmarks.timing import best_in_turn, in_process, on_backend, timed
 from spragsym.generated import kernel
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.kang_nam.quartic import compiled
 from spragsym.kang_nam.quartic.solver import BLOCK
 from tests.oracles import c_target
@@ -106,14 +106,14 @@ def _ours(n: int) -> Iterator[tuple[str, Method]]:
 
 
 def _head(p: ss.Parameters, n: int) -> ss.Parameters:
-    return ss.Parameters(*(value[:n] for value in p.broadcast(*NAMES)))
+    return ss.Parameters(*(value[:n] for value in p.broadcast(*PARAMETERS)))
 
 
 def roots_and_counts(p: ss.Parameters) -> np.ndarray:
     """All four roots in t as two factors and their number, with the bound that says where it is
     certain; no states, in NumPy.
     """
-    theta0, *values = p.broadcast(*NAMES)
+    theta0, *values = p.broadcast(*PARAMETERS)
     count = np.empty(theta0.size, dtype=np.int8)
     roots = np.empty((4, theta0.size))
     u = np.float64(2.0**-53)

@@ -20,7 +20,7 @@ from spragsym.generated.equilibrium import (
     state,
     t_quartic,
 )
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.numerics.polynomials import eigenvalues
 
 Array: TypeAlias = NDArray[np.float64]
@@ -43,7 +43,7 @@ def real_parts(roots: NDArray[np.complex128]) -> tuple[Array, NDArray[np.bool_]]
 
 def length_quartic(p: ss.Parameters) -> Array:
     """Coefficients of the published quartic in L, (21), (n, 5), ascending."""
-    theta0, *values = p.broadcast(*NAMES)
+    theta0, *values = p.broadcast(*PARAMETERS)
     return np.stack(contact_quartic(np.cos(theta0), np.sin(theta0), *values), axis=-1)
 
 
@@ -72,7 +72,7 @@ def fsolve_starts(p: ss.Parameters) -> list[int]:
     finds.
     """
     counts = []
-    for theta0, *values in zip(*p.broadcast(*NAMES), strict=True):
+    for theta0, *values in zip(*p.broadcast(*PARAMETERS), strict=True):
         c0, s0 = np.cos(theta0), np.sin(theta0)
         found: list[Array] = []
 
@@ -94,7 +94,7 @@ def polyroots(p: ss.Parameters) -> list[int]:
     """mpmath.polyroots of the quartic in t at 50 digits."""
     counts = []
     with mpmath.workdps(50):
-        for theta0, *values in zip(*p.broadcast(*NAMES), strict=True):
+        for theta0, *values in zip(*p.broadcast(*PARAMETERS), strict=True):
             angle = mpmath.mpf(float(theta0))
             numbers = [mpmath.mpf(float(value)) for value in values]
             quartic = t_quartic(*f_coefficients(mpmath.cos(angle), mpmath.sin(angle), *numbers, 1))
@@ -120,7 +120,7 @@ def states_from_lengths(
     """Roots of the published quartic, states by solving (16), those with L > 0 and y < 0: (L, x, y)
     of each.
     """
-    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
+    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*PARAMETERS)
     c0, s0 = np.cos(theta0), np.sin(theta0)
     rows = []
     with np.errstate(all="ignore"):
@@ -144,7 +144,7 @@ def states_from_half_angles(p: ss.Parameters) -> list[Array]:
     """Roots of the quartic in tan(θ/2), states by the explicit formulas, those with L > 0 and y <
     0: (L, x, y) of each.
     """
-    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
+    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*PARAMETERS)
     c0, s0 = np.cos(theta0), np.sin(theta0)
     quartic = np.stack(
         t_quartic(*f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1)), axis=-1

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles.families import FAMILIES
 
 CASES = 500
@@ -54,7 +54,7 @@ def states(number: int, rng: np.random.Generator) -> dict[str, Any]:
 
 def changes(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """Folds along a parameter, or cusps, inside of the region that was searched."""
-    vary = (*NAMES, "cusps")[number % 7]
+    vary = (*PARAMETERS, "cusps")[number % 7]
     p = ss.Parameters(
         rng.uniform(0.1, 3.0),
         rng.uniform(0.0, 1.5) * (rng.random() < 0.9),

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles.families import FAMILIES
 from tests.oracles.true_errors import worst_errors, worst_shares, wrong_counts
 
@@ -33,7 +33,9 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         if error > 1e-12 or share > 1
     ]
     if number % 10 == 0:
-        shares = worst_shares(tuple(float(column[0]) for column in p.broadcast(*NAMES)), PRECISIONS)
+        shares = worst_shares(
+            tuple(float(column[0]) for column in p.broadcast(*PARAMETERS)), PRECISIONS
+        )
         wrong += [
             f"{name} to {dps} digits: {share:.2g} of its bound"
             for dps, share in shares.items()

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles import creeping_states, lowest_fold
 from tests.oracles.count_map import count_map_mismatches
 from tests.oracles.families import random_fixed, random_fluttering
@@ -33,7 +33,9 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         ]
         bad = count_map_mismatches(p, 500, 2 * max(tall, default=1.0))
     elif kind == "path":
-        p, vary, values = creeping_states.random_path(rng, NAMES[number // 4 % len(NAMES)])
+        p, vary, values = creeping_states.random_path(
+            rng, PARAMETERS[number // 4 % len(PARAMETERS)]
+        )
         bad = creeping_states.check(p, vary, values)[-1]
     elif kind == "lowest fold":
         p = random_fixed(rng)

@@ -14,8 +14,8 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.bifurcation.paths import first_end
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.kang_nam.jump_values import limit_point_passed
-from spragsym.kang_nam.parameters import NAMES
 from tests.oracles import families
 
 CASES = 120
@@ -60,7 +60,7 @@ def values(number: int, rng: np.random.Generator) -> dict[str, Any]:
         end = min(value * 1.01, far) if np.isfinite(value) else far
         if np.isfinite(value) and not start < value < end:
             continue
-        q = ss.Parameters(**{name: float(getattr(p, name)[i]) for name in NAMES})
+        q = ss.Parameters(**{name: float(getattr(p, name)[i]) for name in PARAMETERS})
         jumps = [jump.value for jump in ss.quasi_static_path(q, vary, [start, end]).jumps[:1]]
         if bool(jumps) != np.isfinite(value) or (
             jumps and abs(jumps[0] - value) > CLOSE * max(1.0, value)

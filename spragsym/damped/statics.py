@@ -13,11 +13,12 @@ import numpy as np
 
 from ..core.questions import NotInClosedForm
 from ..core.type_variables import R
+from ..generated.quantities import PARAMETERS
 from ..kang_nam import certificates, jump_values, lowest_fold, states
 from ..kang_nam.bifurcation_sets import bifurcation_set as bifurcation_set_at_rest
 from ..kang_nam.cusps import cusps as cusps_at_rest
 from ..kang_nam.folds import folds as folds_at_rest
-from ..kang_nam.parameters import NAMES, Parameters
+from ..kang_nam.parameters import Parameters
 from ..kang_nam.quartic import solver
 from ..models.parameters import ParameterSet
 from ..models.quantities import Unit
@@ -77,7 +78,7 @@ def linked(
     -----
     Source: along F_y = 0, x grows with θ, so that their order is the same in both.
     """
-    if turns is None or vary not in NAMES or not eq.complete:
+    if turns is None or vary not in PARAMETERS or not eq.complete:
         raise NotInClosedForm
     return states.linked(undamped(p), vary, eq, turns, only=only)
 

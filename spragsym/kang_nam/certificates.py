@@ -19,6 +19,7 @@ from ..bifurcation.paths import first_end
 from ..core.questions import NotInClosedForm
 from ..design.certificates import Claim, ProvedParts, corner_values
 from ..generated import catastrophe as _catastrophe
+from ..generated.quantities import PARAMETERS
 from ..models.parameters import FloatArray, ParameterSet
 from ..models.quantities import Unit, checked_units
 from ..numerics.affine import Affine, Rounded, cosine_and_sine, sides
@@ -27,7 +28,7 @@ from ..numerics.interval_arrays import HALF_TURN, BoolArray, quiet
 from ..results import EquilibriumType
 from . import kernel
 from .jump_values import first_jumps, point_at, require_usual, with_and_without_friction
-from .parameters import NAMES, Parameters
+from .parameters import Parameters
 from .quartic.solver import count, equilibria
 
 
@@ -50,7 +51,9 @@ def claims(
     low, high = corners
     require_usual(low, "mu0", begin)
     measures = checked_units(units, tuple(Parameters.ranges), ("theta0",))
-    powers = [one for unit in measures.values() for one in unit.powers.items() if one[0] in NAMES]
+    powers = [
+        one for unit in measures.values() for one in unit.powers.items() if one[0] in PARAMETERS
+    ]
     whole = all(name != "mu0" and power == int(power) for name, power in powers)
     if (
         claim not in CLAIMS
@@ -76,9 +79,9 @@ class ClosedClaim(Claim):
         self, low: Parameters, high: Parameters, claim: str, units: Mapping[str, Unit]
     ) -> None:
         self.prove, self.false = CLAIMS[claim]
-        matter = {name: unit for name, unit in units.items() if set(unit.powers) & set(NAMES)}
-        self.sides = (*NAMES, *matter)
-        ends = corner_values(NAMES, low, high, matter)
+        matter = {name: unit for name, unit in units.items() if set(unit.powers) & set(PARAMETERS)}
+        self.sides = (*PARAMETERS, *matter)
+        ends = corner_values(PARAMETERS, low, high, matter)
         if claim == "no jump":  # no jump up to the largest friction is none up to any other
             ends[0][_MU0] = ends[1][_MU0]
         self.whole = ParameterBoxes(ends[0], ends[1], np.zeros(1, dtype=bool), matter)
@@ -99,7 +102,7 @@ class ClosedClaim(Claim):
         return self.false(Parameters(**self.whole.parameters(points)))
 
 
-_MU0 = NAMES.index("mu0")
+_MU0 = PARAMETERS.index("mu0")
 
 
 # -----------------------------------------------------------------------------------------------
@@ -201,7 +204,7 @@ def _change(
     found = np.asarray(
         sum(
             term(-one / slope * moved[name].terms)
-            for name, (one, _) in zip(NAMES, changes, strict=True)
+            for name, (one, _) in zip(PARAMETERS, changes, strict=True)
         )
     )
     found[_MU0] = 0.0
@@ -280,7 +283,7 @@ def _jumps(p: Parameters) -> BoolArray:
     """A mask of the first point whose state jumps below its friction, confirmed by its path."""
     found = np.zeros(p.shape, dtype=bool)
     for i in np.flatnonzero(first_jumps(p, "mu0", sides=True).value < p.mu0 * (1 - 1e-11))[:1]:
-        point = Parameters(**point_at({name: p[name] for name in NAMES}, i))
+        point = Parameters(**point_at({name: p[name] for name in PARAMETERS}, i))
         found[i] = first_end(point, "mu0", (0.0, float(point.mu0))) is not None
     return found
 
@@ -298,7 +301,7 @@ CLAIMS: dict[str, tuple[Callable[[ParameterBoxes], Proved], Callable[[Parameters
 
 @dataclass(frozen=True)
 class ParameterBoxes(ProvedParts):
-    """Boxes of parameters, in the order of ``NAMES``, and of units of measure over their base
+    """Boxes of parameters, in the order of ``PARAMETERS``, and of units of measure over their base
     values.
     """
 
@@ -306,13 +309,13 @@ class ParameterBoxes(ProvedParts):
 
     def parameters(self, sides: Iterable[Any]) -> dict[str, Any]:
         """Parameters by name from the values of all sides, in any number type."""
-        found = dict(zip((*NAMES, *self.units), sides, strict=True))
+        found = dict(zip((*PARAMETERS, *self.units), sides, strict=True))
         for unit in self.units:
             for name, power in self.units[unit].powers.items():
-                if name in NAMES:
+                if name in PARAMETERS:
                     factor = found[unit] ** abs(int(power))
                     found[name] = found[name] * factor if power > 0 else found[name] / factor
-        return {name: found[name] for name in NAMES}
+        return {name: found[name] for name in PARAMETERS}
 
     def middle(self) -> dict[str, FloatArray]:
         """The midpoints, by parameter."""

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from ..generated.quantities import PARAMETERS
 from ..models.parameters import FloatArray
 from ..numerics import balls, bernstein
 from ..numerics.affine import Rounded, as_rounded, cosine_and_sine
@@ -26,7 +27,6 @@ from ..numerics.interval_arrays import BoolArray, IndexArray, Int8Array, quiet, 
 from ..numerics.polynomials import on_circle
 from . import kernel
 from .kernel import LINEAR
-from .parameters import NAMES
 
 
 @dataclass(frozen=True)
@@ -284,7 +284,7 @@ def _sharpened(
         centre, v = middle(t), middle(value)
         (at_centre, enclosing), values = (on_circle(one) for one in (centre, t)), with_value(value)
         trig = kernel.f_coefficients(*values, 1)
-        change = kernel.f_changes(*values)[NAMES.index(vary)]
+        change = kernel.f_changes(*values)[PARAMETERS.index(vary)]
         # |dθ| ≤ 2 |dt|
         drift = (
             kernel.f_slope(*enclosing[:2], *trig)

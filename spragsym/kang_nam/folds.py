@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from ..core.questions import NotInClosedForm
 from ..generated import catastrophe as _catastrophe
+from ..generated.quantities import PARAMETERS
 from ..models.parameters import Ranges, Span
 from ..numerics import balls, polynomials
 from ..numerics.arithmetic import Number
@@ -37,7 +38,7 @@ from ..numerics.polynomials import RootOf, in_t, on_circle, roots_on_the_line
 from ..results.points import Ended, Points, nothing_ends
 from . import kernel
 from .kernel import LINEAR
-from .parameters import NAMES, RANGES, Parameters
+from .parameters import RANGES, Parameters
 
 PointsT = TypeVar("PointsT", bound=Points)
 
@@ -63,9 +64,9 @@ def folds(
     Descartes' rule. A multiple root, which belongs to the other kinds, is found by exact algebra.
     """
     vary = vary or "theta0"
-    if vary not in NAMES:
+    if vary not in PARAMETERS:
         raise NotInClosedForm
-    fixed, index = [name for name in NAMES if name != vary], NAMES.index(vary)
+    fixed, index = [name for name in PARAMETERS if name != vary], PARAMETERS.index(vary)
     exact = dict(zip(fixed, map(Fraction, p.scalars(*fixed)), strict=True))
 
     def attempt(bits: int) -> list[tuple[Fraction, Fraction, Fold, tuple[float, ...], list[float]]]:
@@ -178,7 +179,7 @@ def proved_folds(vary: str, exact: dict[str, Fraction], bits: int) -> Iterator[F
     if vary == "theta0":
         yield from _folds_in_theta0(exact, bits)
         return
-    fixed = {name: balls.exact(exact[name]) for name in NAMES if name != vary}
+    fixed = {name: balls.exact(exact[name]) for name in PARAMETERS if name != vary}
     c0, s0 = balls.cos_sin(fixed.pop("theta0"))
     others = [fixed[name] for name in LINEAR if name != vary]
     without, change, sextic = lines_and_sextic(vary, c0, s0, others)
@@ -211,7 +212,7 @@ def lines_and_sextic(
     varies; and (1 + t²)³ (f′ f_λ − f f_λ′) as a polynomial in t, which is 0 at the folds.
     """
     values = list(others)
-    values.insert(NAMES.index(vary) - 1, 0 * others[0])
+    values.insert(PARAMETERS.index(vary) - 1, 0 * others[0])
     without, change = kernel.f_along(vary, c0, s0, *values)
     return without, change, tuple(kernel.fold_sextic(*without, *change))
 
@@ -284,7 +285,7 @@ def _classified(vary: str, point: SurfacePoint, angles: Angles, direction: _Dire
     trig = kernel.f_coefficients(angles.c0, angles.s0, *point.parameters[1:], 1)
     if direction.flat and direction.multiplicity == 2:
         return Fold(point, "cusp", 0, False)
-    slope, cross = _catastrophe.unfolding(*angles, *point.parameters[1:])[NAMES.index(vary)]
+    slope, cross = _catastrophe.unfolding(*angles, *point.parameters[1:])[PARAMETERS.index(vary)]
     if direction.flat:
         third = decided(kernel.f_third(angles.c, angles.s, *trig), "f‴ on a pitchfork")
         return Fold(
@@ -362,8 +363,8 @@ class Angles(NamedTuple):
 
 @dataclass(frozen=True)
 class SurfacePoint:
-    """A point with f = f′ = 0 in interval arithmetic: parameters in the order of ``NAMES``, and
-    state.
+    """A point with f = f′ = 0 in interval arithmetic: parameters, in the order of ``PARAMETERS``,
+    and state.
     """
 
     parameters: tuple[Interval, ...]
@@ -376,7 +377,7 @@ class SurfacePoint:
         """Midpoints of some parameters and of the state as floats, and the largest error with
         rounding.
         """
-        moving = (self.parameters[NAMES.index(name)] for name in vary)
+        moving = (self.parameters[PARAMETERS.index(name)] for name in vary)
         values, error = as_floats((*moving, self.theta, self.L, self.x, self.y))
         return (*values, error)
 

@@ -22,6 +22,7 @@ from ..bifurcation.paths import first_end
 from ..core.errors import ConvergenceError
 from ..core.questions import NotInClosedForm
 from ..design.jumps import Ends
+from ..generated.quantities import PARAMETERS
 from ..models.parameters import FloatArray
 from ..numerics import bernstein
 from ..numerics.affine import UNIT
@@ -32,7 +33,7 @@ from ..results.equilibria import Equilibria, EquilibriumType
 from . import fold_arrays, kernel
 from .fold_arrays import friction_sextic
 from .folds import folds
-from .parameters import NAMES, RANGES, Parameters
+from .parameters import RANGES, Parameters
 from .quartic.solver import equilibria
 
 #: Beginnings of the parameters that rise from their lower end; others move from their value. Folds
@@ -53,7 +54,7 @@ def first_limit_points(
     vary = vary or "mu0"
     require_usual(p, vary, begin)
     directions = ("up",) if vary in FROM_LOWER_END else ("up", "down")
-    if vary not in NAMES or direction not in directions:
+    if vary not in PARAMETERS or direction not in directions:
         raise NotInClosedForm
     return first_jumps(p, vary, direction)
 
@@ -101,7 +102,7 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool 
 
 def _blocks(p: Parameters) -> Iterator[tuple[slice, dict[str, FloatArray]]]:
     """Blocks of points: their slice, and arrays of the given parameters."""
-    columns = ((name, p[name]) for name in NAMES)
+    columns = ((name, p[name]) for name in PARAMETERS)
     given = {
         name: np.broadcast_to(column, p.shape).reshape(-1)
         for name, column in columns

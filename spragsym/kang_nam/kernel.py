@@ -14,12 +14,12 @@ from ..generated import catastrophe as _catastrophe
 from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
 from ..generated.kernel import depressed as depressed
+from ..generated.quantities import PARAMETERS
 from ..numerics.arithmetic import Number
 from ..numerics.interval_arrays import FloatArray
-from .parameters import NAMES
 
 #: The parameters in which f is linear: all except θ₀.
-LINEAR = NAMES[1:]
+LINEAR = PARAMETERS[1:]
 
 f_coefficients = unwrap(_equilibrium.f_coefficients)
 resolvent = unwrap(_equilibrium.resolvent)
@@ -43,7 +43,9 @@ def f_along(vary: str, cos0: Number, sin0: Number, *values: Any) -> tuple[Any, A
     """The coefficients (a, b, d, m) of f and of its derivative by a parameter other than θ₀;
     ``values`` have 0 for that parameter.
     """
-    return f_coefficients(cos0, sin0, *values, 1), f_changes(cos0, sin0, *values)[NAMES.index(vary)]
+    return f_coefficients(cos0, sin0, *values, 1), f_changes(cos0, sin0, *values)[
+        PARAMETERS.index(vary)
+    ]
 
 
 def state_of(*given: Any) -> tuple[Any, Any, Any]:

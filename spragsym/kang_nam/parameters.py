@@ -7,13 +7,9 @@ from typing import Any, Self, cast
 
 from numpy.typing import ArrayLike
 
-from ..generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
+from ..generated.quantities import BASE_VALUES, QUANTITIES
 from ..models.parameters import ParameterSet, Range, named
 from ..models.quantities import QuantityValues
-
-#: Names of the parameters of the balance of forces, in the order in which its closed forms take
-#: them.
-NAMES = PARAMETERS
 
 #: The belt's speed and the steepness of the friction law (10) are for the motion only.
 RANGES = {

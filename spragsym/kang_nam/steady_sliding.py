@@ -17,13 +17,14 @@ from ..generated import catastrophe as _catastrophe
 from ..generated import kernel as solver
 from ..generated import laws
 from ..generated import linear_sprag as _linear
+from ..generated.quantities import PARAMETERS
 from ..models.parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_numbers
 from ..numerics.interval_arrays import Int8Array, quiet
 from ..results import EquilibriumType, Result
 from . import kernel
 from .kernel import Fixed
 from .only import of_article
-from .parameters import NAMES, RANGES, Parameters
+from .parameters import RANGES, Parameters
 
 
 @dataclass(frozen=True, eq=False)
@@ -195,7 +196,7 @@ def linear_sprag(p: Parameters) -> LinearSprag:
     >>> print(np.degrees(model.poles).round(3))
     [62.784 82.034]
     """
-    theta0, mu0, kappa, *springs = p.broadcast(*NAMES)
+    theta0, mu0, kappa, *springs = p.broadcast(*PARAMETERS)
     c0, s0 = kernel.cos_sin(theta0)
     with np.errstate(divide="ignore", invalid="ignore"):
         x, y = _linear.displacement(c0, s0, mu0, kappa, *springs)

@@ -20,7 +20,7 @@ from spragsym.derive import pages
 from spragsym.derive.kang_nam import article, free_body, ledger
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.kang_nam.ledger import LedgerRow
-from spragsym.derive.kang_nam.mechanics import AX, AY
+from spragsym.derive.kang_nam.mechanics import ACCELERATIONS
 from spragsym.derive.statements.comparison import Comparison
 from spragsym.derive.statements.papers import Paper, Statement
 from spragsym.derive.statements.reading import Item, read_paper
@@ -103,10 +103,10 @@ _SYMBOLS = (
     *(nm.x, nm.y, nm.L, nm.n, nm.N, nm.k, nm.m_mass),
 )
 _ATOMS: dict[str, sp.Symbol] = {
-    "x''": AX,
-    "y''": AY,
-    r"\ddot{x}": AX,
-    r"\ddot{y}": AY,
+    "x''": ACCELERATIONS[0],
+    "y''": ACCELERATIONS[1],
+    r"\ddot{x}": ACCELERATIONS[0],
+    r"\ddot{y}": ACCELERATIONS[1],
     r"\Delta": sp.Symbol("Delta", real=True),
     r"\overline{n}": nm.nbar,
     r"\cos\theta_0": nm.c0,
@@ -157,7 +157,7 @@ def read(id: str) -> tuple[sp.Expr, ...]:
     """The components of a printed statement, as the check read it."""
     item = items()[id]
     names = {name: sp.Symbol(name) for name in ("theta", "theta0")}
-    own = {"mu0": nm.mu0, "ax": AX, "ay": AY, "pushing": nm.nbar}
+    own = {"mu0": nm.mu0, "ax": ACCELERATIONS[0], "ay": ACCELERATIONS[1], "pushing": nm.nbar}
     known = {
         it.value for one in item.equations for side in (one.left, one.right) for it in nodes(side)
     }

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles import reference
 from tests.oracles.count_map import count_map_mismatches
 from tests.oracles.creeping_states import check, random_path
@@ -40,12 +40,12 @@ def _derivatives(orders: int, *values: float) -> list[float]:
 # and other codes
 
 
-@pytest.mark.parametrize("vary", NAMES)
+@pytest.mark.parametrize("vary", PARAMETERS)
 def test_folds_satisfy_f_and_its_slope(vary: str) -> None:
     found = ss.folds(ss.Parameters.article(theta0=0.8), vary=vary)
     assert found.theta0.size
     assert found.error.max() < 1e-12
-    for row in zip(*(getattr(found, name) for name in ("theta", *NAMES)), strict=True):
+    for row in zip(*(getattr(found, name) for name in ("theta", *PARAMETERS)), strict=True):
         f, slope = _derivatives(2, *row)
         assert f < 1e-15
         assert slope < 1e-14
@@ -132,9 +132,9 @@ def test_surface_puts_equilibria_back() -> None:
 # paths
 
 
-@pytest.mark.parametrize("vary", few(NAMES, "theta0"))
+@pytest.mark.parametrize("vary", few(PARAMETERS, "theta0"))
 def test_paths_through_folds_are_those_of_a_creeping_particle(vary: str) -> None:
-    rng = np.random.default_rng(18 + NAMES.index(vary))
+    rng = np.random.default_rng(18 + PARAMETERS.index(vary))
     assert sum(check(*random_path(rng, vary))[-1] for _ in range(8)) == 0
 
 
@@ -235,7 +235,7 @@ def test_a_pitchfork_along_beta_is_where_the_count_changes() -> None:
     ],
 )
 def test_cusps_at_coincidences(values: tuple[float, ...], number: int) -> None:
-    p = ss.Parameters(**dict(zip(NAMES[2:], values, strict=True)))
+    p = ss.Parameters(**dict(zip(PARAMETERS[2:], values, strict=True)))
     found = ss.cusps(p)
     beside = [len(ss.cusps(p.replace(kappa=values[0] * (1 + step)))) for step in (-1e-7, 1e-7)]
     assert len(found) == number == sum(beside) / 2
@@ -252,7 +252,7 @@ def test_linear_model_is_a_linear_solve() -> None:
     rng = np.random.default_rng(17)
     for _ in range(20):
         p = random_fixed(rng).replace(theta0=rng.uniform(0.1, 3.0), mu0=rng.uniform(0, 2))
-        theta0, mu0, kappa, alpha, sigma, beta = p.scalars(*NAMES)
+        theta0, mu0, kappa, alpha, sigma, beta = p.scalars(*PARAMETERS)
         c, s = math.cos(theta0), math.sin(theta0)
         K = np.array(
             [

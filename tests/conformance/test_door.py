@@ -13,7 +13,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.design.jumps import limit_point_passed
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.conformance.models import MODELS, a_set, load
 
 # ------------------------------------------------------------------------------------------- sets
@@ -23,7 +23,7 @@ from tests.conformance.models import MODELS, a_set, load
 def test_the_articles_parameters_are_those_of_its_model() -> None:
     model = ss.load("kang_nam")
     assert ss.Parameters is model.Parameters
-    assert model.parameters == (*NAMES, "V", "d") == tuple(ss.Parameters.ranges)
+    assert model.parameters == (*PARAMETERS, "V", "d") == tuple(ss.Parameters.ranges)
     assert ss.Parameters() == ss.Parameters.article() == ss.Parameters(**model.base)
     assert {name: float(getattr(ss.Parameters(), name)) for name in model.base} == model.base
     assert ss.Parameters() != "article"

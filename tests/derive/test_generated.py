@@ -20,7 +20,7 @@ import sympy as sp
 from spragsym import generated
 from spragsym.generated import catastrophe, equilibrium, linear_sprag, stability
 from spragsym.generated.models.kang_nam import algebra
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles import reference
 from tests.support import as_mpf, leaves
 
@@ -453,7 +453,7 @@ def test_poles_of_the_linear_sprag_model(seed: int) -> None:
 def f_by_hand(point: dict[str, Any], theta: Any) -> Any:
     """q sin θ F_x with L from F_y = 0, in contact, from the forces alone."""
     return (point["beta"] + 1 + point["sigma"]) * reference.along(
-        theta, *(point[name] for name in NAMES)
+        theta, *(point[name] for name in PARAMETERS)
     )
 
 
@@ -480,7 +480,7 @@ def test_derivatives_of_f() -> None:
                     (theta, point[name]),
                     (order, 1),
                 )
-                for name in NAMES
+                for name in PARAMETERS
                 for order in (0, 1)
             ]
             for ours, theirs in zip(NAMED["unfolding"](point), right, strict=True):

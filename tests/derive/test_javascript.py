@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles.languages import NODE, values
 from tests.support import few, lowest_sets
 
@@ -46,7 +46,7 @@ pytestmark = pytest.mark.skipif(NODE is None, reason="node is not on this machin
 def test_bifurcation_set_is_that_of_python(changes: dict[str, float]) -> None:
     """As many curves, with their ends, and every point on a fold: f = f′ = 0 there to rounding."""
     p = ss.Parameters.article(**changes)
-    fixed = {name: float(getattr(p, name)) for name in NAMES[2:]}
+    fixed = {name: float(getattr(p, name)) for name in PARAMETERS[2:]}
     (found,) = values([("bifurcation_set", fixed)])
     theirs = ss.bifurcation_set(p)
     assert len(found["curves"]) == len(theirs.curves)
@@ -100,7 +100,7 @@ def test_flutter_onsets_are_those_of_python(changes: dict[str, float]) -> None:
     """
     p = ss.Parameters.article(**changes)
     (curves,) = values(
-        [("flutter_boundary", {name: float(getattr(p, name)) for name in NAMES[2:]})]
+        [("flutter_boundary", {name: float(getattr(p, name)) for name in PARAMETERS[2:]})]
     )
     for mu0 in (4.0, 30.0):
         crossed = []
@@ -117,7 +117,7 @@ def test_flutter_onsets_are_those_of_python(changes: dict[str, float]) -> None:
 
 @pytest.mark.thorough
 def test_the_lowest_fold_is_that_python_proves() -> None:
-    sets = [{name: float(getattr(p, name)) for name in NAMES[2:]} for p in lowest_sets(24)]
+    sets = [{name: float(getattr(p, name)) for name in PARAMETERS[2:]} for p in lowest_sets(24)]
     kinds = set()
     for given, found in zip(
         sets, values([("critical_friction", given) for given in sets]), strict=True

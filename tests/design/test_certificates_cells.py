@@ -11,9 +11,9 @@ import mpmath
 import numpy as np
 import pytest
 
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.kang_nam import certificates
 from spragsym.kang_nam.certificates import Ground, LinearDirection, ParameterBoxes, Verdict
-from spragsym.kang_nam.parameters import NAMES
 from spragsym.models.quantities import Unit
 from tests.support import as_fraction
 
@@ -28,7 +28,7 @@ def random_boxes(
     seed: int, count: int, units: Mapping[str, Unit] = MappingProxyType({})
 ) -> ParameterBoxes:
     rng = np.random.default_rng(seed)
-    sides = len(NAMES) + len(units)
+    sides = len(PARAMETERS) + len(units)
     low = rng.uniform(0.1, 1.5, (sides, count))
     high = low + rng.uniform(0, 0.3, (sides, count)) * rng.integers(0, 2, (sides, count))
     return ParameterBoxes(low, high, np.zeros(count, dtype=bool), units)
@@ -81,17 +81,19 @@ def test_the_ground_holds_every_point_of_a_cell(fixed: bool, units: Any) -> None
                     (ground.c0, mpmath.cos(point[0])),
                     (ground.s0, mpmath.sin(point[0])),
                 ]
-                for name, true in zip(NAMES, point, strict=False):
+                for name, true in zip(PARAMETERS, point, strict=False):
                     powers = (unit.powers.get(name, 0) for unit in units.values())
                     factors = [
-                        of**power for of, power in zip(point[len(NAMES) :], powers, strict=True)
+                        of**power
+                        for of, power in zip(point[len(PARAMETERS) :], powers, strict=True)
                     ]
                     known.append((ground.parameters[name], true * mpmath.fprod(factors)))
                 for number, true in known:
                     allowed = Fraction(float(number.error[k])) + Fraction(1, 10**15)
                     assert abs(as_fraction(true) - value_at(number, at, k)) <= allowed
     assert [
-        one is ground.parameters[name] for one, name in zip(ground.others(), NAMES[1:], strict=True)
+        one is ground.parameters[name]
+        for one, name in zip(ground.others(), PARAMETERS[1:], strict=True)
     ] == [True] * 5
     assert max(ground.c.error.max(), ground.s.error.max()) < (0.13 if fixed else 0.6)
 

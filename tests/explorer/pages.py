@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 
 CHROMIUM = shutil.which("chromium")
 #: Drawing in 3D by software takes most of a test's time: one test has it.
@@ -102,7 +102,7 @@ class Explorer:
         return float(text.replace("−", "-"))
 
     def point(self) -> dict[str, float]:
-        names = ("theta0_deg", *NAMES[1:])
+        names = ("theta0_deg", *PARAMETERS[1:])
         return {name: float(self.page.input_value(f"#{name}")) for name in names}
 
     def says(self) -> str:

@@ -20,7 +20,7 @@ from spragsym.cli.pages import explore
 from spragsym.derive.kang_nam.library import exported
 from spragsym.explorer import explorer_page
 from spragsym.explorer.page import described
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.models.load import shipped
 from tests.explorer.pages import Explorer, chromium, window
 from tests.support import ROOT
@@ -181,7 +181,7 @@ def explorer(shared: Explorer) -> Iterator[Explorer]:
 
 def python_states(point: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float64]]:
     """θ of all states in contact, degrees."""
-    values = {name: point[name] for name in NAMES[1:]}
+    values = {name: point[name] for name in PARAMETERS[1:]}
     found = ss.equilibria(ss.Parameters(theta0=math.radians(point["theta0_deg"]), **values))
     return np.degrees(found.theta[: int(found.count)])
 

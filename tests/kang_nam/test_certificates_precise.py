@@ -8,7 +8,8 @@ import mpmath
 import pytest
 
 import spragsym as ss
-from spragsym.kang_nam.parameters import NAMES, RANGES
+from spragsym.generated.quantities import PARAMETERS
+from spragsym.kang_nam.parameters import RANGES
 from spragsym.models.parameters import Range
 from tests.oracles import reference
 
@@ -88,7 +89,7 @@ CUSPS = [("0.007", "0.007", "0.1", 0), ("0.3", 0, "1.7", "0.4"), ("0.2", "1.5", 
 @pytest.mark.parametrize("dps", [3, 25])
 def test_the_radius_of_a_cusp_holds_every_number(dps: int) -> None:
     for values in CUSPS:
-        given = dict(zip(NAMES[2:], values, strict=True))
+        given = dict(zip(PARAMETERS[2:], values, strict=True))
         exact, rough = ss.precise.cusps(**given, dps=dps + 40), ss.precise.cusps(**given, dps=dps)
         assert len(exact) == len(rough)
         _are_cusps(exact, values, dps + 20)

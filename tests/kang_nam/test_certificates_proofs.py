@@ -12,9 +12,9 @@ import pytest
 import sympy as sp
 
 import spragsym as ss
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.kang_nam import cusps, folds
 from spragsym.kang_nam.folds import Angles, SurfacePoint
-from spragsym.kang_nam.parameters import NAMES
 from spragsym.numerics import balls, polynomials
 from spragsym.numerics.balls import UndecidedSign
 from spragsym.numerics.polynomials import RootOf
@@ -83,7 +83,7 @@ def _check(point: SurfacePoint, orders: int, digits: int) -> None:
 
 def _of_states(values: list[mpmath.mpf]) -> list[mpmath.mpf]:
     """θ₀, κ, σ, β."""
-    return [values[NAMES.index(name)] for name in ("theta0", "kappa", "sigma", "beta")]
+    return [values[PARAMETERS.index(name)] for name in ("theta0", "kappa", "sigma", "beta")]
 
 
 def _rationals(seed: int, number: int) -> Iterator[list[Fraction]]:
@@ -101,7 +101,7 @@ def _with_angle_and_friction(
     rng: np.random.Generator, values: list[Fraction]
 ) -> dict[str, Fraction]:
     theta0, mu0 = Fraction(int(rng.integers(40, 130)), 100), Fraction(int(rng.integers(2, 15)), 10)
-    return dict(zip(NAMES, [theta0, mu0, *values], strict=True))
+    return dict(zip(PARAMETERS, [theta0, mu0, *values], strict=True))
 
 
 def _scanned(vary: str, fixed: dict[str, float], values: np.ndarray) -> np.ndarray:
@@ -109,22 +109,22 @@ def _scanned(vary: str, fixed: dict[str, float], values: np.ndarray) -> np.ndarr
     return np.flatnonzero(np.diff(ss.equilibria(ss.Parameters(**fixed | {vary: values})).count))
 
 
-@pytest.mark.parametrize("vary", NAMES)
+@pytest.mark.parametrize("vary", PARAMETERS)
 def test_folds_are_enclosed_and_none_is_missed(vary: str) -> None:
     """Against the counts over a grid, whose cells hold an odd number of folds where the count
     changes, otherwise an even one.
     """
-    rng = np.random.default_rng(NAMES.index(vary))
+    rng = np.random.default_rng(PARAMETERS.index(vary))
     grids = {"theta0": np.linspace(1e-3, math.pi - 1e-3, 1500), "mu0": np.linspace(1e-5, 3, 1500)}
     grid = grids.get(vary, np.geomspace(1e-4, 10, 1500))
     total = 0
-    for values in _rationals(NAMES.index(vary), 5):
+    for values in _rationals(PARAMETERS.index(vary), 5):
         exact = _with_angle_and_friction(rng, values)
         with balls.precision(300):
             points = [fold.point for fold in folds.proved_folds(vary, exact, 300)]
             for point in points:
                 _check(point, 2, 30)
-                for name, value in zip(NAMES, point.parameters, strict=True):
+                for name, value in zip(PARAMETERS, point.parameters, strict=True):
                     if name != vary:
                         low, high = balls.ends(value)
                         assert (
@@ -135,7 +135,7 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str) -> None:
                             < 1e-60
                         )
             where = np.array(
-                [float(_middle(point.parameters[NAMES.index(vary)])) for point in points]
+                [float(_middle(point.parameters[PARAMETERS.index(vary)])) for point in points]
             )
         where = where[(where > grid[0]) & (where < grid[-1])]
         cells, number = np.unique(np.searchsorted(grid, where) - 1, return_counts=True)
@@ -145,10 +145,10 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str) -> None:
     assert total >= 2
 
 
-@pytest.mark.parametrize("vary", NAMES)
+@pytest.mark.parametrize("vary", PARAMETERS)
 def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str) -> None:
     """Against the equilibria on both sides of it."""
-    place, seen = NAMES.index(vary), set()
+    place, seen = PARAMETERS.index(vary), set()
     rng = np.random.default_rng([8, place])
     for values in _rationals(70 + place, 10):
         exact = _with_angle_and_friction(rng, values)
@@ -270,7 +270,7 @@ def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
 
 
 @pytest.mark.parametrize("beta", [Fraction(0), Fraction(2, 5)])
-@pytest.mark.parametrize("vary", NAMES)
+@pytest.mark.parametrize("vary", PARAMETERS)
 def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str, beta: Fraction) -> None:
     values = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), beta)
     with balls.precision(300):
@@ -279,7 +279,7 @@ def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str, beta: Fract
             _, friction = (sum(balls.ends(one)) / 2 for one in point.parameters[:2])
             c, s = balls.cos_sin(point.theta / 2)
             t = s / c
-            exact = dict(zip(NAMES, (Fraction(1), friction, *values), strict=True))
+            exact = dict(zip(PARAMETERS, (Fraction(1), friction, *values), strict=True))
             at = [
                 polynomials.evaluate(tuple(map(balls.exact, one)), t)
                 for one in folds._curvature(vary, exact)
@@ -310,7 +310,7 @@ def test_kinds_of_double_roots() -> None:
     """Where f″ = 0 it is a cusp. Otherwise a touch, with the third state on the side that a fold at
     that point has it.
     """
-    exact = dict(zip(NAMES, map(Fraction, (1.1, 0.5, 0.007, 0.007, 0.1, 0.0)), strict=True))
+    exact = dict(zip(PARAMETERS, map(Fraction, (1.1, 0.5, 0.007, 0.007, 0.1, 0.0)), strict=True))
     with balls.precision(300):
         uppers = set()
         for fold in (
@@ -352,9 +352,9 @@ def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
     assert len(found) == _scanned("theta0", fixed, grid).size
 
 
-@pytest.mark.parametrize("vary", NAMES[1:])
+@pytest.mark.parametrize("vary", PARAMETERS[1:])
 def test_too_few_bits_find_no_folds_and_deny_none(vary: str) -> None:
-    exact = dict(zip(NAMES, map(Fraction, (0.7, 0.5, 0.007, 0.007, 0.1, 0.25)), strict=True))
+    exact = dict(zip(PARAMETERS, map(Fraction, (0.7, 0.5, 0.007, 0.007, 0.1, 0.25)), strict=True))
     with balls.precision(6), pytest.raises(UndecidedSign):
         list(folds.proved_folds(vary, exact, 6))
 
@@ -363,7 +363,7 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """g(v) (t² − 2) with g of both signs, and 0 at some of the angles; and what depends on both."""
-    exact = dict.fromkeys(NAMES, Fraction(1))
+    exact = dict.fromkeys(PARAMETERS, Fraction(1))
 
     def eliminated(of: Any) -> None:
         def polynomial(_: str, c0: Fraction, s0: Fraction, *__: Any) -> Any:
@@ -385,7 +385,7 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(
 
 
 def test_a_pitchfork_has_no_upper_pair() -> None:
-    exact = dict(zip(NAMES, (Fraction(1), *map(Fraction, (0, "1/10", 0, 1, 0))), strict=True))
+    exact = dict(zip(PARAMETERS, (Fraction(1), *map(Fraction, (0, "1/10", 0, 1, 0))), strict=True))
     with balls.precision(200):
         found = [
             fold
@@ -397,7 +397,7 @@ def test_a_pitchfork_has_no_upper_pair() -> None:
     assert not any(fold.upper for fold in forks)
 
 
-@pytest.mark.parametrize("vary", NAMES)
+@pytest.mark.parametrize("vary", PARAMETERS)
 def test_all_of_the_eliminated_polynomial_vanishes_where_there_is_no_fold_only(
     vary: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -408,7 +408,7 @@ def test_all_of_the_eliminated_polynomial_vanishes_where_there_is_no_fold_only(
         folds, "with_multiplicity", lambda one, *rest: seen.append(one) or plain(one, *rest)
     )
     for mu0, alpha in itertools.product((0, 1), (0, Fraction(1, 2), Fraction(3, 2))):
-        exact = dict(zip(NAMES, map(Fraction, (1, mu0, "3/2", alpha, 1, "1/2")), strict=True))
+        exact = dict(zip(PARAMETERS, map(Fraction, (1, mu0, "3/2", alpha, 1, "1/2")), strict=True))
         none = mu0 == 0 and alpha in {
             "sigma": (0, Fraction(3, 2)),
             "theta0": (Fraction(3, 2),),

@@ -11,7 +11,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.generated import kernel
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.kang_nam.quartic import adaptive_precision, block, compiled, solver
 from tests.oracles.families import FAMILIES
 
@@ -28,7 +28,7 @@ def _numpy() -> Iterator[None]:
 def _points(n: int) -> ss.Parameters:
     """Some of every family in one array, which sends points down every way through the solver."""
     parts = [
-        family(np.random.default_rng([51, k]), n).broadcast(*NAMES)
+        family(np.random.default_rng([51, k]), n).broadcast(*PARAMETERS)
         for k, family in enumerate(FAMILIES.values())
     ]
     return ss.Parameters(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
@@ -179,11 +179,11 @@ def test_eigenvalues_are_those_of_the_stiffness() -> None:
     for contact in (True, False):
         columns = [
             np.append(column, value)
-            for column, value in zip(_points(6).broadcast(*NAMES), SHORT, strict=True)
+            for column, value in zip(_points(6).broadcast(*PARAMETERS), SHORT, strict=True)
         ]
         p = ss.Parameters(*columns)
         eq = ss.equilibria(p, contact=contact)
-        _, mu0, _, alpha, sigma, beta = p.broadcast(*NAMES)
+        _, mu0, _, alpha, sigma, beta = p.broadcast(*PARAMETERS)
         traces = []
         for row, slot in zip(
             *np.nonzero(np.arange(eq.theta.shape[1]) < eq.count[:, None]), strict=True

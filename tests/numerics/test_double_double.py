@@ -13,7 +13,7 @@ import pytest
 import spragsym as ss
 from spragsym.generated import double_double as dd
 from spragsym.generated import kernel
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.kang_nam.quartic import adaptive_precision, block, compiled
 from spragsym.numerics.double_double import DoubleDouble, cosine_and_sine
 from tests.oracles.families import FAMILIES
@@ -143,7 +143,7 @@ def _hard(n: int) -> ss.Parameters:
     return ss.Parameters(
         *(
             np.concatenate([np.broadcast_to(getattr(p, name), p.shape) for p in parts])
-            for name in NAMES
+            for name in PARAMETERS
         )
     )
 
@@ -175,7 +175,7 @@ def test_the_cusp_wedge_needs_no_intervals(monkeypatch: pytest.MonkeyPatch) -> N
 @pytest.mark.parametrize("contact", [True, False])
 def test_c_and_numpy_have_the_same_bits(contact: bool) -> None:
     p = _hard(300)
-    values = [np.ascontiguousarray(value) for value in p.broadcast(*NAMES)]
+    values = [np.ascontiguousarray(value) for value in p.broadcast(*PARAMETERS)]
     found = []
     for solve in (compiled.solve_widely, block.solve_widely):
         out = block.Slots(p.shape[0], 3 if contact else 4)

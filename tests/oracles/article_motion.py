@@ -8,7 +8,8 @@ from typing import Any
 
 from scipy.integrate import solve_ivp
 
-from spragsym.kang_nam.parameters import NAMES, Parameters
+from spragsym.generated.quantities import PARAMETERS
+from spragsym.kang_nam.parameters import Parameters
 
 #: cos θ₀, sin θ₀, μ₀, κ, α, σ, β, V, d.
 Constants = Sequence[float]
@@ -59,7 +60,7 @@ def integrated(
     p: Parameters, V: float, d: float, start: Sequence[float], t_end: float, **options: Any
 ) -> Any:
     """The motion by ``solve_ivp``, which knows nothing of kinks."""
-    theta0, *others = p.scalars(*NAMES)
+    theta0, *others = p.scalars(*PARAMETERS)
     constants = (math.cos(theta0), math.sin(theta0), *others, V, d)
     return solve_ivp(
         lambda _, state: [*state[2:], *everywhere(state, constants)], (0.0, t_end), start, **options

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import spragsym as ss
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 
 #: Options with which gcc and clang make vector instructions of the loops; none changes a result.
 FAST = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
@@ -93,7 +93,7 @@ def compiled(compiler: str, flags: tuple[str, ...], source: Path | None = None) 
 
 def table(p: ss.Parameters) -> NDArray[np.float64]:
     """Parameters in the rows that C takes."""
-    return np.ascontiguousarray(np.stack(p.broadcast(*NAMES), axis=-1).reshape(-1, 6))
+    return np.ascontiguousarray(np.stack(p.broadcast(*PARAMETERS), axis=-1).reshape(-1, 6))
 
 
 def room(points: int) -> Solved:

@@ -12,7 +12,7 @@ import sys
 import numpy as np
 
 import spragsym as ss
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles.families import random_fixed
 
 Array = np.ndarray
@@ -87,10 +87,10 @@ def roots(p: ss.Parameters, vary: str, value: float) -> tuple[Array, tuple[float
     """Directions of all equilibria in contact, by the companion matrix, and a, b, d, m of f = a s c
     + b c + d s − m s².
     """
-    values = {name: float(getattr(p, name)) for name in NAMES if getattr(p, name) is not None} | {
-        vary: value
-    }
-    theta0, mu0, kappa, alpha, sigma, beta = (values[name] for name in NAMES)
+    values = {
+        name: float(getattr(p, name)) for name in PARAMETERS if getattr(p, name) is not None
+    } | {vary: value}
+    theta0, mu0, kappa, alpha, sigma, beta = (values[name] for name in PARAMETERS)
     s0, c0 = math.sin(theta0), math.cos(theta0)
     plus, q = alpha + sigma, beta + 1 + sigma
     a, b, m = sigma * (q - plus), -plus * ((beta + 1) * s0 + kappa), mu0 * sigma

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 import spragsym as ss
 from benchmarks.timing import on_backend
 from spragsym.derive.kang_nam.library import exported
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles import c_target
 from tests.oracles.families import FAMILIES
 
@@ -102,7 +102,7 @@ def _decoded(found: dict[str, Any]) -> Any:
 
 def in_node(p: ss.Parameters, contact: bool) -> Found:
     """All points by the JavaScript module."""
-    points = [dict(zip(NAMES, map(float, row), strict=True)) for row in c_target.table(p)]
+    points = [dict(zip(PARAMETERS, map(float, row), strict=True)) for row in c_target.table(p)]
     *found, speed = values(
         [
             *(("equilibria", point, {"contact": contact}) for point in points),
@@ -167,7 +167,7 @@ def adversarial(n: int) -> ss.Parameters:
         for place, points in enumerate(FAMILIES.values())
     ]
     return ss.Parameters(
-        *np.concatenate([np.stack(part.broadcast(*NAMES)) for part in parts], axis=1)
+        *np.concatenate([np.stack(part.broadcast(*PARAMETERS)) for part in parts], axis=1)
     )
 
 
@@ -190,7 +190,7 @@ def fold_sets(n: int) -> list[dict[str, float]]:
             10 ** rng.uniform(-3, 1.5),
             beta,
         )
-        found.append(dict(zip(NAMES, map(float, numbers), strict=True)))
+        found.append(dict(zip(PARAMETERS, map(float, numbers), strict=True)))
     return found
 
 

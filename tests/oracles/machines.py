@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 
 import spragsym as ss
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from tests.oracles.families import FAMILIES
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -137,7 +137,7 @@ def points(each: int) -> str:
 def _lines(each: int) -> Iterator[str]:
     for number, family in enumerate(FAMILIES.values()):
         p: ss.Parameters = family(np.random.default_rng([7, number]), each)
-        bits = np.ascontiguousarray(np.stack(p.broadcast(*NAMES), axis=-1)).view(np.uint64)
+        bits = np.ascontiguousarray(np.stack(p.broadcast(*PARAMETERS), axis=-1)).view(np.uint64)
         for row in bits.tolist():
             yield " ".join(f"{value:016x}" for value in row) + "\n"
 

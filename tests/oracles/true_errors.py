@@ -9,7 +9,7 @@ import numpy as np
 
 import spragsym as ss
 from spragsym import precise
-from spragsym.kang_nam.parameters import NAMES
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.results.precise_states import PreciseEquilibrium
 from tests.oracles import reference
 from tests.oracles.families import FAMILIES
@@ -26,9 +26,9 @@ def points(number: int, seed: int = 0) -> Iterator[tuple[float, ...]]:
     rng = np.random.default_rng(seed)
     each = -(-number // len(FAMILIES))
     columns = [
-        np.stack(family(rng, each).broadcast(*NAMES), axis=-1) for family in FAMILIES.values()
+        np.stack(family(rng, each).broadcast(*PARAMETERS), axis=-1) for family in FAMILIES.values()
     ]
-    rows = np.stack(columns, axis=1).reshape(-1, len(NAMES))[:number]
+    rows = np.stack(columns, axis=1).reshape(-1, len(PARAMETERS))[:number]
     return (tuple(map(float, row)) for row in rows)
 
 
@@ -38,7 +38,7 @@ def worst_shares(
     """For each precision the largest true error of any number of any state, over its bound; ``inf``
     for a wrong count.
     """
-    results, given = {}, dict(zip(NAMES, point, strict=True))
+    results, given = {}, dict(zip(PARAMETERS, point, strict=True))
     for i, dps in enumerate(precisions):
         with mpmath.workdps(CALLERS[i % len(CALLERS)]):
             results[dps] = precise.equilibria(**given, contact=contact, dps=dps)
@@ -67,7 +67,7 @@ def _share(state: PreciseEquilibrium, truth: tuple[mpmath.mpf, ...], dps: int) -
 
 def wrong_counts(p: ss.Parameters, eq: ss.results.Equilibria) -> int:
     """Points whose number of equilibria in contact is not the reference's."""
-    columns = p.broadcast(*NAMES)
+    columns = p.broadcast(*PARAMETERS)
     return sum(
         reference.count_contact(*map(float, point)) != count
         for point, count in zip(zip(*columns, strict=True), eq.count.tolist(), strict=True)
@@ -80,7 +80,7 @@ def worst_errors(
     """Largest |error| / max(1, |value|) of a subsample, and the largest share of the bound that one
     reaches.
     """
-    columns = p.broadcast(*NAMES)
+    columns = p.broadcast(*PARAMETERS)
     worst = ratio = 0.0
     for row in rng.choice(eq.count.size, min(checked, eq.count.size), replace=False):
         point = [float(column[row]) for column in columns]

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.generated.quantities import PARAMETERS
 from spragsym.kang_nam import folds, kernel
-from spragsym.kang_nam.parameters import NAMES
 from spragsym.kang_nam.quartic import adaptive_precision
 from spragsym.numerics import balls
 from spragsym.numerics.balls import UndecidedSign
@@ -32,7 +32,7 @@ def _points(number: int) -> Iterator[tuple[float, ...]]:
     """
     for index, family in enumerate(FAMILIES.values()):
         p = family(np.random.default_rng([31, index]), number)
-        yield from (tuple(map(float, row)) for row in zip(*p.broadcast(*NAMES), strict=True))
+        yield from (tuple(map(float, row)) for row in zip(*p.broadcast(*PARAMETERS), strict=True))
 
 
 def _truth(
@@ -102,7 +102,7 @@ def test_a_fold_stands_in_two_slots_within_its_error() -> None:
     """
     fixed = {
         name: Fraction(value)
-        for name, value in zip(NAMES[1:], ("0.5", "0.007", "0.007", "0.1", "0"), strict=True)
+        for name, value in zip(PARAMETERS[1:], ("0.5", "0.007", "0.007", "0.1", "0"), strict=True)
     }
     with balls.precision(600):
         points = [
@@ -153,7 +153,7 @@ def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int) -> None:
     """10^−power beside both folds: counts on either side, no fold, and the digits asked for."""
     fixed = {
         name: Fraction(value)
-        for name, value in zip(NAMES[1:], (0.5, 2**-7, 2**-7, 0.125, 0.0), strict=True)
+        for name, value in zip(PARAMETERS[1:], (0.5, 2**-7, 2**-7, 0.125, 0.0), strict=True)
     }
     with balls.precision(600):
         places = sorted(

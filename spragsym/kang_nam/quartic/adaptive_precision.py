@@ -16,13 +16,14 @@ from typing import Any
 
 from ...core.errors import ConvergenceError
 from ...core.questions import NotInClosedForm
+from ...generated.quantities import PARAMETERS
 from ...numerics import balls
 from ...numerics.balls import Ball, Interval, UndecidedSign, as_mpf, as_numbers
 from ...numerics.polynomials import derivative, evaluate, on_circle, roots_on_the_line, squarefree
 from ...results.equilibria import EquilibriumType
 from ...results.precise_states import PreciseEquilibria, PreciseEquilibrium
 from .. import kernel
-from ..parameters import NAMES, Parameters
+from ..parameters import Parameters
 
 #: Bits at which a discriminant that contains 0 is taken for a fold.
 MAXIMUM_BITS = 4096
@@ -34,7 +35,7 @@ def precise_equilibria(
     """All equilibria of one point; source: f(θ) = 0, (12)–(13) eliminated."""
     if not isinstance(contact, bool | None):
         raise NotInClosedForm  # the general algorithm says what contact may be
-    values = (exact[name] for name in NAMES)
+    values = (exact[name] for name in PARAMETERS)
     return equilibria(*values, contact=contact is not False, digits=digits)
 
 
@@ -65,7 +66,7 @@ def equilibria(*exact: Any, contact: bool = True, digits: int = 17) -> PreciseEq
 
 def named(point: Iterable[Any]) -> str:
     """A point as text, for errors."""
-    return ", ".join(f"{name}={value}" for name, value in zip(NAMES, point, strict=True))
+    return ", ".join(f"{name}={value}" for name, value in zip(PARAMETERS, point, strict=True))
 
 
 def _spread(theta0: Callable[[], Ball] | Fraction, rational: list[Fraction]) -> int:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ...core.errors import BackendError, ConvergenceError, one_of
 from ...core.questions import NotInClosedForm
 from ...core.type_variables import T
+from ...generated.quantities import PARAMETERS
 from ...models.parameters import as_count
 from ...numerics.columns import reuse_memory
 from ...numerics.interval_arrays import (
@@ -30,7 +31,7 @@ from ...numerics.interval_arrays import (
 from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
 from .. import kernel
-from ..parameters import NAMES, Parameters
+from ..parameters import Parameters
 from . import block, compiled
 from .block import COLUMNS, Slots
 
@@ -163,7 +164,7 @@ def count(p: Parameters) -> Int8Array:
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
     if open_ones.size:
-        open_points = Parameters(*(column.flat[open_ones] for column in p.broadcast(*NAMES)))
+        open_points = Parameters(*(column.flat[open_ones] for column in p.broadcast(*PARAMETERS)))
         counts[open_ones] = equilibria(open_points).require_decided().count
     return counts.reshape(p.shape)
 
@@ -180,7 +181,7 @@ def _in_blocks(
     Values are arrays of the block's size, or of one number. Every thread has at least ``a_thread``
     points.
     """
-    given = [_column(p, name) for name in NAMES]
+    given = [_column(p, name) for name in PARAMETERS]
     size = math.prod(p.shape)
     threads = max(1, min(_choice.threads, size // a_thread))
     # Every thread has the same number of blocks of equal length, at least BLOCK if possible.
@@ -223,7 +224,7 @@ def _escalate(
 
     Returns the rows of folds, and the reasons of points without an answer, by row.
     """
-    given = [column.flat[rows] for column in p.broadcast(*NAMES)]
+    given = [column.flat[rows] for column in p.broadcast(*PARAMETERS)]
     remaining = _solve_widely(given, contact, out, rows)
     folds: list[int] = []
     reasons: dict[int, str] = {}

@@ -45,6 +45,7 @@ _ROMAN = (
 _BOLD = (r"\mathbf", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
 _ACCENTS |= dict.fromkeys((r"\boldsymbol", r"\bm", r"\pmb", r"\mathbb", r"\underline"), r"\mathbf")
+_WORDS = ("where", "with", "and")  #: between equations
 _OVER = (r"\overset", r"\stackrel")
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array")
@@ -112,7 +113,7 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     pieces = _pieces(items)
     relations = [piece for piece in pieces if _is_condition(piece)]
     pieces = [piece for piece in pieces if piece not in relations] or relations
-    if vocabulary.gives_names and len(pieces) > 1:
+    if len(pieces) > 1:
         reader.give_names(pieces)
     equations = [it for piece in pieces for it in reader.equations(piece)]
     if not equations:
@@ -153,14 +154,17 @@ def _pieces(items: Tokens) -> list[list[Token]]:
 
     A line that begins with an operator continues the line above it.
     """
-    pieces: list[list[Token]] = [[]]
+    separated: list[Token] = []
+    for it in items:
+        if separated and separated[-1].text in _ROMAN and _label([it]) in _WORDS:
+            separated[-1] = replace(separated[-1], text=r"\quad")
+        else:
+            separated.append(it)
+    items, pieces = separated, list[list[Token]]([[]])
     is_new_line = False
     for number, it in enumerate(items):
         if it.text in ("\\\\", r"\quad", r"\qquad", ",", ";"):
-            neighbours = texts((*items[number - 1 : number], *items[number + 1 : number + 2]))
-            digits = [text for text in neighbours if text[0].isdigit()]
-            if it.text == "," and len(digits) == 2:
-                raise Unread("a comma between digits: a decimal comma, or two values", it.at[0])
+            _refuse_decimal_comma(items, number)
             is_new_line = is_new_line or it.text == "\\\\"
             pieces.append([])
         elif it.text != "&" and (it.text != "." or number < len(items) - 1):
@@ -175,6 +179,13 @@ def _pieces(items: Tokens) -> list[list[Token]]:
         if all(it.text not in (*_EQUAL, *_RELATIONS) for it in piece):
             raise Unread("this part is no equation", piece[0].at[0])
     return pieces
+
+
+def _refuse_decimal_comma(items: Tokens, number: int) -> None:
+    """Refuse a comma, the item of a number, between digits."""
+    neighbours = texts((*items[number - 1 : number], *items[number + 1 : number + 2]))
+    if items[number].text == "," and sum(text[0].isdigit() for text in neighbours) == 2:
+        raise Unread("a comma between digits: a decimal comma, or two values", items[number].at[0])
 
 
 class _LatexReader:
@@ -196,8 +207,11 @@ class _LatexReader:
             name = name if power is None else replace(name, sup=_label(power))
             if page in tree.FUNCTIONS and page not in self.names.symbols:
                 self.names.functions[name] = page
-            else:
+                continue
+            try:
                 self.names.renamed[name] = self.page(page)
+            except Unread as error:
+                self.names.refused[name] = error.reason
         self.scales = {name: self.page(text) for name, text in vocabulary.scales.items()}
 
     def page(self, text: str) -> Node:
@@ -247,8 +261,14 @@ class _LatexReader:
         self.names.is_open = True
         for piece in pieces:
             with suppress(Unread):
-                value = self.side(split(piece, *_EQUAL)[0], piece[0].at[0], True)
-                self.names.symbols |= symbols(value) if isinstance(value, Node) else set()
+                left, *right = split(piece, *_EQUAL)
+                value = self.side(left, piece[0].at[0], True)
+                is_value = isinstance(value, Node) and (self.gives_names or value.kind != "add")
+                self.names.symbols |= symbols(node_of(value)) if is_value else set()
+                matrix = self.expression(right[-1]) if right else ZERO
+                if isinstance(value, Node) and not isinstance(matrix, Node):
+                    rows, columns = matrix.shape
+                    self.matrices = {**self.matrices, value.value: (rows, columns)}
 
     def side(self, items: Tokens, place: int, named: bool) -> Value:
         """The tree of one side of an equation.
@@ -263,7 +283,9 @@ class _LatexReader:
             at = _span(items)
             known = self.names.known(name, at)
             is_function = here.text == "(" and here.place + 1 == len(items)
-            if is_function and known is not None:
+            if is_function and self.is_matrix(name):
+                is_function = self.is_state(_bracket(here.item) or ())
+            elif is_function and known is not None:
                 is_function = self.names.is_open and self.is_named_law(known, here.item)
             if here.item is None or is_function:
                 return self.matrix(known or leaf(name.spelled, at))
@@ -352,6 +374,28 @@ class _LatexReader:
         whole = product([it.value for it in factors])
         return whole if len(factors) == 1 else _over(whole, items)
 
+    def sum(self, here: Cursor) -> Value:
+        """A sum over an index, of the rest of its term: over 1 to n, or over what is listed."""
+        start, bounds = here.at, {"_": list[Token](), "^": list[Token]()}
+        here.take()
+        while here.text in bounds:
+            sign = here.take().text
+            bounds[sign] = _flat(_argument(here))
+        index, *listed = split(bounds["_"], "=")
+        values = texts([it for part in listed for it in part if it.text != ","])
+        last, body = _label(bounds["^"]), here.items[here.place :]
+        if len(values) == 1 and _is_order(values[0]) and _is_order(last):
+            values = [str(number) for number in range(int(values[0]), int(last) + 1)]
+        elif last or len(values) < 2:
+            values = []
+        if len(index) != 1 or not values or not body:
+            raise Unread(
+                r"a sum is read from \sum_{i=1}^{3} and \sum_{i=a,b}; print its terms", start
+            )
+        here.place = len(here.items)
+        terms = [self.term(_indexed(body, index[0].text, value)) for value in values]
+        return total(terms, start)
+
     def slash(self, factors: list[Factor], here: Cursor, place: int) -> Value:
         """The quotient of the factors before a slash and the single factor behind it."""
         above = product([it.value for it in factors])
@@ -398,6 +442,8 @@ class _LatexReader:
             return found
         if function := self.function(here):
             return self.call(function, here, start)
+        if here.text == r"\sum":
+            return Factor(self.sum(here))
         if (value := self.of_matrix(here)) is not None:
             return self.powered(value, here, start)
         name, power = self.name(here)
@@ -417,16 +463,21 @@ class _LatexReader:
                 raise Unread("e is Euler's number or a name of the page", at[0], readings)
             return Factor(Node("call", (exponent,), "exp", at))
         # The matrices 0 and I, where they are no names of the page.
-        if name == Name(r"\mathbf 0") and known is None and power is None:
-            return Factor(replace(ZERO, at=at))
-        if replace(name, sub="") == Name(r"\mathbf I") and known is None and power is None:
-            return Factor(identity(int(name.sub) if _is_order(name.sub) else self.size))
+        size = re.fullmatch(r"(\d?)(?:times(\d))?", name.sub)
+        if size and known is None and power is None and not name.order:
+            rows, columns = (int(one or self.size) for one in size.groups(size[1]))
+            if replace(name, sub="") == Name(r"\mathbf 0"):
+                zero = replace(ZERO, at=at)
+                return Factor(np.full((rows, columns), zero) if size[2] else zero)
+            if replace(name, sub="") == Name(r"\mathbf I") and rows == columns:
+                return Factor(identity(rows))
         if known is None and self.has_roots and name.spelled in ("i", "j", "imath", "jmath"):
             return Factor(leaf(IMAGINARY, at))
         node = self.names.of(name, at)
         bracketed = _bracket(here.item) is not None
         if not isinstance(matrix := self.matrix(node), Node):
-            if bracketed and self.is_time(_bracket(here.item) or ()):
+            inside = _bracket(here.item) or ()
+            if bracketed and (self.is_time(inside) or self.is_state(inside)):
                 here.take()
             return Factor(self.matrix_power(matrix, power or (), at[0]))
         node = self.by_own_argument(self.applied(node, here, power is not None))
@@ -434,7 +485,8 @@ class _LatexReader:
             if texts(_flat(power)) == ["0"]:
                 raise Unread(f"0 above {name}: an index; say it under [symbols]", at[0])
             return Factor(tree.power(node, self.number(power), (at[0], here.end)))
-        return self.powered(node, here, at[0]) if bracketed else Factor(node)
+        is_attached = bracketed or here.text == "_"
+        return self.powered(node, here, at[0]) if is_attached else Factor(node)
 
     def argument(self, node: Node, items: Tokens) -> Argument | None:
         """The argument that a bracket gives to a function or its derivative; None for a factor."""
@@ -506,6 +558,14 @@ class _LatexReader:
     def is_time(self, items: Tokens) -> bool:
         """Whether a bracket holds the time and nothing else."""
         return len(items) == 1 and self.is_times(texts(items))
+
+    def is_state(self, items: Tokens) -> bool:
+        """Whether a bracket behind a matrix holds its arguments, names of what moves."""
+        for name in map(self.only_name, split(items, ",")):
+            node = None if name is None else self.names.known(name, (0, 0))
+            if node is None or not self.names.moves(node):
+                return False
+        return True
 
     def is_times(self, letters: Sequence[str]) -> bool:
         """Whether all of the letters are names of time."""
@@ -588,6 +648,10 @@ class _LatexReader:
         if it.text == "{" and r"\over" in texts(inside):
             line = texts(inside).index(r"\over")
             return quotient(self.expression(inside[:line]), self.number(inside[line + 1 :]))
+        if it.text in ("(", "[") and "," in texts(inside):  # a row, as in (x, y)ᵀ
+            for number in range(len(inside)):
+                _refuse_decimal_comma(inside, number)
+            return np.array([[self.number(part) for part in split(inside, ",")]])
         whole = self.expression(inside)
         summed = isinstance(whole, Node) and {*"+-"} & {*texts(inside)}
         if it.text == "{" and summed and len(here.items) > 1:
@@ -614,6 +678,12 @@ class _LatexReader:
         rows = _rows(item)
         if len({*map(len, rows)}) != 1:
             raise Unread("rows of different length", item.at[0])
+        marks = [[_label(cell).rstrip(".") in ("sym", "symm") for cell in row] for row in rows]
+        is_symmetric = np.any(marks) and len(rows) == len(rows[0])
+        for i, j in itertools.combinations(range(len(rows) if is_symmetric else 0), 2):
+            for one, other in ((i, j), (j, i)):  # what is left out stands across the diagonal
+                if marks[one][other] or not rows[one][other]:
+                    rows[one][other] = rows[other][one]
         cells = [[self.expression(cell) if cell else ZERO for cell in row] for row in rows]
         return of_blocks(cells, item.at[0])
 
@@ -660,7 +730,7 @@ class _LatexReader:
         # A word is a group of letters; "if" may also be printed as two letters.
         in_word = itertools.takewhile(lambda it: it.text in ("{", "i", "f"), items)
         count = len([*in_word])
-        word = "".join(texts(_flat(items[:count])))
+        word = "".join(texts(_flat(items[:count]))).rstrip(".,")
         if word in ("otherwise", "else") and count == len(items):
             return Node("call", (ZERO, ZERO), "Eq", (place, place))
         if word not in ("", "if", "for", "when", "where"):
@@ -823,7 +893,7 @@ class _LatexReader:
     def differentiated(self, here: Cursor, start: int) -> Value:
         """The factor behind an operator as d/dt, where it is clear that it ends."""
         if here.item is None:
-            raise Unread("a derivative of nothing", start)
+            raise Unread("a derivative of nothing; print an operator multiplied out", start)
         place, bracketed = here.at, here.text == "("
         value = self.factor(here).value
         has_end = bracketed or _bracket(here.items[here.place - 1]) is not None
@@ -858,8 +928,6 @@ class _LatexReader:
 
     def slope(self, what: list[Token], steps: Sequence[Tokens], here: Cursor, start: int) -> Factor:
         """The derivative of a name by its argument, or a partial derivative by other names."""
-        if not what and here.text == "(":
-            what = [*(here.take().items or ())]
         named = Cursor(what)
         name, power = self.name(named)
         node = self.names.of(name, (start, here.end)) if name and power is None else ZERO
@@ -867,13 +935,22 @@ class _LatexReader:
         argument = None if inside is None else self.argument(node, inside)
         is_called = argument is not None and not argument.at_rest
         if node.kind != "symbol" or named.items[named.place + is_called :]:
-            raise Unread("a derivative of what is no name; define it", start)
+            value = self.expression(what) if what else self.differentiated(here, start)
+            node = node_of(value, start)
+        column = self.expression(steps[0])
+        if not isinstance(column, Node):  # as by all coordinates
+            return Factor(each(lambda it: self.names.derived(node, it.value), column))
         for step in steps:
             by = self.number(step)
             argument = self.argument(node, step)
             if argument is None and by.kind != "symbol":
                 raise Unread(f"a derivative by {printed(by)}, which is no name", start)
-            node = self.names.derived(node, by.value if argument is None else "")
+            if node.kind == "symbol":
+                node = self.names.derived(node, by.value if argument is None else "")
+            elif by.value in {*self.names.next, *self.names.next.values()}:
+                node = self.names.partial(node, by.value)
+            else:
+                raise Unread("a derivative of what is no name; define it", start)
         return self.powered(self.by_own_argument(self.applied(node, here)), here, start)
 
     def with_index(self, name: Name, index: Tokens) -> Name:
@@ -953,7 +1030,11 @@ class _LatexReader:
             if sign == "_":
                 if name.sub:
                     raise Unread("two indices", place)
-                name = self.with_index(name, argument)
+                indexed = self.with_index(name, argument)
+                if label == "+" and self.names.known(indexed, it.at) is None:
+                    here.place -= 2  # the positive part
+                    break
+                name = indexed
             elif primes and raised[:primes] == raised[:1] * primes:
                 name = replace(name, order=name.order + primes)
                 exponent = argument[primes:] or exponent
@@ -1006,6 +1087,20 @@ def _flat(items: Tokens) -> list[Token]:
 def _label(items: Tokens) -> str:
     """The text of an index."""
     return "".join(text.removeprefix("\\") for text in texts(_flat(items)))
+
+
+def _indexed(items: Tokens, index: str, value: str) -> list[Token]:
+    """Items with an index replaced by its value; i + 1 in braces is then a number."""
+    found = []
+    for it in items:
+        if it.items is not None:
+            inside = _indexed(it.items, index, value)
+            if step := re.fullmatch(r"(\d)([+-]\d)", "".join(texts(inside))):
+                inside = [replace(inside[0], text=str(int(step[1]) + int(step[2])))]
+            found.append(replace(it, items=tuple(inside)))
+        else:
+            found.append(replace(it, text=value) if it.text == index else it)
+    return found
 
 
 def _inside(items: Tokens) -> Tokens:

@@ -144,19 +144,20 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
         rf"""%[^\n]* | ^\s*(?:\$\$?|\\\[|\\\() | (?:\$\$?|\\\]|\\\))\s*$
         | \\(?:label|tag|hspace|vspace|phantom)\*?\s*\{{[^{{}}]*\}}
         | \\left\s*\\\{{(?=\s*\\begin\{{{aligned}\}}) | \\(?:begin|end)\{{{aligned}\}}
+        (?:\s*\\right\s*\\\}})?
         | \\(?:left|right)\s*\. | (?<=\\\\)\s*\[[^\]]*\]
         | (?<!\\)\\(?:displaystyle|textstyle|limits|nonumber|notag|,|;|:|!|>|\s) | ~""",
         re.VERBOSE,
     )
-    shown = text.replace("−", "-")
+    shown = re.sub(r"(\\begin\{\w+\*?\})\[[tbc]\]", r"\1   ", text.replace("−", "-"))
     for opening, closing, spelled in (
         # A choice or equations behind a brace, and what is taken at a point.
         (
             r"\begin{cases}",
             r"\end{cases}",
-            r"\\left\s*\\\{\s*\\begin\{array\}\s*\{(?:[^{}]|\{\})*\}"
+            r"\\left\s*(?:(?P<opens>\\\{)|\.)\s*\\begin\{array\}\s*\{(?:[^{}]|\{\})*\}"
             r"(?P<inside>(?:(?!\\begin\{array).)*?)"
-            r"\\end\{array\}\s*\\right\s*\.",
+            r"\\end\{array\}\s*\\right\s*(?(opens)\.|\\\})",
         ),
         (
             r"\left[",

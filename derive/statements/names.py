@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
 from ..model import acceleration_of
 from .lexer import Tokens
-from .tree import FUNCTIONS, ONE, Node, Unread, Vocabulary, joined, leaf, printed, read_sympy
-from .tree import renamed, to_sympy
+from .tree import FUNCTIONS, ONE, ZERO, Node, Unread, Vocabulary, joined, leaf, printed
+from .tree import read_sympy, renamed, to_sympy
 
 
-#: Words for the columns of all coordinates, of their rates and of their accelerations.
-COLUMNS = ("coordinates", "rates", "accelerations")
+#: Words for the columns of all coordinates, of their rates and of their accelerations, and for that
+#: of the coordinates and below them their rates.
+COLUMNS = ("coordinates", "rates", "accelerations", "states")
 #: Words for the objects that are matrices.
 MATRICES = ("mass", "damping", "gyroscopic", "stiffness")
 
@@ -80,17 +81,22 @@ class Names:
             it for it in self.symbols - {*self.next.values()} if len(it) > 1 and it.isalnum()
         }
         self.renamed: dict[Name, Node] = {}
+        #: why a meaning can't be read, as of names that only the other form of the page has
+        self.refused: dict[Name, str] = {}
         #: functions by their printed names, as SymPy calls them
         self.functions: dict[Name, str] = {}
         #: names in the columns of coordinates, rates and accelerations, by the words for these;
         #: empty if the page itself has a quantity with one of these words as its name
         self.columns: dict[str, tuple[str, ...]] = {}
         if not {*COLUMNS} & self.symbols:
-            row = vocabulary.coordinates
-            for word in COLUMNS:
+            row, words = vocabulary.coordinates, COLUMNS[:3]
+            for word in words:
                 self.columns[word] = row
                 row = tuple(self.next.get(it, "") for it in row)
-            self.next |= dict(itertools.pairwise(COLUMNS))
+            self.next |= dict(itertools.pairwise(words))
+            for word, above in (("states", words[0]), ("rates of states", words[1])):
+                self.columns[word] = self.columns[above] + self.columns[self.next[above]]
+            self.next["states"] = "rates of states"
 
     def times(self) -> set[str]:
         """Letters that stand for time: t and tau, unless the page has such a quantity."""
@@ -109,11 +115,15 @@ class Names:
             return leaf(name.spelled, at)
         if found is None:
             remedy = f"say what it is under [symbols]{name.remedy}"
+            if self.has_roots:
+                remedy += ", an eigenvalue as lam or frequency"
             raise Unread(f"{name} is no name of the page; {remedy}", at[0])
         return found
 
     def known(self, name: Name, at: tuple[int, int]) -> Node | None:
         """The tree that a printed name stands for, or None."""
+        if name in self.refused:
+            raise Unread(self.refused[name], at[0])
         if name in self.renamed:
             return moved(self.renamed[name], at)
         if name.order:
@@ -128,8 +138,8 @@ class Names:
             is_sub = name.sub == "o"
             zero = replace(name, sub="0") if is_sub else replace(name, sup="0")
             found = [it for it in _spellings(zero) if it in self.symbols]
-        if not found and self.has_roots and re.fullmatch(r"\d([,/]\d)+", name.sub):
-            root = self.known(replace(name, sub=""), at)  # as λ_{1,2}
+        if not found and self.has_roots and re.fullmatch(r"\d([,/]\d)+|pm", name.sub):
+            root = self.known(replace(name, sub=""), at)  # as λ_{1,2} and λ_±
             return root if root is not None and root.value in ("lam", "frequency") else None
         if not found and name.sup == "*":  # of an equilibrium
             place = self.known(replace(name, sup=""), at)
@@ -165,23 +175,38 @@ class Names:
             case "symbol":
                 pass
             case _ if node.value in ("", *FUNCTIONS):
-                return moved(self._by_chain(node), node.at)
+                return moved(self._by_chain(node, self.rate), node.at)
         raise Unread(f"the rate of {printed(node)} is not read; print it in rates", node.at[0])
 
-    def _by_chain(self, node: Node) -> Node:
-        """The derivative of an operation by time, by the chain rule: sum of ∂f/∂u_k u_k'."""
+    def partial(self, node: Node, by: str) -> Node:
+        """The derivative of a tree by a coordinate or rate."""
+        is_other = node.kind == "number" or node.value in {*self.next, *self.next.values()}
+        if node.value == by:
+            return replace(ONE, at=node.at)
+        if is_other or not self.moves(node):
+            return Node("number", value="0", at=node.at)
+        if node.kind == "symbol":
+            return self.derived(node, by)
+        if node.value not in ("", *FUNCTIONS):
+            raise Unread(f"the derivative of {printed(node)} is not read", node.at[0])
+        return moved(self._by_chain(node, lambda it: self.partial(it, by)), node.at)
+
+    def _by_chain(self, node: Node, slope: Callable[[Node], Node]) -> Node:
+        """The derivative of an operation by the chain rule: the sum of ∂f/∂u_k times the slope of
+        u_k.
+        """
         operands = {f"u{number}": operand for number, operand in enumerate(node.args)}
         names = {name: sp.Symbol(name, real=True) for name in operands}
         plain = (it if it.kind == "number" else leaf(name) for name, it in operands.items())
         value = to_sympy(replace(node, args=tuple(plain)), names)
         terms = []
         for name, operand in operands.items():
-            if self.moves(operand):
+            if (inner := slope(operand)).value != "0":
                 text = str(sp.diff(value, names[name]))
-                partial = read_sympy(text, Vocabulary(frozenset(names), (), {}))[0].left
-                factors = [renamed(partial, operands), self.rate(operand)]
-                terms.append(joined("mul", factors[partial == replace(ONE, at=partial.at) :]))
-        return joined("add", terms)
+                outer = read_sympy(text, Vocabulary(frozenset(names), (), {}))[0].left
+                factors = [it for it in (renamed(outer, operands), inner) if printed(it) != "1"]
+                terms.append(joined("mul", factors or [replace(ONE, at=node.at)]))
+        return joined("add", terms or [replace(ZERO, at=node.at)])
 
     def moves(self, node: Node) -> bool:
         """Whether a tree changes in time."""

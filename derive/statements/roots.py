@@ -24,11 +24,13 @@ def without_signs(equation: Equation) -> Equation:
     Raises
     ------
     Unread
-        If a ± stands on the left, or can't be isolated on one side.
+        If a ± stands on both sides, or can't be isolated on one side.
     """
     left, tree = equation.left, equation.right
+    if has_sign(left) and not has_sign(tree):
+        return without_signs(replace(equation, left=tree, right=left))
     if has_sign(left):
-        raise Unread("two signs at once on the left", left.at[0])
+        raise Unread("two signs at once on both sides", left.at[0])
     while has_sign(tree):
         left, tree = _one_step(left, tree)
     for one in (*nodes(left), *nodes(tree)):

@@ -180,6 +180,8 @@ def undone(tree: Node, other: Node, has: Callable[[Node], bool]) -> tuple[Node, 
             return inside[0], Node("mul", (other, *others), at=other.at)
         case "pow" if inside == [tree.args[0]] and others[0] == replace(TWO, at=others[0].at):
             return inside[0], Node("call", (other,), "sqrt", other.at)
+        case "call" if tree.value == "sqrt":
+            return inside[0], Node("pow", (other, TWO), at=other.at)
     return None
 
 

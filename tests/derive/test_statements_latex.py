@@ -12,7 +12,7 @@ from spragsym.derive.statements import latex, tree
 from spragsym.derive.statements.latex import read_latex
 from spragsym.derive.statements.tree import Unread, Vocabulary, printed, to_sympy
 
-NAMES = "m k k_c l g a V mu0 theta0 theta vtheta atheta x vx ax y vy ay mu N d"
+NAMES = "m k k_0 k_1 k_c l g a V mu0 theta0 theta vtheta atheta x vx ax y vy ay mu N d"
 WORDS = Vocabulary(
     frozenset(NAMES.split()),
     ("theta", "x", "y"),
@@ -20,6 +20,7 @@ WORDS = Vocabulary(
         r"\phi": "theta",
         r"v_r": "V - vx",
         r"\mathbf{q}": "coordinates",
+        r"\mathbf{z}": "states",
         "H": "Heaviside",
         "k_1^{NL}": "k_c",
     },
@@ -132,6 +133,52 @@ READ = {
         "x + k*x = m*x",
         "y + k*y = m*y",
     ],
+    r"N = \begin{cases} -k y & \text{if } y < 0, \\ 0 & \text{otherwise.}\end{cases}": [
+        "N = Piecewise(Tuple(-k*y, Lt(y, 0)), Tuple(0, Eq(0, 0)))"
+    ],
+    r"k_c y_+^{3/2} = \dot x_{+}": ["k_c*max(y, 0)**(3/2) = max(vx, 0)"],
+    r"\left.\begin{aligned} m\ddot x &= k x \\ a &= 0 \end{aligned}\right\}": [
+        "m*ax = k*x",
+        "a = 0",
+    ],
+    r"\left.\begin{array}{l} m\ddot x = k x \\ a = 0 \end{array}\right\}": ["m*ax = k*x", "a = 0"],
+    r"\left\{\begin{array}{c} m x \\ a \end{array}\right\} = \left\{ \frac{k}{g} \right\}\begin{Bmatrix} 1 \\ g"
+    r"\end{Bmatrix}": ["m*x = k/g*1", "a = k/g*g"],
+    r"m\ddot x = a, \quad\text{where}\quad a = k x \text{ and } g = 0": [
+        "m*ax = a",
+        "a = k*x",
+        "g = 0",
+    ],
+    r"\mathbf b = (x, -a y)^{\mathrm T}": ["mathbfb_1 = x", "mathbfb_2 = -a*y"],
+    r"\mathbf{B} = \begin{bmatrix} \mathbf{0}_{1\times 2} & a\end{bmatrix}": [
+        "mathbfB_11 = 0",
+        "mathbfB_12 = 0",
+        "mathbfB_13 = a",
+    ],
+    r"\mathbf{B} = \begin{bmatrix} a & x & y\\ & k & g \\ \text{sym.} & & m\end{bmatrix}": [
+        f"mathbfB_{i}{j} = {it}"
+        for i, row in enumerate((("a", "x", "y"), ("x", "k", "g"), ("y", "g", "m")), 1)
+        for j, it in enumerate(row, 1)
+    ],
+    r"a \sum_{i=1}^{2} i k_{i-1} x - \sum_{j=0,c} k_j y": [
+        "a*(1*k_0*x + 2*k_1*x) - (k_0*y + k_c*y) = 0"
+    ],
+    r"\frac{\partial}{\partial x}(m x^2 y) + \frac{\partial(k y + \sin x)}{\partial x}": [
+        "m*y*(2*x) + cos(x) = 0"
+    ],
+    r"\begin{aligned}[t] m\ddot x &= k x \end{aligned}": ["m*ax = k*x"],
+    r"\mathbf B(\mathbf q, \dot{\mathbf q}) = \begin{bmatrix} x \\ k\end{bmatrix}": [
+        "mathbfB_1 = x",
+        "mathbfB_2 = k",
+    ],
+    r"\dot{\mathbf z} = a\mathbf z": [
+        f"{one} = a*{other}"
+        for one, other in zip(
+            ("vtheta", "vx", "vy", "atheta", "ax", "ay"),
+            ("theta", "x", "y", "vtheta", "vx", "vy"),
+            strict=True,
+        )
+    ],
 }
 
 
@@ -199,6 +246,12 @@ def test_a_print_is_read(text: str, expected: list[str]) -> None:
         r"\dv[n]{x}{t}",
         r"\dv x t",
         r"\overset{!}{x}",
+        r"\sum_i k_i x",
+        r"\sum_{i=1}^n k_i x",
+        r"a = \sum_{i=1}^2",
+        r"\mathbf b = (1,5)^T",
+        r"\mathbf{B} = \begin{bmatrix} \mathbf{0}_{1\times 3} & a\\ k & m\end{bmatrix}",
+        r"\frac{\partial(m x)}{\partial m}",
     ],
 )
 def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(text: str) -> None:
@@ -227,6 +280,9 @@ def test_what_is_no_argument_is_told_so() -> None:
     [
         (r"x = a \pm 2", "a + 2, a - 2"),
         (r"x = a \mp 2", "a + 2, a - 2"),
+        (r"0 = x - a \pm 2", "a + 2, a - 2"),
+        (r"x^2 - a \pm \sqrt{a} = 0", "sqrt(a + sqrt(a)), -sqrt(a - sqrt(a))"),
+        (r"x = \sqrt{a \pm \sqrt{a}}", "sqrt(a + sqrt(a)), sqrt(a - sqrt(a))"),
         (r"x = \mp a \pm 2", "2 - a, a - 2"),
         (r"x = -a \pm i\sqrt{2}", "-a + I*sqrt(2), -a - I*sqrt(2)"),
         (r"x = \frac{-a \pm \mathrm{j}\,a\sqrt{3}}{2}", "-a/2 + I*a*sqrt(3)/2"),
@@ -257,10 +313,10 @@ def test_two_signs_are_both_roots(text: str, roots: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", [r"x = \pm a \pm 2", r"\pm x = a", r"x = \exp(\pm a)", r"x = i a", r"x = i \pm a"]
+    "text", [r"x = \pm a \pm 2", r"\pm x = \mp a", r"x = \exp(\pm a)", r"x = i a", r"x = i \pm a"]
 )
 def test_signs_that_are_no_two_roots_are_refused(text: str) -> None:
-    """Two signs that may belong together or not, one on the left, one within a function."""
+    """Two signs that may belong together or not, one on each side, one within a function."""
     words = Vocabulary(frozenset({"a", "x"}), (), {}, has_roots=True)
     with pytest.raises(Unread, match=r"sign|i stands elsewhere"):
         read_latex(text, words)

@@ -52,6 +52,10 @@ class Book:
     meant: dict[tuple[str, str], Expr] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
 
+    def entries_of(self, statement: Statement) -> tuple[str, ...]:
+        """Beginnings of the names of the entries of the matrix that a statement is about."""
+        return tuple(f"{it}_" for it, one in self.bound.items() if one.about == statement.about)
+
     def objects(self, derivation: Derivation) -> Iterator[tuple[str, Object]]:
         """Names and objects of those statements that apply to the page in this form."""
         for name, statement in self.bound.items():
@@ -270,7 +274,8 @@ def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
         book.letters[other_slope.name] = other_slope.latex(letter, by_letter if by else "")
     values = _expressions(derivation, book, added)
     if of not in values:
-        raise Unread(f"the derivative of {of}, which is no name that is known")
+        said = "say what it is in a statement about definition"
+        raise Unread(f"the derivative of {of}, which is no name that is known; {said}")
     if slope.name not in values:
         of_value(values[of], slope.by, derivation)  # raises, and says why
     book.slopes.update(added)

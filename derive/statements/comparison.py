@@ -203,17 +203,24 @@ class Comparison:
 
     def _quotients(self, entry: Expr) -> tuple[Pair, ...]:
         """Divisors in coordinates by which a printed equation of motion may be divided, each with
-        the quotient.
+        the quotient: its own factors, and the mass of its own acceleration.
         """
-        model = self.item.derivation.model
-        if self.item.subject.law != "covector":
+        derivation, subject = self.item.derivation, self.item.subject
+        model, accelerations = derivation.model, derivation.accelerations
+        if subject.law != "covector":
             return ()
-        moving = (*model.rates, *self.item.derivation.accelerations)
-        return quotients(self.item.derivation.expanded(entry), model.coordinates, moving)
+        place = next(it for it, one in enumerate(subject.entries) if entry in (one, -one))
+        entry = derivation.expanded(entry)
+        found = quotients(entry, model.coordinates, (*model.rates, *accelerations))
+        mass = sp.diff(entry, accelerations[place])
+        if mass.has(*model.coordinates):
+            found += ((mass, sp.expand(entry / mass)),)
+        return found
 
     def _sign(self, place: int) -> int:
         """The sign of an entry in the print's coordinates, by its law of transformation."""
-        names = [str(symbol) for symbol in self.item.derivation.model.coordinates]
+        model = self.item.derivation.model
+        names = [str(symbol) for symbol in model.coordinates if symbol != model.clock]
         signs = [self.conventions.get(name, Convention()).sign for name in names]
         match self.item.subject.law:
             case "covector" | "vector":
@@ -296,8 +303,7 @@ class Comparison:
         if subject.factor == "constant":
             states = (*derivation.model.coordinates, *derivation.model.rates)
             return all(is_zero(sp.diff(derivation.expanded(gap), symbol)) for symbol in states)
-        sides = derivation.sides if subject.side == "both" else (subject.side,)
-        return all(self._vanishes(gap, side) for side in sides)
+        return all(self._vanishes(gap, side) for side in derivation.meant(subject.side))
 
     def laws(self, side: str) -> dict[Symbol, Expr]:
         """Expressions of the normal forces and friction coefficients on a side of the contacts."""

@@ -61,7 +61,9 @@ class Object:
     factor: str = "none"
     names: frozenset[str] = frozenset()  #: names of a value; empty for a residual
     steady: bool = False  #: friction is that at steady sliding
-    side: str = "contact"  #: key of ``Derivation.sides``, or "both" for all of these
+    side: str = (
+        "contact"  #: key of ``Derivation.sides``; any other word, as "both", for all of these
+    )
     ahead: bool = False  #: every belt is faster than what slides on it
     unit: Dimension | None = None
     #: all values that the name may have where authors differ, the entry first
@@ -126,14 +128,37 @@ class Derivation:
 
     @cached_property
     def sides(self) -> dict[str, frozenset[str]]:
-        """Names of the touching contacts, for every combination of those that can open."""
+        """Names of the touching contacts, for every combination of those that can open; without
+        combinations of two whose gaps have a sum that is never negative, as of stops that face each
+        other.
+        """
         opening = [it.name for it in self.model.contacts if it.unilateral]
         never = frozenset(it.name for it in self.model.contacts) - {*opening}
         sides = {"lift-off": never} if opening else {}
         for count in range(1, len(opening)):
             for touching in itertools.combinations(opening, count):
                 sides[f"contact of {', '.join(touching)} alone"] = never | {*touching}
-        return sides | {"contact": never | {*opening}}
+        sides["contact"] = never | {*opening}
+        gaps = {
+            it.name: self.expanded(self.spelled(it.gap or S.Zero)) for it in self.model.contacts
+        }
+        apart = [
+            {*pair}
+            for pair in itertools.combinations(opening, 2)
+            if sp.expand(sp.Add(*map(gaps.get, pair))).is_positive
+        ]
+        return {it: side for it, side in sides.items() if not any(map(side.issuperset, apart))}
+
+    def meant(self, side: str) -> tuple[str, ...]:
+        """The keys of ``sides`` that a side of an object stands for: itself, or all of them."""
+        return (side,) if side in self.sides else tuple(self.sides)
+
+    def side_of(self, name: str) -> str:
+        """The side that is meant where none is named, about a contact, or anything else: all touch;
+        where these can't, that contact alone, or any of them.
+        """
+        touching = [it for it, names in self.sides.items() if name in names]
+        return "contact" if "contact" in self.sides else next(iter(touching), "both")
 
     def pushing(self, contact: NormalForce, side: str) -> Expr:
         """Contact indicator on a side: 1 if the contact touches, 0 if it is open; on "both" sides a
@@ -141,7 +166,7 @@ class Derivation:
         """
         if side == "both" and contact.unilateral:
             return of_contact(PUSHING, contact.name)
-        return sp.Integer(side == "both" or contact.name in self.sides[side])
+        return sp.Integer(side in ("both", "contact") or contact.name in self.sides[side])
 
     def contact(self, name: str) -> NormalForce:
         """The contact of a name; a single contact may have the empty name.
@@ -491,8 +516,7 @@ def _entries(
 
     def derived(derivation: Derivation, name: str, side: str) -> Object:
         matrix = of(derivation)
-        n = matrix.rows - (derivation.model.clock is not None)
-        matrix = matrix[:n, :n]
+        n = matrix.rows
         places = [int(part) - 1 for part in name.split() if part.isdecimal()]
         if places and (len(places) != 2 or not all(0 <= place < n for place in places)):
             raise NoObject(f"{letter} has rows and columns 1 to {n}; give two of them, or none")
@@ -508,23 +532,33 @@ def _entries(
 
 def _system(derivation: Derivation) -> Matrix:
     """The matrix A of z′ = A z, the linearization in coordinates and rates."""
-    inverse = derivation.model.mass.inv()
-    K = Matrix(statics.jacobian(derivation.model))
-    C = _rate_matrix(derivation)
+    inverse, K = _mass(derivation).inv(), _stiffness(derivation)
+    C = _damping(derivation) + _gyroscopic(derivation)
     n = inverse.rows
     above = sp.zeros(n).row_join(sp.eye(n))
     return above.col_join((-inverse * K).row_join(-inverse * C))
 
 
-def _rate_matrix(derivation: Derivation) -> Matrix:
-    """Damping and gyroscopic matrix, C + G."""
-    return linearization.damping(derivation.model) + derivation.model.gyroscopic
+def _of_linearization(of: Callable[[Mechanics], Matrix]) -> Callable[[Derivation], Matrix]:
+    """A matrix of the linearization, without the row and column of a clock, which is last."""
+
+    def matrix(derivation: Derivation) -> Matrix:
+        n = len(derivation.places(""))
+        return Matrix(of(derivation.model))[:n, :n]
+
+    return matrix
+
+
+_mass = _of_linearization(lambda model: model.mass)
+_damping = _of_linearization(linearization.damping)
+_gyroscopic = _of_linearization(lambda model: model.gyroscopic)
+_stiffness = _of_linearization(statics.jacobian)
 
 
 def _characteristic(derivation: Derivation, name: str, side: str) -> Object:
     """The characteristic polynomial det(λ² M + λ (C + G) + K), as a residual."""
-    K = Matrix(statics.jacobian(derivation.model))
-    whole = LAMBDA**2 * derivation.model.mass + LAMBDA * _rate_matrix(derivation) + K
+    rates = _damping(derivation) + _gyroscopic(derivation)
+    whole = LAMBDA**2 * _mass(derivation) + LAMBDA * rates + _stiffness(derivation)
     polynomial = whole.applyfunc(lambda entry: derivation.steady(entry, side)).det(method="laplace")
     by = "linearization.damping, statics.jacobian"
     return Object((polynomial,), by, factor="parameters", steady=True)
@@ -536,14 +570,12 @@ def _threshold(derivation: Derivation, name: str, side: str) -> Object:
     Divergence sets in at det K = 0; flutter without damping, of two coordinates, where the two
     eigenvalues of M⁻¹ K are equal.
     """
-    K = Matrix(statics.jacobian(derivation.model)).applyfunc(
-        lambda entry: derivation.steady(entry, side)
-    )
+    K = _stiffness(derivation).applyfunc(lambda entry: derivation.steady(entry, side))
     if K.applyfunc(derivation.expanded).has(*derivation.model.coordinates):
         raise NoObject("the threshold depends on the state; only those of linear forces are judged")
     condition = K.det(method="laplace")
     if name in ("", "flutter") and K.rows == 2:
-        A = derivation.model.mass.inv() * K
+        A = _mass(derivation).inv() * K
         condition = sp.numer(sp.together((A[0, 0] - A[1, 1]) ** 2 + 4 * A[0, 1] * A[1, 0]))
     entries = (factored(condition),)
     return Object(entries, "statics.jacobian", factor="monomial", steady=True)
@@ -698,10 +730,10 @@ OBJECTS: Mapping[str, Deriver] = {
     "balance": _balance,
     "equilibrium": _equilibrium,
     "state": _state,
-    "mass": _entries(lambda it: it.model.mass, "M", "mechanics.Mechanics.mass"),
-    "damping": _entries(lambda it: linearization.damping(it.model), "C", "linearization.damping"),
-    "gyroscopic": _entries(lambda it: it.model.gyroscopic, "G", "mechanics.Mechanics.gyroscopic"),
-    "stiffness": _entries(lambda it: Matrix(statics.jacobian(it.model)), "K", "statics.jacobian"),
+    "mass": _entries(_mass, "M", "mechanics.Mechanics.mass"),
+    "damping": _entries(_damping, "C", "linearization.damping"),
+    "gyroscopic": _entries(_gyroscopic, "G", "mechanics.Mechanics.gyroscopic"),
+    "stiffness": _entries(_stiffness, "K", "statics.jacobian"),
     "system": _entries(_system, "A", "linearization.damping, statics.jacobian"),
     "characteristic": _characteristic,
     "threshold": _threshold,
@@ -731,7 +763,7 @@ def derived(derivation: Derivation, about: str) -> Object:
     words, _, where = (part.strip() for part in about.partition(","))
     word, _, rest = words.partition(" ")
     ahead = where.endswith("belt ahead")
-    side = where.removesuffix("belt ahead").rstrip(", ") or "contact"
+    side = where.removesuffix("belt ahead").rstrip(", ") or derivation.side_of(rest.strip())
     if word not in OBJECTS:
         raise NoObject(f"{about!r} is no object; there are {', '.join(OBJECTS)}")
     resting = ("balance", "equilibrium", "state", "characteristic", "threshold", "direction")

@@ -71,13 +71,12 @@ def read_paper(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdic
     for statement in paper.statements:
         bind(statement, book)
     found: dict[str, Item | Verdict] = {}
-    pending = [it for it in paper.statements if it.word == "definition"]
-    while pending:  # also those of names that are defined behind them
-        found |= {it.id: read_statement(it, book) for it in pending}
-        unread = [it for it in pending if getattr(found[it.id], "status", "") == "unread"]
-        pending = unread if len(unread) < len(pending) else []
-    others = (it for it in paper.statements if it.word != "definition")
-    found |= {it.id: read_statement(it, book) for it in others}
+    for are_definitions in (True, False):
+        pending = [it for it in paper.statements if (it.word == "definition") is are_definitions]
+        while pending:  # also those of names that are defined behind them
+            found |= {it.id: read_statement(it, book) for it in pending}
+            unread = [it for it in pending if getattr(found[it.id], "status", "") == "unread"]
+            pending = unread if len(unread) < len(pending) else []
     return book, [found[statement.id] for statement in paper.statements]
 
 
@@ -157,6 +156,25 @@ def _defined(
     return Verdict(statement, "definition", read=read)
 
 
+def _definitions_beside(
+    equations: list[Equation], derivation: Derivation, book: Book
+) -> dict[str, Equation]:
+    """The equations that give a value to a new name of another equation, as ζ = c/(2 m ω), by these
+    names.
+    """
+    known, found = derivation.names | book.bound, dict[str, Equation]()
+    fixed = derivation.parameters.keys() | book.defined.keys()
+    for one in equations:
+        solved = by_name(one, known | book.defined | found)
+        name, others = solved.left.value, [it for it in equations if it is not one]
+        is_new = solved.left.kind == "symbol" and name not in {*known, *symbols(solved.right)}
+        is_used = any(name in symbols(it.left) | symbols(it.right) for it in others)
+        is_again = any(name == it.left.value for it in others)
+        if is_new and is_used and not is_again and symbols(one.left) <= fixed | {name}:
+            found[name] = solved
+    return found
+
+
 def _known_names(
     equations: list[Equation], statement: Statement, derivation: Derivation, book: Book
 ) -> Object:
@@ -218,15 +236,17 @@ def _check_conditions(conditions: tuple[Node, ...], known: Mapping[str, Values])
             )
 
 
-def _in_order(equations: list[Equation], subject: Object, derivation: Derivation) -> list[Equation]:
-    """Equations of values in the order of the entries that their names say, as K_12 or x″.
+def _entries(equations: list[Equation], subject: Object, derivation: Derivation) -> tuple[int, ...]:
+    """Numbers of the entries that the names left of equations of values say, as K_12 or x″.
 
     Raises
     ------
     Unread
-        If an entry stands twice, or another one than those that the statement is about.
+        If they are others than those that the statement is about.
     """
-    model, lefts = derivation.model, [it.left.value for it in equations]
+    model, names = derivation.model, [it.left.value for it in equations]
+    is_chain = len(equations) > len(subject.index)  # as K = A = B
+    lefts = [*dict.fromkeys(names)] if is_chain else names
     places: dict[str, int] = {}
     if subject.law == "vector":
         rows = zip(model.coordinates, derivation.accelerations, strict=True)
@@ -237,10 +257,10 @@ def _in_order(equations: list[Equation], subject: Object, derivation: Derivation
         for left in lefts:
             if (mark := re.search(r"([1-9])([1-9])$", left)) and max(map(int, mark[0])) <= size:
                 places[left] = (int(mark[1]) - 1) * size + int(mark[2]) - 1
-    found = [places.get(*pair) for pair in zip(lefts, subject.index, strict=True)]
-    if sorted(found) != [*subject.index]:
+    found = [places.get(*pair) for pair in zip(lefts, subject.index, strict=False)]
+    if sorted(found) != [*subject.index] or len(lefts) > len(found):
         raise Unread(f"left of = stand {', '.join(lefts)}; each entry has to stand there once")
-    return [equations[found.index(place)] for place in subject.index]
+    return tuple(found[lefts.index(name)] for name in names) if is_chain else tuple(found)
 
 
 def _as_matched(
@@ -280,6 +300,11 @@ def _item(
         if not equations and verdict is not None:
             return verdict
         subject = _known_names(equations, statement, derivation, book)
+    else:
+        new = _definitions_beside(equations, derivation, book)
+        if new and len(equations) - len(new) >= len(subject.index):
+            _defined(statement, new, derivation, book)
+            equations = [one for one in equations if one not in new.values()]
     count = len(subject.index)
     if len(equations) < count:
         reason = f"{statement.about} has {count} entries, and the print {len(equations)}"
@@ -290,16 +315,22 @@ def _item(
     values = samples.drawn(derivation, subject)
     bound, defined = named(equations, subject, values, derivation, book)
     known = with_defined(values, defined)
-    claims = [one for one in equations if not _says_nothing(one, subject, known)]
+    claims = [
+        one
+        for one in equations
+        if one.left.value in subject.names
+        or one.left.value.startswith(book.entries_of(statement))
+        or not _says_nothing(one, subject, known)
+    ]
     equations = claims if len(claims) >= count else equations[-count:]
     targets = tuple(numeric(entry, values) for entry in subject.entries)
-    if len(equations) > count > 1:
-        said = "the print more equations; give the others statements of their own"
-        raise Unread(f"{statement.about} has {count} entries, and {said}")
-    if len(equations) > count:
+    if count == 1:
         subject = replace(subject, index=subject.index * len(equations))
     elif subject.is_value:
-        equations = _in_order(equations, subject, derivation)
+        subject = replace(subject, index=_entries(equations, subject, derivation))
+    elif len(equations) > count:
+        said = "the print more equations; give the others statements of their own"
+        raise Unread(f"{statement.about} has {count} entries, and {said}")
     else:
         equations = _as_matched(equations, subject.index, targets, known)
     _check_conditions(equations[0].conditions, known)

@@ -55,9 +55,7 @@ def _drawn(derivation: Derivation, subject: Object, is_base: bool) -> dict[str, 
     coordinates = [str(symbol) for symbol in derivation.model.coordinates]
     found |= {name: _state(rng, size) for name in coordinates}
     # Pairs alternate between the sides that a statement is about.
-    sides = (
-        [*derivation.sides.values()] if subject.side == "both" else [derivation.sides[subject.side]]
-    )
+    sides = [derivation.sides[it] for it in derivation.meant(subject.side)]
     side_numbers = np.repeat(np.arange(pairs) % len(sides), 2)
     pushing = {
         contact.name: np.array([contact.name in touching for touching in sides])[side_numbers]

@@ -19,7 +19,7 @@ from .. import units
 from ..factors import factored
 from ..pages import PageModel
 from . import samples
-from .approximations import in_limit, is_approximation, limit_of
+from .approximations import LimitCase, in_limit, is_approximation, limit_of
 from .book import by_name, equations_of
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side
 from .conventions import conventions_of
@@ -185,18 +185,22 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
         names = ", ".join(sorted(item.subject.names))
         said = f"left of = no name of this object stands alone: {names}"
         return replace(row, status="unread", evidence=said)
-    units_problem = "" if item.derivation.scaled else _units_problem(item, parts)
+    units_problem = _units_problem(item, parts)
+    is_free = bool(units_problem) and item.subject.factor == "constant"
     in_limits: list[Comparison] = []
     repairs: list[ProvedRepair] = []
     counted = ""
     for number, part in enumerate(parts):
         equal = [exact for target, exact in part.targets if comparison.holds(part.tree, target)]
-        if equal:
+        if equal and not is_free:
             exact = next((one for one in equal if comparison.proved(part.tree, one)), None)
             if exact is None:
                 return replace(row, evidence="equal at all samples, but not by exact algebra")
             row, counted = _with_meaning(row, item, part, exact)
             continue
+        if limit is None and (state := _at_zero(comparison, part)):
+            said = f"right at {state} = 0 alone; where that is meant, say limit = '{state} -> 0'"
+            return replace(row, status="unread", evidence=said)
         gap = comparison.exactly(part.tree) - _nearest_target(comparison, part)
         versions = [(comparison, part)]
         if limit is not None:
@@ -230,6 +234,20 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
     return replace(
         row, status=status, evidence=f"{row.derived_by}, equal by exact algebra{counted}"
     )
+
+
+def _at_zero(comparison: Comparison, part: Component) -> str:
+    """The coordinates at whose 0 a side of steady sliding is right that names no state; else
+    empty.
+    """
+    derivation, exact = comparison.item.derivation, part.targets[0][1]
+    free = derivation.expanded(exact).free_symbols
+    moving = [it for it in derivation.model.coordinates if it in free]
+    names_state = {*moving} & derivation.expanded(comparison.exactly(part.tree)).free_symbols
+    if not (comparison.item.subject.steady and moving) or names_state:
+        return ""
+    is_right = is_approximation(comparison, part, LimitCase(tuple(moving)))
+    return ", ".join(map(str, moving)) if is_right else ""
 
 
 def _nearest_target(comparison: Comparison, part: Component) -> Expr:
@@ -372,8 +390,11 @@ def _repaired(comparison: Comparison, part: Component) -> ProvedRepair | None:
         tried = targets[:4] if pairs else targets
         found = search.repairs(np.array([target for target, _ in tried]), pairs)
         for repair, target_number in found:
-            # Targets 0 and 1 are the entry with either sign; a factor of parameters costs more.
+            # Targets 0 and 1 are the entry with either sign; a factor of parameters costs more, and
+            # so does another reading, as without a weight of which a part is printed.
             further = 0.005 if target_number > 1 else 0.0
+            if comparison.item.subject.readings and target_number:
+                further = 0.1
             proved.append((replace(repair, further=further), tried[target_number][1]))
         proved = _proved_first(comparison, proved)
     if proved:
@@ -396,8 +417,8 @@ def _pool(comparison: Comparison, part: Component) -> Pool:
     page = item.derivation
     hidden = {*map(str, (LAMBDA, TIME, *page.normals, *page.coefficients, *page.switches))} - free
     hidden |= {*item.subject.names, part.left} if item.subject.law != "scale" else set()
-    own = [name for name, one in item.book.bound.items() if one == item.statement]
-    hidden |= {name for name in item.bound if name.startswith(tuple(f"{it}_" for it in own))}
+    own = item.book.entries_of(item.statement)
+    hidden |= {name for name in item.bound if name.startswith(own)}
     targets = [target for target, _ in part.targets]
     hidden |= {
         name for name in item.bound if any(same(comparison.values[name], one) for one in targets)
@@ -414,13 +435,15 @@ def _proved_first(
     comparison: Comparison, found: Iterable[tuple[Repair, Expr]]
 ) -> list[tuple[Repair, Expr]]:
     """The proved repairs of least cost, equal expressions once."""
-    proved: list[tuple[Repair, Expr]] = []
+    item, proved = comparison.item, list[tuple[Repair, Expr]]()
     forms: set[Expr] = set()
     for repair, exact in sorted(found, key=lambda one: (one[0].cost, len(printed(one[0].tree)))):
         is_dearer = bool(proved) and repair.cost > proved[0][0].cost + 0.01
         if is_dearer or len(proved) > 12:
             break
         form = to_sympy(repair.tree, {name: Symbol(name) for name in symbols(repair.tree)})
+        if item.subject.factor == "constant" and _units_problem(item, [Component(repair.tree, ())]):
+            continue  # a constant that is no energy
         if form not in forms and comparison.proved(repair.tree, exact):
             proved.append((repair, exact))
             forms.add(form)
@@ -450,7 +473,9 @@ def _with_lost_term(comparison: Comparison, part: Component, exact: Expr) -> Rep
 
 
 def _units_problem(item: Item, parts: Iterable[Component]) -> str:
-    """What is wrong with the units of a print; empty if they are consistent."""
+    """What is wrong with the units of a print; empty if they are consistent, or there are none."""
+    if item.derivation.scaled:
+        return ""
     names: dict[str, Expr] = {name: Symbol(name) for name in item.values}
     known = {symbol: item.derivation.kinds.get(name, units.NONE) for name, symbol in names.items()}
     for name, value in item.bound.items():

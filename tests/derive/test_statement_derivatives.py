@@ -163,7 +163,8 @@ def test_a_value_at_a_point_is_that_of_what_moves() -> None:
         ("stiffness 1 1", r"\left. \frac{d^2U}{dx^2}\right|_{x = 0}"),
         ("stiffness 1 1", r"\left. k + 3k_3x^2\right|_{k = 0}"),
     )
-    assert [it.status for it in found] == ["confirmed", "confirmed", "misprint", "unread", "unread"]
+    assert [it.status for it in found] == ["confirmed", "confirmed", "unread", "unread", "unread"]
+    assert "right at x = 0 alone" in found[2].evidence
 
 
 def test_a_law_of_another_speed_is_read_again_as_one_of_the_sliding_speed() -> None:
@@ -221,7 +222,7 @@ def test_an_energy_counts_what_its_own_print_counts() -> None:
     [
         (r"\frac{\partial N}{\partial x} = 0", "holds N"),
         (r"\frac{\partial m}{\partial (x + m)} = 0", "which is no name"),
-        (r"\frac{\partial (m x)}{\partial x} = 0", "no name; define it"),
+        (r"\frac{\partial (m x)}{\partial m} = 0", "no name; define it"),
         (r"\frac{\partial^2 m}{\partial x} = 0", "of this order"),
         (r"\frac{\partial m}{\partial N} = 0", "no coordinate, rate or parameter"),
         (r"\frac{\partial N}{\partial t} = 0", r"print \frac{d}{dt}"),
@@ -280,6 +281,81 @@ def test_a_derivative_of_one_form_does_not_hinder_statements_in_the_other() -> N
         ("motion x", "ax + c*vx + x + kappa_3*x**3 - mu", {"form": "scaled", "is_latex": False}),
     )
     assert [it.status for it in found] == ["confirmed", "definition", "confirmed"]
+
+
+def test_a_law_beside_its_speed_is_judged() -> None:
+    """What holds of every state is left out, and not the law, which is right."""
+    law = r"\mu(v) = \operatorname{sgn}(v)\left[\mu_m + (\mu_s - \mu_m)e^{-|v|/v_s}\right]"
+    for text, status in ((law, "confirmed"), (law.replace("- \\mu", "+ \\mu"), "misprint")):
+        assert _only(rf"{text}, \qquad v = v_0 - \dot x", "friction").status == status
+
+
+def test_lagrange_s_equation_of_an_expression() -> None:
+    """As it is printed without a name for the energies; the misprint is found inside."""
+    kinetic = (
+        r"\frac12(m_c + m_p)\dot x^2 + m_pl\dot x\dot\theta\cos\theta + \frac12m_pl^2\dot\theta^2"
+    )
+    text = (
+        rf"\frac{{d}}{{dt}}\left[\frac{{\partial}}{{\partial\dot\theta}}\left({kinetic}\right)\right]"
+        rf" - \frac{{\partial}}{{\partial\theta}}\left[{kinetic} + m_pgl\cos\theta\right] = 0"
+    )
+    faulty = text.replace(r"\frac12m_pl^2", r"\frac13m_pl^2")
+    for print_, status in ((text, "confirmed"), (faulty, "misprint")):
+        (row,) = rows(CART, ("motion theta", print_))
+        assert row.status == status
+
+
+@pytest.mark.thorough
+def test_an_equation_of_motion_in_matrices_that_are_printed_beside_it() -> None:
+    """With their arguments, and Lagrange's equation by the column of all coordinates."""
+    mass = r"\begin{bmatrix} m_c + m_p & m_pl\cos\theta\\ \mathrm{sym.} & m_pl^2\end{bmatrix}"
+    forces = r"\begin{bmatrix} -m_pl\dot\theta^2\sin\theta\\ m_pgl\sin\theta\end{bmatrix}"
+    whole = (
+        rf"\mathbf M(\mathbf q)\ddot{{\mathbf q}} + \mathbf h(\mathbf q, \dot{{\mathbf q}}) = (f, 0)^{{\mathrm T}},"
+        rf"\quad \mathbf h = {forces}"
+    )
+    lagrange = (
+        r"\frac{d}{dt}\frac{\partial L}{\partial\dot{\mathbf q}} - \frac{\partial L}{\partial\mathbf q}"
+        r" = \begin{bmatrix} f\\ 0\end{bmatrix}"
+    )
+    energy = r"L = \frac12(m_c + m_p)\dot x^2 + m_pl\dot x\dot\theta\cos\theta + \frac12m_pl^2\dot\theta^2 + m_pgl\cos\theta"
+    prints = (
+        ("mass", rf"\mathbf M(\mathbf q) = {mass}"),
+        ("motion", whole),
+        ("energy L", energy),
+        ("motion", lagrange),
+        ("motion", whole.replace("+ \\mathbf h", "- \\mathbf h")),
+        ("motion", lagrange.replace("f\\\\ 0", "0\\\\ f")),
+    )
+    found = rows(CART, *prints, renamed={"\\mathbf{q}": "coordinates"})
+    assert [it.status for it in found[:4]] == ["confirmed"] * 4
+    assert not {it.status for it in found[4:]} & {"confirmed", "unread"}
+
+
+@pytest.mark.thorough
+def test_an_equation_of_motion_is_divided_by_its_mass(tmp_path: Path) -> None:
+    """Which depends on the coordinates: m r² + J of a pendulum whose length changes."""
+    page = tmp_path / "page.py"
+    page.write_text(
+        '''"""A pendulum of changing length."""
+from spragsym.derive.model import Page, cos
+page = Page("A pendulum whose length changes.")
+m = page.unit("m", "kg", "mass")
+g = page.unit("g", "m/s^2", "gravity")
+l = page.unit("l", "m", "length")
+J = page.parameter("J", "kg m^2", "inertia", "> 0", 0.3)
+k = page.parameter("k", "N/m", "spring", "> 0", 2.0)
+r = page.coordinate("r", "m", "length")
+a = page.coordinate("a", "rad", "angle")
+page.kinetic((m * page.rate(r) ** 2 + (J + m * r**2) * page.rate(a) ** 2) / 2)
+page.potential(k * (r - l) ** 2 / 2 - m * g * r * cos(a))
+'''
+    )
+    text = r"\ddot a = -\frac{m r}{J + m r^2}\left(2\dot r\dot a + g\sin a\right)"
+    for print_, status in ((text, "confirmed"), (text.replace(r"2\dot", r"3\dot"), "misprint")):
+        (row,) = rows(pages.read(page), ("motion a", print_))
+        assert row.status == status
+    assert row.repaired
 
 
 def test_a_quantity_of_the_page_may_be_called_t(tmp_path: Path) -> None:

@@ -88,7 +88,7 @@ def test_misprints_of_the_article_are_found_without_a_hint(
     [
         ("motion x", "m*ax + k_x*x + k/2*(x - y) = mu*N"),
         ("motion x", "0 = 7*k*(m*ax + k_x*x + k/2*(x - y) - mu*N)"),
-        ("energy V", "V = k_x*x**2/2 + k_y*y**2/2 + k*(x - y)**2/4 + F_L*y + F_L"),
+        ("energy V", "V = k_x*x**2/2 + k_y*y**2/2 + k*(x - y)**2/4 + F_L*y + F_L**2/k_c"),
         ("stiffness 1 2", "K_12 = mu0*k_c - k/2"),
         ("normal", "N = -k_c*y"),
     ],
@@ -438,7 +438,9 @@ def test_a_number_is_replaced_where_it_stands() -> None:
 
 def test_an_energy_keeps_its_constant() -> None:
     """What a print adds that holds no state stays where something else is wrong."""
-    text = "V = k_x*(x**2 - 1)/2 + k_y*(y**2 - 1)/2 + k*(y + x)**2/4"
+    text = "V = k_x*(x**2 - h**2)/2 + k_y*(y**2 - 4*h**2)/2 + k*(y + x)**2/4".replace(
+        "h", "(F_L/k_c)"
+    )
     row = _judged("energy V", text, "units", COUPLING)
     assert row.status == "misprint"
     assert row.repaired in (text.replace("y + x", "y - x"), text.replace("y + x", "-y + x"))
@@ -514,6 +516,87 @@ def test_entries_are_those_that_their_names_say(about: str, text: str, status: s
     row = _judged(about, text, "units", COUPLING)
     assert row.status == status
     assert status == "confirmed" or "each entry" in row.evidence
+
+
+SUM = r"\begin{pmatrix} k_x & 0\\ 0 & k_y + k_c\end{pmatrix} + \frac k2\begin{pmatrix} 1 & -1\\ -1 & 1\end{pmatrix}"
+WHOLE = r"\begin{pmatrix} k_x + k/2 & \mu_0k_c - k/2\\ -k/2 & k_y + k_c + k/2\end{pmatrix}"
+RUBBED = SUM + r" + \begin{pmatrix} 0 & \mu_0 k_c\\ 0 & 0\end{pmatrix}"
+
+
+@pytest.mark.parametrize("name", [r"\mathbf K", r"\mathbf K_s", "K"])
+@pytest.mark.parametrize("sides", [(WHOLE, RUBBED), (RUBBED, WHOLE)])
+def test_every_matrix_of_a_chain_is_judged(sides: tuple[str, str], name: str) -> None:
+    """Also the first one, where the second is right."""
+    one, other = sides
+    for text, status in (
+        (f"{name} = {one} = {other}", "confirmed"),
+        (f"{name} = {one} = {other.replace('k_c', 'k_y')}", "misprint"),
+        (f"{name} = {one.replace('k_y', 'k_x')} = {other}", "misprint"),
+    ):
+        assert _judged("stiffness", text, "units", COUPLING).status == status
+
+
+@pytest.mark.thorough
+def test_a_constant_of_an_energy_is_an_energy() -> None:
+    """A force that lost its way is no constant, and no repair leaves one."""
+    springs = "V = k_x*x**2/2 + k_y*y**2/2 + k*(x - y)**2/4"
+    row = _judged("energy V", f"{springs} + F_L", "units", COUPLING)
+    assert row.status == "misprint"
+    assert _same(row.repaired, f"{springs} + F_L*y")
+    row = _judged("energy V", f"{springs} + F_L*y".replace("y**2", "m**2"), "units", COUPLING)
+    assert _same(row.repaired, f"{springs} + F_L*y")
+
+
+@pytest.mark.thorough
+def test_a_name_beside_an_equation_stands_for_what_it_is_given() -> None:
+    """In this print and in others; a name with a value that no other equation uses is none."""
+    value = r"\quad\text{where}\quad \kappa = \frac{k}{2m}, \quad \omega^2 = k_x/m"
+    print_ = rf"\ddot x + \omega^2 x + \kappa(x - y) = \frac{{\mu N}}{{m}}, {value}."
+    other = r"\ddot y + \kappa(y - x) + \frac{k_y + k_c}{m}y = -F_L/m"
+    found = rows(COUPLING, ("motion y", other), ("motion x", print_), form="units")
+    assert [it.status for it in found] == ["confirmed"] * 2
+    for fault in (print_.replace("+ \\kappa", "- \\kappa"), print_.replace("2m", "3m")):
+        assert _judged("motion x", fault, "units", COUPLING).status == "misprint"
+    text = r"k_e = \alpha_0 - k/2, \quad \alpha_0 = \mu_0 k_c"
+    assert _judged("stiffness 1 2", text, "units", COUPLING).status == "confirmed"
+    row = _judged("stiffness 1 2", text.replace("k_c", "k_y"), "units", COUPLING)
+    assert row.status == "misprint"
+
+
+def test_a_print_at_one_state_says_so() -> None:
+    """The stiffness of a pendulum that hangs, that of the page at the angle 0, is no misprint."""
+    page = pages.read(Path(__file__).parents[2] / "validation/papers/cart_pole/page.py")
+    at_0, limit = "m_p*l*g", "limit = 'theta -> 0'"
+    row = _judged("stiffness 2 2", f"K_22 = {at_0}", "units", page)
+    assert (row.status, limit in row.evidence) == ("unread", True)
+    (row,) = rows(page, ("stiffness 2 2", f"K_22 = {at_0}", {"limit": "theta -> 0"}), form="units")
+    assert row.status == "approximation"
+    assert _judged("stiffness 2 2", f"K_22 = 2*{at_0}", "units", page).status == "misprint"
+
+
+@pytest.mark.thorough
+def test_the_stiffness_of_one_coordinate_and_a_clock() -> None:
+    """Of the coordinates that move, and so is the system."""
+    forced = pages.read(pages.SHIPPED / "forced_oscillator.py")
+    found = rows(forced, ("stiffness 1 1", "K_11 = k"), ("damping 1 1", "C_11 = 0"), form="units")
+    system = r"\mathbf A = \begin{bmatrix} 0 & 1\\ -k/m & 0\end{bmatrix}"
+    found += rows(forced, ("system", system), form="units")
+    assert [it.status for it in found] == ["confirmed"] * 3
+
+
+def test_a_meaning_in_one_form_does_not_hinder_statements_in_the_other() -> None:
+    """A name that the scaled page has not is refused where it is used."""
+    renamed = {"P": "2*k_x", "Q": "nowhere + k_x"}
+    prints = (
+        ("stiffness 1 1", r"\kappa_1 = P/2 + k/2", {"form": "units"}),
+        ("stiffness 1 1", r"\kappa_2 = \alpha + \sigma/2", {"form": "scaled"}),
+        ("stiffness 1 1", r"\kappa_3 = P/2 + k/2", {"form": "scaled"}),
+        ("stiffness 1 1", r"\kappa_4 = Q", {"form": "units"}),
+    )
+    found = rows(COUPLING, *prints, renamed=renamed)
+    assert [it.status for it in found] == ["confirmed"] * 2 + ["unread"] * 2
+    assert "k_x is no name" in found[2].evidence
+    assert "nowhere is no name" in found[3].evidence
 
 
 def test_definitions_of_one_row_and_of_each_other() -> None:

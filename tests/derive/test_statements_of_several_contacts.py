@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -106,3 +107,47 @@ def test_an_object_that_the_page_lacks_is_refused_with_the_remedy(
     row = _judged(about, "0 = 0", name)
     assert row.status == "unread"
     assert says in row.evidence
+
+
+STOPS = '''"""A mass between two stops."""
+from spragsym.derive.model import Page
+page = Page("A mass on a spring between two elastic stops.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "spring")
+b = page.unit("b", "m", "clearance")
+k_s = page.parameter("k_s", "N/m", "stop", "> 0", 20.0, becomes="kappa")
+x = page.coordinate("x", "m", "displacement")
+page.kinetic(m * page.rate(x) ** 2 / 2)
+page.spring(k, along=x)
+page.contact(b - x, lambda depth: k_s * depth, name="right")
+page.contact(b + x, lambda depth: k_s * depth, name="left")
+'''
+BOTH = r"k_s\max(x - b, 0) - k_s\max(-x - b, 0)"
+CASES = (
+    r"\begin{cases} k_s(x - b), & x > b,\\ 0, & -b \le x \le b,\\ k_s(x + b), & x < -b\end{cases}"
+)
+
+
+@pytest.mark.thorough
+def test_stops_that_face_each_other_never_touch_at_once(tmp_path: Path) -> None:
+    """What is printed is judged where one of them touches or none, by hand."""
+    (tmp_path / "page.py").write_text(STOPS)
+    page = pages.read(tmp_path / "page.py")
+    prints = (
+        ("motion x, both", rf"m\ddot x + kx + {BOTH} = 0", "confirmed"),
+        ("motion x, both", rf"m\ddot x + kx + {CASES} = 0", "confirmed"),
+        ("motion x", r"m\ddot x + kx + N_R - N_L = 0", "confirmed"),
+        ("motion x", r"m\ddot x + kx + N_R + N_L = 0", "misprint"),
+        ("motion x, both", rf"m\ddot x + kx + {BOTH} = 0".replace("- k_s", "+ k_s"), "misprint"),
+        ("motion x, both", rf"m\ddot x + kx + {CASES} = 0".replace("x + b", "x - b"), "misprint"),
+        ("normal right", r"N_R = k_s\langle x - b\rangle", "confirmed"),
+        ("normal left", r"N_L = k_s\langle x + b\rangle", "misprint"),
+        ("pushing right", r"n_R = \begin{cases} 1, & x \ge b\\ 0, & x < b\end{cases}", "confirmed"),
+        ("stiffness 1 1, contact of left alone", r"k_e = k + k_s", "confirmed"),
+        ("motion x, contact", r"m\ddot x + kx = 0", "unread"),
+    )
+    found = rows(
+        page, *(it[:2] for it in prints), renamed={"N_R": "N_right", "N_L": "N_left"}, form="units"
+    )
+    assert [it.status for it in found] == [it[2] for it in prints]
+    assert "contact of right alone" in found[-1].evidence

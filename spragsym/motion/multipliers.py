@@ -31,19 +31,22 @@ if TYPE_CHECKING:
 class Multipliers:
     """Floquet multipliers of a closed orbit.
 
-    ``trivial`` is the multiplier along the flow, which is 1 up to errors. ``others``, (m − 1,), are
-    sorted by modulus, largest first. ``errors`` are estimates: the changes of the multipliers when
-    each factor is perturbed by the error that it has along the flow.
+    ``trivial`` is the multiplier along the flow, which is 1 up to errors. ``held`` are those along
+    a continuum of orbits, one for each direction in which friction holds the mass all the time:
+    they are 1. ``others``, (m − 1 − held,), are sorted by modulus, largest first. ``errors`` are
+    estimates: the changes of the others when each factor is perturbed by the error that it has
+    along the flow.
     """
 
     trivial: float
     others: ComplexArray
     errors: FloatArray
+    held: int = 0
 
     @property
     def values(self) -> ComplexArray:
-        """All multipliers, (m,), the trivial one first."""
-        return np.concatenate([[complex(self.trivial)], self.others])
+        """All multipliers, (m,): the trivial one, those of what is held, then the others."""
+        return np.concatenate([[complex(self.trivial)], np.ones(self.held), self.others])
 
 
 def multipliers_of(intervals: Sequence[FloatArray], flows: Sequence[FloatArray]) -> Multipliers:

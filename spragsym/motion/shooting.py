@@ -24,7 +24,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError
-from ..models.field import Field, Mode, Values
+from ..models.field import OVERSHOOT, Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.vectors import TURN, magnitude, norm, state_difference
 from .integrators import Flow
@@ -206,32 +206,70 @@ class Orbit:
         return self.flow.flow_map(start, self.constants, remaining).state
 
     @cached_property
+    def held(self) -> FloatArray:
+        """Directions in which friction holds the mass at one place for the whole period,
+        orthonormal rows, (h, m); as of one block at rest beside another that moves.
+
+        The orbit is one of a continuum, of which each has its own place along these directions.
+        """
+        borders, rates = self.field.borders, self.rate(self.state)
+        changed = {borders[crossing.border].contact for crossing in self.crossings()}
+        normals, mode = [np.zeros((0, self.field.size))], self.mode(self.state)
+        n = len(self.field.coordinates)
+        for border in self.field.stays(mode):
+            assert border.slopes is not None
+            slopes = border.slopes(self.state.tolist(), self.constants, mode)[n : 2 * n]
+            normal = np.array([*slopes, *[0.0] * n], dtype=float)
+            # On a belt that moves, held places differ by a shift in time.
+            still = abs(normal @ rates) <= OVERSHOOT * norm(normal)
+            if still and border.contact not in changed:
+                normals.append(normal[None])
+        return np.linalg.qr(np.vstack(normals).T)[0].T
+
+    @cached_property
+    def _intervals(self) -> list[FloatArray]:
+        """Derivatives of the flow over the mesh intervals, (m, m) each, of deviations that leave
+        the orbit where friction :attr:`held` it.
+        """
+        first, *others = (each.by_state for each in self.flow_results)
+        return [first - first @ self.held.T @ self.held, *others]
+
+    @cached_property
     def monodromy(self) -> FloatArray:
-        """Monodromy matrix: derivative of the flow over one period by the first state, (m, m)."""
+        """Monodromy matrix: derivative of the flow over one period by the first state, (m, m); 0 by
+        what is :attr:`held`.
+        """
         product = np.eye(self.field.size)
-        for each in self.flow_results:
-            product = each.by_state @ product
+        for each in self._intervals:
+            product = each @ product
         return product
 
     @property
-    def sticks(self) -> bool:
-        """True if the orbit sticks for some time, which ends all deviations across the border."""
-        borders = self.field.borders
-        return bool(self.field.stays(self.mode(self.state))) or any(
+    def ended(self) -> int:
+        """Number of deviations that friction ends: across all that is :attr:`held`, and one across
+        a border on which the orbit sticks for some time.
+        """
+        borders, held = self.field.borders, len(self.held)
+        sticks = len(self.field.stays(self.mode(self.state))) > held or any(
             borders[crossing.border].stays and not crossing.sign for crossing in self.crossings()
         )
+        return held + sticks
 
     @cached_property
     def multipliers(self) -> Multipliers:
-        """Floquet multipliers. If the orbit sticks, the smallest one is set to exactly 0."""
-        m = self.field.deviations
+        """Floquet multipliers. The smallest ones, of the deviations that friction :attr:`ended`,
+        are set to exactly 0, those along what is :attr:`held` to 1.
+        """
+        m, held = self.field.deviations, len(self.held)
         flows = [self.rate(state)[:m] for state in self.states]
-        found = multipliers_of([each.by_state[:m, :m] for each in self.flow_results], flows)
-        nonzero = np.arange(len(found.others)) < len(found.others) - self.sticks
+        found = multipliers_of([each[:m, :m] for each in self._intervals], flows)
+        others, errors = found.others[: m - 1 - held], found.errors[: m - 1 - held]
+        nonzero = np.arange(len(others)) < len(others) - self.ended
         return replace(
             found,
-            others=np.where(nonzero, found.others, 0.0),
-            errors=np.where(nonzero, found.errors, 0.0),
+            others=np.where(nonzero, others, 0.0),
+            errors=np.where(nonzero, errors, 0.0),
+            held=held,
         )
 
     def slopes(self, *rows: FloatArray) -> FloatArray:
@@ -246,6 +284,8 @@ class Orbit:
             matrix[own, after * m : (after + 1) * m] -= np.eye(m)
             matrix[own, k * m] = self.rate(each.state) / k
             matrix[own, k * m + 1 :] = each.by_parameters[:, :parameters]
+        # What friction holds closes at every place: it stays where it is.
+        matrix[:m, :m] += self.held.T @ self.held
         return np.vstack([matrix, *rows])
 
     def crossings(self) -> tuple[Crossing, ...]:

@@ -371,6 +371,10 @@ def _followed(
         with doing("the branch of cycles beside {:.6g}", point.value):
             return within(point, length, to, min(options.move, options.share * extent(point.orbit)))
 
+    def in_family(point: BranchPoint) -> bool:
+        """Whether the cycles are one of many at one value, which those at the start are not."""
+        return not point.alone or len(point.orbit.held) > len(start.orbit.held)
+
     def look(
         point: BranchPoint, found: BranchPoint, length: float
     ) -> list[BranchPoint | DetectedEvent]:
@@ -381,8 +385,8 @@ def _followed(
                 raise ConvergenceError("the halves of the orbit meet on the way")
             if merged := halved(point, found, met):
                 return [DetectedEvent("end", *merged, how=MERGES)]
-        if not found.alone:
-            if length > options.event_step and point.alone:
+        if in_family(found):
+            if length > options.event_step and not in_family(point):
                 raise ConvergenceError("the orbit is one of a whole family")
             return [*_joins(followed, found)]
         items = list[BranchPoint | DetectedEvent]()

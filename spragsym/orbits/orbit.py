@@ -68,13 +68,15 @@ class Cycle(Result):
         changes its direction at the maximum, as on a belt at rest.
     multipliers : ndarray of complex, shape (m,)
         Floquet multipliers (eigenvalues of the monodromy matrix): first the trivial one, which is 1
-        up to rounding, then the others by modulus. For a page with a clock the others are the m − 2
-        multipliers of the stroboscopic map.
+        up to rounding, then a 1 for each direction in which friction holds the mass all the time,
+        as of a block at rest beside another that moves, then the others by modulus. For a page with
+        a clock these are the multipliers of the stroboscopic map.
     multiplier_errors : ndarray, shape (m − 1,)
         Estimated errors of all but the trivial one: their changes if the derivatives of the flow
         have errors as large as along the flow.
     stable : bool
-        True if all others are inside the unit circle by more than their errors.
+        True if all others are inside the unit circle by more than their errors. Where friction
+        holds the mass all the time there is such a cycle at each place that it holds.
     error : float
         Estimated error of state and period: the sensitivity of the orbit times its largest gap, or
         times the difference to the flow without derivatives; at least the error of the trivial
@@ -301,7 +303,7 @@ def cycle_of(orbit: Orbit) -> Cycle:
         period=own.period,
         state=own.state.copy(),
         multipliers=found.values,
-        multiplier_errors=found.errors,
+        multiplier_errors=np.append(np.zeros(found.held), found.errors),
         stable=is_stable(orbit),
         error=max(unit * error_of(orbit, difference(orbit)), trivial_error),
         residual=size * orbit.largest_gap,

@@ -264,7 +264,8 @@ def growth_of_cycle(cycle: Cycle) -> float | None:
     """Growth rate ln |μ| / T of a saddle cycle, whose multiplier μ is the only one outside the unit
     circle; None unless that is certain within the errors.
     """
-    sizes, error = np.abs(cycle.multipliers[1:]), cycle.multiplier_errors
+    found = cycle.orbit.multipliers
+    sizes, error = np.abs(found.others), cycle.multiplier_errors[found.held :]
     which = int(np.argmax(sizes))
     if not sizes[which] - error[which] > 1 or not (np.delete(sizes + error, which) < 1).all():
         return None

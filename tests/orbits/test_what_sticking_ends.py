@@ -231,3 +231,25 @@ def test_what_approaches_rest_beside_a_block_that_sticks_has_its_rate() -> None:
     assert known.rate == pytest.approx(c / 2, rel=1e-9)
     told = ss.fate(p, start=(1.0, 0.3, 0.0, 0.0), t_end=500.0)
     assert told.exponents == pytest.approx([0.0, -c / 2, -c / 2, -math.inf], rel=1e-9)
+
+
+def test_a_cycle_beside_a_block_that_friction_holds_attracts_at_each_of_its_places() -> None:
+    """The block on the belt sticks and slips by itself, about a place that the other one shifts."""
+    floor = 'V = page.parameter("W", "m/s", "speed of the floor", ">= 0", 0.0)\npage.friction(x_2'
+    model = model_of(BLOCKS.replace("page.friction(x_2", floor), "beside")
+    V, kappa, excess = 0.3, 0.2, 0.1
+    p = model.Parameters(V=V, kappa=kappa, mu_s=0.4 + excess, N_2=5.0)
+    rate, lag = math.sqrt(1 + kappa), excess / (1 + kappa)
+    slips = 2 * (math.pi - math.atan(lag * rate / V)) / rate
+    period, amplitude = 2 * lag / V + slips, math.hypot(lag, V / rate)
+    for place in (0.0, -1.25):
+        start = (0.9, place, 0.0, 0.0)
+        found, cycle = ss.fate(p, start=start), ss.cycle(p, near=start)
+        assert (found.kind, found.exponents.tolist()) == ("cycle", [0, 0, -math.inf, -math.inf])
+        assert found.outcome.period == pytest.approx(period, rel=1e-6)
+        assert cycle.period == pytest.approx(period, rel=1e-10)
+        middle = (0.4 + kappa * place) / (1 + kappa)
+        assert cycle.state == pytest.approx([middle + amplitude, place, 0, 0], abs=1e-10)
+        assert cycle.stable and cycle.multipliers.tolist()[1:] == [1, 0, 0]
+    branch = ss.cycle_branch(cycle, "kappa", between={"kappa": (0.19, 0.22)})
+    assert branch.cycles[0].state[1] == pytest.approx(place, abs=1e-10)

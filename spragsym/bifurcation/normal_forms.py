@@ -244,11 +244,15 @@ class _Point:
                     f"{contact['line']} of the model page has a kink",
                 )
         for index, friction in self.felt.items():
-            yield (
-                borders[index],
-                "the sliding speed is 0, where the law of friction, "
-                + kink.format(friction["line"]),
-            )
+            line, law = friction["line"], "the sliding speed is 0, where the law of friction, "
+            why = law + kink.format(line)
+            if friction["holds"]:
+                why = (
+                    f"the belt of line {line} of the model page stands still, and friction holds "
+                    "what rests on it: this is an onset of sliding, as that belt begins to move; "
+                    "give it a speed, or see what moves beside what is held by ss.simulate"
+                )
+            yield borders[index], why
         sides = self.mode[len(self.mode) - model.field.torsion_sides :]
         if sides:
             levels = undecorated(model.algebra.turning_borders)(

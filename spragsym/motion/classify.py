@@ -22,7 +22,7 @@ from ..models.field import Field, Mode, Values
 from ..models.parameters import FloatArray
 from ..numerics.interval_arrays import BoolArray, ComplexArray
 from ..numerics.vectors import in_one_turn, magnitude
-from .holding import held_in_every_phase
+from .holding import held_ahead, held_in_every_phase
 from .measures import KEPT_EXTREMA, MotionStatistics
 from .problem import Event, Problem
 from .regimes import Outcome, Regime
@@ -42,12 +42,17 @@ def classify(statistics: MotionStatistics, onward: Onward) -> Outcome:
     problem = onward.problem
     field, constants = problem.field, problem.constants
     # The proof encloses forces in units of the model.
-    provable = field.clock and not field.natural
-    if provable and held_in_every_phase(field, constants, statistics.last):
-        rest = tuple(statistics.last[: len(field.coordinates) - 1].tolist())
-        return Outcome(
-            Regime.EQUILIBRIUM, rest=rest, rate=np.inf, distance=0.0, names=field.components
-        )
+    if field.clock and not field.natural:
+        last, n = statistics.last, len(field.coordinates) - 1
+        regime, rate = Regime.EQUILIBRIUM, math.inf
+        rest: FloatArray | None = last
+        if not held_in_every_phase(field, constants, last):
+            reach = problem.options.settled
+            rest = held_ahead(field, constants, statistics.first, last, reach)
+            regime, rate = Regime.APPROACHES_EQUILIBRIUM, 0.0
+        if rest is not None:
+            place, distance = tuple(rest[:n].tolist()), magnitude(rest[:n] - last[:n])
+            return Outcome(regime, rest=place, rate=rate, distance=distance, names=field.components)
     scales = problem.own_scales
     if not scales.trivial:
         in_scales = replace(onward, problem=scales.problem(problem))

@@ -55,6 +55,38 @@ def held_in_every_phase(field: Field, constants: Values, state: FloatArray) -> b
     return held_along(field, constants, at_rest, at_rest, negligible * units[:n])
 
 
+def held_ahead(
+    field: Field, constants: Values, first: FloatArray, last: FloatArray, reach: float
+) -> FloatArray | None:
+    """The nearest state that friction is proved to hold in every phase, straight ahead of a motion
+    that goes from ``first`` to ``last`` and creeps: by less than ``reach``, in units of the motion,
+    and with no farther to go. None if there is none.
+
+    Where a force passes the limit of friction by a little in each turn, the mass comes to rest at
+    that limit, but never is there.
+    """
+    n = len(field.coordinates) - 1
+    units = scales_of(field, constants, last.tolist()).states[:n]
+    moved = (last - first)[:n] / units
+    if not 0 < magnitude(moved) <= reach:
+        return None
+
+    def ahead(share: float) -> FloatArray:
+        place = last[:n] + share * reach * units * moved / magnitude(moved)
+        return np.array([*field.at_rest([*place.tolist(), last[n]], constants)])
+
+    low, high = 0.0, 1.0
+    if not held_in_every_phase(field, constants, ahead(high)):
+        return None
+    for _ in range(20):
+        middle = (low + high) / 2
+        if held_in_every_phase(field, constants, ahead(middle)):
+            high = middle
+        else:
+            low = middle
+    return ahead(high)
+
+
 def held_along(
     field: Field, constants: Values, one: FloatArray, other: FloatArray, radius: FloatArray
 ) -> bool:

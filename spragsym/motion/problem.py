@@ -28,10 +28,11 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError
-from ..models.field import Field, Values, field_of
+from ..models.field import SETTLED_SHARE, Field, Values, field_of
 from ..models.forces import inertia_error, of_statics, undecorated
 from ..models.model import Model
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, Range, as_count, as_number
+from ..numerics.vectors import magnitude
 from .options import MotionOptions
 from .scales import MotionScales, scales_of
 
@@ -189,10 +190,24 @@ def out_of_range(
         units = problem.scales.states if problem.scales else 1.0
         place = problem.field.place(np.array(state) * units, ".3g")
         why = f"by t = {problem.time(t):.6g} it is at {place}, in ever shorter steps"
+    return _unbounded(why)
+
+
+def _unbounded(why: str) -> ConvergenceError:
     return ConvergenceError(
         f"the motion grows beyond all bounds: {why}; give a smaller "
         "t_end, or values of a more common size"
     )
+
+
+def check_range(field: Field, state: FloatArray, units: FloatArray | float = 1.0) -> None:
+    """Raise ConvergenceError for a state that, in ``units`` of the motion, is so far away that its
+    rounding is as large as what counts as settled.
+    """
+    position = np.abs(state / units)[: len(field.coordinates)]
+    position[[*field.periodic]] = 0.0
+    if not magnitude(position) < SETTLED_SHARE * 2.0**53:
+        raise _unbounded(f"it is at {field.place(state, '.3g')}, where rounding hides how it moves")
 
 
 def kinds_of(field: Field) -> dict[tuple[int, int], Event]:

@@ -37,7 +37,7 @@ from .integrators import Flow
 from .measures import MotionStatistics
 from .problem import Problem
 from .regimes import Outcome, Regime
-from .shooting import Iterate, Orbit, closed_orbit, least_period, off_jumps, through
+from .shooting import Iterate, Orbit, closed_orbit, least_period, off_jumps, rests, through
 from .solution import Extremum, FlowResult
 
 
@@ -125,6 +125,8 @@ class Onward:
             orbit = least_period(closed_orbit(flow, guess, on_section, reach=reach))
         except (OverflowError, ValueError) as error:
             raise ConvergenceError("Newton's method left the range of numbers") from error
+        if rests(orbit):
+            raise ConvergenceError("the orbit is an equilibrium")
         if orbit.lead != self.field.lead:
             raise ConvergenceError("another coordinate marks the rounds of the orbit")
         start = orbit.state

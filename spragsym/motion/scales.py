@@ -124,7 +124,7 @@ class MotionScales:
             **self._state(it),
             crossings=tuple(map(self.crossing, it.crossings)),
             extrema=tuple(map(self.extremum, it.extrema)),
-            integrals=(self.time * length * first, self.time * length**2 * square),
+            integrals=(self.time * length * first, self.time * length * length * square),
         )
 
     def statistics(self, it: MotionStatistics) -> MotionStatistics:

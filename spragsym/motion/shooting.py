@@ -682,6 +682,16 @@ def extent(orbit: Orbit, units: FloatArray | float = 1.0) -> float:
     return float((np.ptp(states, axis=0) / units).max())
 
 
+def rests(orbit: Orbit) -> bool:
+    """True if a closed orbit in units of its motion is an equilibrium, which closes after any
+    period, whatever the phase of a clock: its ranges are below 1e-9 or a hundred times its error.
+    """
+    low, high = orbit.bounds
+    n = len(orbit.field.coordinates)
+    moves = np.delete(high - low, n - 1) if orbit.field.clock else high - low
+    return magnitude(moves) <= max(1e-9, 100.0 * error_of(orbit))
+
+
 def growth(orbit: Orbit) -> float:
     """Largest derivative of the flow over one mesh interval."""
     return max(magnitude(each.by_state) for each in orbit.flow_results)

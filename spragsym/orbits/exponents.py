@@ -21,6 +21,7 @@ from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.options import MotionOptions
+from ..motion.problem import check_range
 from ..motion.scales import MotionScales
 from ..motion.shooting import rate
 from ..motion.simulation import state_of
@@ -264,7 +265,9 @@ class Rates:
         across, error, options = self.exponents[1:], self.error[1:], self.options
         if not self.moves:
             return "the motion is at rest, or all but"
-        early, late = np.array_split(np.diff(self.flow), 2)
+        # Of a bounded motion the largest speeds in nine parts do not rise from each to the next.
+        highest = [part.max() for part in np.array_split(self.flow, 9)]
+        early, late = np.array_split(np.diff(highest), 2)
         if min(early.min(), late.min()) > 0 and late.sum() > 0.5 * early.sum():
             grown = math.exp(early.sum() + late.sum())
             return f"its speed grows all along, {grown:.3g} times: it runs away, or settles slowly"
@@ -283,6 +286,12 @@ class Rates:
             if self.change <= options.steady * -across.max():
                 return f"{attracts}a steady drift: at constant rates a coordinate grows for ever"
             return f"{attracts}a cycle or a drift, which a longer motion may reach"
+        if across.max() <= options.significance * self.error[0]:
+            return (
+                f"the speed ranges over a factor of {math.exp(np.ptp(self.flow)):.3g}, so that an "
+                f"exponent of {across.max():.2g} may be of what grows for ever: a longer motion "
+                "tells"
+            )
         if len(across) == 1:
             return (
                 "deviations grow, but the motion of one coordinate is never chaotic: a longer "
@@ -351,7 +360,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
     """:func:`rates_along` of a system in units of its motion."""
     field, constants, options = system.field, system.constants, system.options
     m, count = field.deviations, max(16, math.ceil(span / options.interval))
-    interval = span / count
+    interval, units = span / count, field.scales.states if field.scales else 1.0
     logs, volumes, states = np.empty((count, m)), np.empty(count), [state]
     flow = rate(field, state, constants)
     # Limit of the number of halvings: for an initial stiff interval, or a few of each interval.
@@ -391,7 +400,6 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         halvings += 1
         if halvings > most_halvings:
             natural = span * field.time
-            units = field.scales.states if field.scales else 1.0
             raise ConvergenceError(
                 f"small deviations shrink by more than {1 / options.lost:g} in {natural:g} time "
                 f"units at {field.place(state * units, '.3g')}: too stiff"
@@ -407,6 +415,7 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         frame, _ = np.linalg.qr(frame)
         for i in range(count):
             state, frame, order, logs[i], volumes[i] = carried(state, frame, interval)
+            check_range(field, state * units, units)
             logs[:i] = logs[:i, order]
             states.append(state)
         speeds = np.log([norm(rate(field, each, constants)) for each in states])

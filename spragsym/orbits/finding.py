@@ -36,11 +36,11 @@ from ..motion.shooting import (
     Orbit,
     across,
     closed_orbit,
-    error_of,
     extent,
     in_scales,
     natural,
     rate,
+    rests,
     subdivided,
 )
 from ..motion.solution import Extremum
@@ -250,7 +250,7 @@ def _towards(flow: Flow, earlier: Iterate, values: Values, halvings: int = 6) ->
 
 def _checked(orbit: Orbit) -> Cycle:
     """The cycle of an orbit; ConvergenceError if it is an equilibrium."""
-    if _rests(orbit):
+    if rests(in_scales(orbit)):
         raise ConvergenceError(
             Remark(
                 "there is no cycle near: what Newton's method finds is rest, at {}; start farther "
@@ -259,14 +259,6 @@ def _checked(orbit: Orbit) -> Cycle:
             )
         )
     return cycle_of(orbit)
-
-
-def _rests(orbit: Orbit) -> bool:
-    """True if a closed orbit is an equilibrium, which closes after any period: its extent is below
-    1e-9 or a hundred times its error.
-    """
-    orbit = in_scales(orbit)
-    return extent(orbit) <= max(1e-9, 100.0 * error_of(orbit))
 
 
 def _state(system: System, near: ArrayLike | None) -> FloatArray:
@@ -293,7 +285,7 @@ def _by_returns(system: System, extrema: Sequence[Extremum]) -> Orbit | None:
         with suppress(ConvergenceError):
             state = in_one_turn(begin.state, periodic)
             orbit = _from_guess(system.flow, Iterate(state[None], end.t - begin.t, system.values))
-            if not _rests(orbit):
+            if not rests(in_scales(orbit)):
                 return orbit
     return None
 

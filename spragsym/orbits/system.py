@@ -24,6 +24,7 @@ from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
 from ..motion.options import MotionOptions
+from ..motion.problem import check_range
 from ..motion.regimes import Outcome, Regime, RestSets, same_limit
 from ..motion.scales import MotionScales, scaled, scales_of
 from ..motion.shooting import Conditions, Iterate, Orbit
@@ -173,6 +174,7 @@ def judged(
     state, begun, options = start, 0.0, system.options
     for t_end in times or [t * system.scales(start).time for t in options.times]:
         motion = system.motion(state, t_end - begun, rtol=options.rtol if rtol is None else rtol)
+        check_range(system.field, motion.state[:, -1], system.scales(start).states)
         outcome = motion.outcome(0.5 * (t_end - begun), options=options)
         verdict = FateVerdict(outcome, motion.state[:, -1].copy(), t_end)
         if verdict.decided:

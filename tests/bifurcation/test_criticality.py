@@ -164,7 +164,7 @@ def test_a_linear_mode_has_cycles_of_every_size_at_one_friction() -> None:
 def test_of_a_belt_that_stands_still_it_is_said_that_friction_holds_what_rests_on_it() -> None:
     p = ss.load("two_blocks").Parameters(V=0.0)
     given = np.array([p[name] for name in p.model.parameters])
-    with pytest.raises(UndecidedSign, match="line 60 .* stands still, and friction holds what"):
+    with pytest.raises(UndecidedSign, match=r"line 60 .* stands still, and friction holds what"):
         normal_form(Balance(p.model), given, np.array([1.0, 1.1]), ("V",), np.full(3, 1e-12))
 
 

@@ -731,6 +731,19 @@ def test_what_runs_away_nears_nothing(unit: float) -> None:
     assert "runs away" not in settled.undecided(0.0)
 
 
+#: x″ = e x′ − 4 x: an oscillation that grows for ever, whose speed of the state goes up and down.
+GROWING = field_of("growing", lambda x, v, e: e * v - 4 * x)
+
+
+@pytest.mark.thorough
+def test_an_oscillation_that_grows_for_ever_runs_away() -> None:
+    system, start = System(Flow.of(GROWING, None), (0.1,)), np.array([1.0, 0.0])
+    for span, told in ((80.0, "may be of what grows for ever"), (200.0, "it runs away")):
+        assert told in exponents.rates_along(system, start, span).undecided(0.0)
+    with pytest.raises(ss.errors.ConvergenceError, match="grows beyond all bounds: it is at x"):
+        exponents.rates_along(system, start, 1500.0)
+
+
 @pytest.mark.thorough
 def test_a_motion_that_has_lifted_off_for_good_nears_no_cycle() -> None:
     p = at(60.0, kappa=0.001)

@@ -41,3 +41,20 @@ def test_it_rests_for_good_by_the_static_coefficient_and_not_by_the_kinetic_one(
     loose = ss.simulate(p, x0=0.61, phase0=np.pi / 2, t_end=10.0)
     (slips, *_) = loose.events.of(ss.Event.SLIP).t
     assert slips == pytest.approx((np.arccos(0.61 - 1.6) - np.pi / 2) / 0.7, abs=1e-9)
+
+
+@pytest.mark.thorough
+def test_it_creeps_to_the_end_of_what_friction_holds() -> None:
+    """To |x| = μ N_0/P - 1: every turn the force passes what friction holds there by less, and the
+    excess falls as one over the number of turns.
+    """
+    p = MODEL.Parameters(mu_s=0.8, mu_k=0.8, kappa=2.0, omega=0.7)
+    for start, end in ((0.61, 0.6), (-0.64, -0.6)):
+        found = ss.fate(p, start=(start, 0.0))
+        assert (found.kind, found.outcome.regime) == ("rest", ss.Regime.APPROACHES_EQUILIBRIUM)
+        assert found.outcome.rest == pytest.approx([end], abs=1e-5)
+        assert 1e-6 < found.outcome.distance == pytest.approx(abs(found.end[0] - end), abs=1e-5)
+        with pytest.raises(ss.errors.ConvergenceError, match=r"it comes to rest at x = -?0\.6"):
+            ss.cycle(p, near=(start, 0.0))
+    with pytest.raises(ss.errors.ConvergenceError, match="what Newton's method finds is rest"):
+        ss.cycle(p, turns=1, near=(0.5, 0.0))

@@ -250,6 +250,6 @@ def test_a_cycle_beside_a_block_that_friction_holds_attracts_at_each_of_its_plac
         assert cycle.period == pytest.approx(period, rel=1e-10)
         middle = (0.4 + kappa * place) / (1 + kappa)
         assert cycle.state == pytest.approx([middle + amplitude, place, 0, 0], abs=1e-10)
-        assert cycle.stable and cycle.multipliers.tolist()[1:] == [1, 0, 0]
+        assert (cycle.stable, cycle.multipliers.tolist()[1:]) == (True, [1, 0, 0])
     branch = ss.cycle_branch(cycle, "kappa", between={"kappa": (0.19, 0.22)})
     assert branch.cycles[0].state[1] == pytest.approx(place, abs=1e-10)

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from .errors import ParameterTypeError, SpragsymError, hint
-from .type_variables import P, R
+from .type_variables import P, T
 
 
-def in_usual_state(function: Callable[P, R]) -> Callable[P, R]:
+def in_usual_state(function: Callable[P, T]) -> Callable[P, T]:
     """Run a function in NumPy's default error state, whatever the caller's is.
 
     Algorithms rely on underflow to 0; they set other states themselves. A TypeError for wrong
@@ -24,7 +24,7 @@ def in_usual_state(function: Callable[P, R]) -> Callable[P, R]:
     """
 
     @functools.wraps(function)
-    def calculated(*args: P.args, **options: P.kwargs) -> R:
+    def calculated(*args: P.args, **options: P.kwargs) -> T:
         with np.errstate(divide="warn", over="warn", under="ignore", invalid="warn"):
             try:
                 return function(*args, **options)

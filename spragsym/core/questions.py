@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 
 from .error_states import in_usual_state
 from .errors import ModelError, ParameterTypeError, one_of
-from .type_variables import P, R
+from .type_variables import P, T
 
 if TYPE_CHECKING:
     from ..models import Model
@@ -56,13 +56,13 @@ class NotInClosedForm(Exception):
     """Raised by a closed form for values that it does not cover."""
 
 
-def question(general: Callable[P, R]) -> Callable[P, R]:
+def question(general: Callable[P, T]) -> Callable[P, T]:
     """Decorate a general algorithm: the model's closed form of the same name is tried first."""
     name = general.__name__
 
     @in_usual_state
     @functools.wraps(general)
-    def ask(*args: P.args, **options: P.kwargs) -> R:
+    def ask(*args: P.args, **options: P.kwargs) -> T:
         method = options.pop("method", "auto")
         model = model_of(*args, *options.values())
         model.require_answered(name)

@@ -1,6 +1,4 @@
-"""Type variables of signatures: the parameters and the result of a function, keys of a mapping, and
-any one type.
-"""
+"""Type variables: the parameters of a function, keys of a mapping, and any one type."""
 
 from __future__ import annotations
 
@@ -8,5 +6,4 @@ from typing import ParamSpec, TypeVar
 
 P = ParamSpec("P")
 K = TypeVar("K")
-R = TypeVar("R")
 T = TypeVar("T")

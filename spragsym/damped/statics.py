@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..core.questions import NotInClosedForm
-from ..core.type_variables import R
+from ..core.type_variables import T
 from ..generated.quantities import PARAMETERS
 from ..kang_nam import certificates, jump_values, lowest_fold, states
 from ..kang_nam.bifurcation_sets import bifurcation_set as bifurcation_set_at_rest
@@ -34,19 +34,19 @@ def undamped(p: ParameterSet) -> Parameters:
     return Parameters(**values | {"kappa": np.broadcast_to(values["kappa"], p.shape)})
 
 
-def without_dampers(closed: Callable[..., R]) -> Callable[..., R]:
+def without_dampers(closed: Callable[..., T]) -> Callable[..., T]:
     """A closed form of the article's model, asked without the dampers; what has parameters has
     those with them.
     """
 
     @functools.wraps(closed)
-    def asked(p: ParameterSet, *args: Any, **options: Any) -> R:
+    def asked(p: ParameterSet, *args: Any, **options: Any) -> T:
         found: Any = closed(undamped(p), *args, **options)
         if isinstance(found, BifurcationSet):
             found = replace(found, cusps=replace(found.cusps, parameters=p))
         elif isinstance(found, Equilibria | Points):
             found = replace(found, parameters=p)
-        made: R = found
+        made: T = found
         return made
 
     return asked

@@ -49,7 +49,7 @@ from . import kernel
 from .cusps import cusps
 from .folds import folds
 from .kernel import Fixed
-from .parameters import RANGES, Parameters
+from .parameters import Parameters
 
 
 def bifurcation_set(
@@ -110,7 +110,7 @@ def _on_borders(p: Parameters, between: Ranges) -> Iterator[FloatArray]:
     for name, ends in between.items():
         other = "mu0" if name == "theta0" else "theta0"
         for end in ends:
-            if RANGES[name].low < end < RANGES[name].high:
+            if Parameters.ranges[name].low < end < Parameters.ranges[name].high:
                 yield folds(p.replace(**{name: end}), other).theta
 
 

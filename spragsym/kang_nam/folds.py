@@ -38,7 +38,7 @@ from ..numerics.polynomials import RootOf, in_t, on_circle, roots_on_the_line
 from ..results.points import Ended, Points, nothing_ends
 from . import kernel
 from .kernel import LINEAR
-from .parameters import RANGES, Parameters
+from .parameters import Parameters
 
 PointsT = TypeVar("PointsT", bound=Points)
 
@@ -75,7 +75,7 @@ def folds(
             value = fold.point.parameters[index]
             if (
                 decided(value, f"{vary} = 0 on a fold") > 0
-                and (row := fold.point.row(vary))[0] < RANGES[vary].high
+                and (row := fold.point.row(vary))[0] < Parameters.ranges[vary].high
             ):
                 low, high = balls.ends(value)
                 if high - low > low / 10**25:
@@ -121,7 +121,9 @@ def listed(
     names = *vary, *STATE
     *columns, error = np.array(rows, dtype=float).reshape(-1, len(names) + 1).T.copy()
     values = dict(zip(names, columns, strict=True))
-    allowed = spans or [(RANGES[name].low, RANGES[name].high) for name in vary]
+    allowed = spans or [
+        (Parameters.ranges[name].low, Parameters.ranges[name].high) for name in vary
+    ]
     region = np.array([(-np.inf, np.inf)] * len(p.model.coordinates) + [*allowed])
     none = np.empty((0, len(region), 2))
     return Points(p, vary, kind, error, region, True, (), none, (), values, ended)

@@ -33,7 +33,7 @@ from ..results.equilibria import Equilibria, EquilibriumType
 from . import fold_arrays, kernel
 from .fold_arrays import friction_sextic
 from .folds import folds
-from .parameters import RANGES, Parameters
+from .parameters import Parameters
 from .quartic.solver import equilibria
 
 #: Beginnings of the parameters that rise from their lower end; others move from their value. Folds
@@ -95,7 +95,7 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up", *, sides: bool 
             angles = *kernel.cos_sin(theta), *kernel.cos_sin(at["theta0"])
             fixed = (at[name] for name in kernel.Fixed._fields)
             state[:, part] = kernel.state_of(*angles, *fixed)[1:]
-    end = RANGES[vary].high if forward > 0 else RANGES[vary].low
+    end = Parameters.ranges[vary].high if forward > 0 else Parameters.ranges[vary].low
     errors, until = np.full(shape, fold_arrays.LARGEST_ERROR), np.full(shape, end)
     return Ends(value.reshape(shape), errors, state.reshape(2, *shape), failures, until)
 
@@ -223,7 +223,7 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
     ahead = values[forward * (values - start) >= 0]
     if not ahead.size:
         return math.nan, math.nan
-    last, high = forward * float((forward * ahead).max()), RANGES[vary].high
+    last, high = forward * float((forward * ahead).max()), Parameters.ranges[vary].high
     above = 2 * last + 1 if math.isinf(high) else (last + high) / 2
     end = last / 2 if forward < 0 else above
     jump = first_end(p, vary, (float(start), end))

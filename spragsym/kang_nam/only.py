@@ -8,19 +8,19 @@ from collections.abc import Callable
 from ..core.error_states import in_usual_state
 from ..core.errors import ModelError
 from ..core.questions import model_of
-from ..core.type_variables import P, R
+from ..core.type_variables import P, T
 from .parameters import Parameters
 
 
-def of_article(instead: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
+def of_article(instead: str) -> Callable[[Callable[P, T]], Callable[P, T]]:
     """Decorate a function of the article's model: for another model it raises a ModelError that
     says what to ask ``instead``.
     """
 
-    def only(own: Callable[P, R]) -> Callable[P, R]:
+    def only(own: Callable[P, T]) -> Callable[P, T]:
         @functools.wraps(own)
         @in_usual_state
-        def ask(*args: P.args, **options: P.kwargs) -> R:
+        def ask(*args: P.args, **options: P.kwargs) -> T:
             model = model_of(*args, *options.values())
             if not issubclass(model.Parameters, Parameters):
                 raise ModelError(

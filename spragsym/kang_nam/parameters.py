@@ -11,35 +11,6 @@ from ..generated.quantities import BASE_VALUES, QUANTITIES
 from ..models.parameters import ParameterSet, Range, named
 from ..models.quantities import QuantityValues
 
-#: The belt's speed and the steepness of the friction law (10) are for the motion only.
-RANGES = {
-    name: Range(
-        QUANTITIES[name].low,
-        QUANTITIES[name].high,
-        QUANTITIES[name].low_open,
-        remedy,
-        unit="rad" if name == "theta0" else "1",
-    )
-    for name, remedy in {
-        "theta0": "angles are radians, strictly between 0 and pi; use numpy.radians for degrees",
-        "mu0": "a belt that runs the other way is the mirror image: give the supplement of theta0",
-        "kappa": "without preload nothing presses the mass on the belt",
-        "alpha": "",
-        "sigma": "without the inclined spring there is no sprag",
-        "beta": "",
-    }.items()
-} | {
-    "V": Range(
-        0.0,
-        remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x",
-    ),
-    "d": Range(
-        0.0,
-        open_low=True,
-        remedy="d is the steepness of the friction law (10); without it there is no friction",
-    ),
-}
-
 
 @named
 @dataclass(frozen=True, eq=False, repr=False)
@@ -88,7 +59,40 @@ class Parameters(ParameterSet):
     0.007
     """
 
-    ranges = RANGES
+    #: The belt's speed and the steepness of the friction law (10) are for the motion only.
+    ranges = {
+        name: Range(
+            QUANTITIES[name].low,
+            QUANTITIES[name].high,
+            QUANTITIES[name].low_open,
+            remedy,
+            unit="rad" if name == "theta0" else "1",
+        )
+        for name, remedy in {
+            "theta0": (
+                "angles are radians, strictly between 0 and pi; use numpy.radians for degrees"
+            ),
+            "mu0": (
+                "a belt that runs the other way is the mirror image: give the supplement of theta0"
+            ),
+            "kappa": "without preload nothing presses the mass on the belt",
+            "alpha": "",
+            "sigma": "without the inclined spring there is no sprag",
+            "beta": "",
+        }.items()
+    } | {
+        "V": Range(
+            0.0,
+            remedy=(
+                "a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x"
+            ),
+        ),
+        "d": Range(
+            0.0,
+            open_low=True,
+            remedy="d is the steepness of the friction law (10); without it there is no friction",
+        ),
+    }
     spanned = frozenset(("theta0", "mu0", "V", "d"))
     origin = "Parameters.article(...)"
     where = "kang_nam"

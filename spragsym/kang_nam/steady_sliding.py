@@ -24,7 +24,7 @@ from ..results import EquilibriumType, Result
 from . import kernel
 from .kernel import Fixed
 from .only import of_article
-from .parameters import RANGES, Parameters
+from .parameters import Parameters
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,8 +78,8 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     >>> round(float(s.mu0), 6), int(s.undamped)
     (0.16305, 1)
     """
-    direction = as_numbers("theta", theta, RANGES["theta0"])
-    reference = as_numbers("theta0", theta0, RANGES["theta0"])
+    direction = as_numbers("theta", theta, Parameters.ranges["theta0"])
+    reference = as_numbers("theta0", theta0, Parameters.ranges["theta0"])
     try:
         direction, reference, *fixed = np.broadcast_arrays(
             direction, reference, *(p[name] for name in Fixed._fields)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.errors import ParameterError, SpragsymError, hint
-from ..core.type_variables import R
+from ..core.type_variables import T
 from ..design.sampling import Correlation, dependence
 from ..files.text import FilePath, brake_text, path_text, printed
 from ..models.load import USUAL, WITH_DAMPERS, shipped
@@ -232,7 +232,7 @@ def _trusted(name: object, trust: bool | str) -> Quantities:
     return quantities(name)
 
 
-def _looked_at(how: Callable[..., R], key: str, given: object, unit: str, allowed: Range) -> R:
+def _looked_at(how: Callable[..., T], key: str, given: object, unit: str, allowed: Range) -> T:
     """Result of ``how``, a function to read or check a text, for the value of a key."""
     example = OWN_EXAMPLES.get(key, "")
     if (

@@ -9,7 +9,6 @@ import pytest
 
 import spragsym as ss
 from spragsym.generated.quantities import PARAMETERS
-from spragsym.kang_nam.parameters import RANGES
 from spragsym.models.parameters import Range
 from tests.oracles import reference
 
@@ -31,7 +30,7 @@ def test_a_number_is_what_it_writes() -> None:
         ("7/1000", Fraction(7, 1000)),
         ("10/10", Fraction(1)),
     ):
-        assert ss.precise.as_exact("kappa", given, RANGES["kappa"]) == exact
+        assert ss.precise.as_exact("kappa", given, ss.Parameters.ranges["kappa"]) == exact
 
 
 def test_what_is_no_number_in_range_is_named() -> None:
@@ -51,15 +50,15 @@ def test_what_is_no_number_in_range_is_named() -> None:
         ("theta0", 0, ss.errors.ParameterError),
     ):
         with pytest.raises(error, match=f"^{name} = "):
-            ss.precise.as_exact(name, given, RANGES[name])
+            ss.precise.as_exact(name, given, ss.Parameters.ranges[name])
 
 
 def test_the_ends_of_ranges_that_belong_to_them() -> None:
     for name in ("alpha", "beta", "mu0"):
-        assert ss.precise.as_exact(name, 0, RANGES[name]) == 0
-    assert ss.precise.as_exact("kappa", "1e300", RANGES["kappa"]) == 10**300
+        assert ss.precise.as_exact(name, 0, ss.Parameters.ranges[name]) == 0
+    assert ss.precise.as_exact("kappa", "1e300", ss.Parameters.ranges["kappa"]) == 10**300
     with pytest.raises(ss.errors.ParameterError, match=r"numpy\.radians"):
-        ss.precise.as_exact("theta0", 49, RANGES["theta0"])
+        ss.precise.as_exact("theta0", 49, ss.Parameters.ranges["theta0"])
     anything, half_open = Range(-math.inf), Range(0.0, 1.0, closed_high=True)
     assert ss.precise.as_exact("a", "-1e300", anything) == -(10**300)
     assert ss.precise.as_exact("a", 1, half_open) == 1

@@ -95,10 +95,7 @@ def in_limit(item: Item, limit: LimitCase) -> Iterator[Item]:
     small too.
     """
     derivation, subject = item.derivation, item.subject
-    rows = zip(
-        derivation.model.coordinates, derivation.model.rates, derivation.accelerations, strict=True
-    )
-    also_small = tuple(it for row in rows if {*row} & {*limit.symbols} for it in row)
+    also_small = (it for row in derivation.moved if {*row} & {*limit.symbols} for it in row)
     small = (*limit.symbols, *also_small)
     cases = [limit, replace(limit, symbols=tuple(dict.fromkeys(small)))]
     for case in cases if limit.order else cases[:1]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -102,9 +102,7 @@ def book_of(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
         if renamed[text].isidentifier():
             letters[renamed[text]] = text
     derivation = forms["units"]
-    for row in zip(
-        derivation.model.coordinates, derivation.model.rates, derivation.accelerations, strict=True
-    ):
+    for row in derivation.moved:
         name, rate, second = map(str, row)
         if letter := letters.get(name):
             dotted = {rate: rf"\dot{{{letter}}}", second: rf"\ddot{{{letter}}}"}
@@ -237,11 +235,6 @@ def _vocabulary(
     )
 
 
-def _is_ambiguous(statement: Statement, derivation: Derivation) -> bool:
-    """Whether a name is listed for an object with several readings, and no statement prints it."""
-    return not statement.text and bool(derived(derivation, statement.about).readings)
-
-
 def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
     """Keep the derivative of a name by another, and give its name.
 
@@ -258,10 +251,11 @@ def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
         if argument is None or argument.kind != "symbol":
             raise Unread(f"the derivative of {of}, which is printed as no function; say by what")
         slope = Slope(of, argument.value)
-    if of in book.bound and _is_ambiguous(book.bound[of], derivation):
+    listed = book.bound.get(of)  # for an object, and printed in no statement
+    if listed and not listed.text and derived(derivation, listed.about).readings:
         raise Unread(
             f"{of} may count the potential of a constant force or a contact or leave it out; print "
-            f"it in a statement about {book.bound[of].about}"
+            f"it in a statement about {listed.about}"
         )
     rows = [[*map(str, row)] for row in (derivation.model.coordinates, derivation.model.rates)]
     added, letters = dict[str, Slope](), derivation.letters
@@ -285,16 +279,6 @@ def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
 def _is_fixed(value: Expr, derivation: Derivation) -> bool:
     """Whether an expression holds parameters only, and so is constant in time."""
     return {str(symbol) for symbol in value.free_symbols} <= derivation.parameters.keys()
-
-
-def in_order(trees: Mapping[str, Node], known: Collection[str]) -> Iterator[tuple[str, Node]]:
-    """Definitions in an order in which each uses known names and earlier ones; others are left
-    out.
-    """
-    pending, found = dict(trees), {*known}
-    while ready := [name for name, tree in pending.items() if symbols(tree) <= found]:
-        found |= {*ready}
-        yield from ((name, pending.pop(name)) for name in ready)
 
 
 def _scales(derivation: Derivation, book: Book) -> dict[str, Expr]:
@@ -429,8 +413,13 @@ def named(
     bound = {name: whole[name] for name in sorted(names) if stem(name) in stems}
     for name, value in bound.items():
         values[name] = numeric(value, values)
-    # Definitions in names that this form of the page lacks are left out.
-    return bound, dict(in_order(book.defined, values))
+    # Each after those that it uses; definitions in names that this form of the page lacks are left
+    # out.
+    defined: dict[str, Node] = {}
+    for name in (it for it in whole if it in book.defined):
+        if symbols(book.defined[name]) <= values.keys() | defined.keys():
+            defined[name] = book.defined[name]
+    return bound, defined
 
 
 def with_defined(values: Mapping[str, Values], defined: Mapping[str, Node]) -> dict[str, Values]:

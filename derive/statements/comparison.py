@@ -18,6 +18,7 @@ from sympy import Expr, S, Symbol
 from sympy.core.relational import Relational
 
 from ..algebra import Pair
+from .book import with_defined
 from .derivatives import expressions
 from .identities import is_zero, quotients
 from .objects import LAMBDA
@@ -77,15 +78,9 @@ class Comparison:
     @cached_property
     def signs(self) -> dict[Symbol, int]:
         """Signs of those coordinates, rates and accelerations that have conventions."""
-        derivation = self.item.derivation
         return {
             symbol: self.conventions[str(row[0])].sign
-            for row in zip(
-                derivation.model.coordinates,
-                derivation.model.rates,
-                derivation.accelerations,
-                strict=True,
-            )
+            for row in self.item.derivation.moved
             for symbol in row
             if str(row[0]) in self.conventions
         }
@@ -106,9 +101,7 @@ class Comparison:
         if changed:
             changed |= {name: self.names[name] for name in self.item.slopes}
         values = {**known} | {name: numeric(it, known) for name, it in changed.items()}
-        for name, tree in self.item.defined.items():
-            values[name] = evaluated(tree, values)
-        return values
+        return with_defined(values, self.item.defined)
 
     @cached_property
     def names(self) -> dict[str, Expr]:
@@ -198,8 +191,8 @@ class Comparison:
     def _constant(self, energy: Expr) -> Expr:
         """The terms of an energy that do not depend on the state."""
         derivation = self.item.derivation
-        states = (*derivation.model.coordinates, *derivation.model.rates)
-        return sp.expand(derivation.expanded(energy)).as_independent(*states, as_Add=True)[0]
+        whole = sp.expand(derivation.expanded(energy))
+        return whole.as_independent(*derivation.states, as_Add=True)[0]
 
     def _quotients(self, entry: Expr) -> tuple[Pair, ...]:
         """Divisors in coordinates by which a printed equation of motion may be divided, each with
@@ -239,8 +232,7 @@ class Comparison:
         four ratios with most votes are taken.
         """
         derivation = self.item.derivation
-        model = derivation.model
-        moving = (*model.coordinates, *model.rates, *derivation.accelerations)
+        moving = (*derivation.states, *derivation.accelerations)
         states = (*moving, LAMBDA, *derivation.laws)
 
         def apart(expression: Expr) -> list[Pair]:
@@ -301,8 +293,8 @@ class Comparison:
     def _are_equal(self, one: Expr, other: Expr) -> bool:
         derivation, subject, gap = self.item.derivation, self.item.subject, one - other
         if subject.factor == "constant":
-            states = (*derivation.model.coordinates, *derivation.model.rates)
-            return all(is_zero(sp.diff(derivation.expanded(gap), symbol)) for symbol in states)
+            gap = derivation.expanded(gap)
+            return all(is_zero(sp.diff(gap, symbol)) for symbol in derivation.states)
         return all(self._vanishes(gap, side) for side in derivation.meant(subject.side))
 
     def laws(self, side: str) -> dict[Symbol, Expr]:
@@ -331,8 +323,8 @@ class Comparison:
         derivation = self.item.derivation
         for contact in derivation.model.contacts:
             if contact.unilateral:
-                gap = derivation.expanded(derivation.spelled(contact.gap))
-                value = _with_sign(value, gap, -1 if contact.name in derivation.sides[side] else 1)
+                is_closed = contact.name in derivation.sides[side]
+                value = _with_sign(value, derivation.gaps[contact.name], -1 if is_closed else 1)
         for speed in derivation.speeds if self.item.subject.ahead else ():
             value = _with_sign(value, derivation.expanded(speed), 1)
         return value

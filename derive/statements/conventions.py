@@ -12,8 +12,9 @@ from .objects import Derivation
 from .reading import Item
 
 
-def conventions_of(items: Sequence[Item]) -> Conventions:
-    """The conventions in which the fewest statements fail; empty for those of the page.
+def conventions_of(statements: Sequence[object]) -> Conventions:
+    """The conventions in which the fewest of the statements fail that are compared; empty for those
+    of the page.
 
     Signs and origins of one coordinate, or of two, are tried. A convention is accepted only if at
     least two more statements hold in it: one that would hold may be a misprint.
@@ -33,12 +34,12 @@ def conventions_of(items: Sequence[Item]) -> Conventions:
         order.sort(key=lambda item: not any(item is one for one in failed))
         return len(failed)
 
-    order = [*items]
+    order = [it for it in statements if isinstance(it, Item)]
     best: Conventions = {}
     failing_as_printed = fewest = failing(best, len(order) + 1)
     if fewest < 2:
         return best
-    derivation = items[0].derivation
+    derivation = order[0].derivation
     choices = {
         str(entry.symbol): _choices(derivation, entry.unit) for entry in derivation.page.coordinates
     }
@@ -61,10 +62,6 @@ def _choices(derivation: Derivation, unit: str) -> list[Convention]:
     if unit == "rad":
         shifts += [sp.pi, sp.pi / 2, -sp.pi / 2]
     else:
-        same_unit = [
-            datum
-            for datum in (*derivation.page.units, *derivation.page.parameters)
-            if datum.unit == unit
-        ]
-        shifts += [way * datum.symbol for datum in same_unit for way in (1, -1)]
+        data = (*derivation.page.units, *derivation.page.parameters)
+        shifts += [way * it.symbol for it in data if it.unit == unit for way in (1, -1)]
     return [Convention(sign, shift) for shift in shifts for sign in (1, -1)]

@@ -107,17 +107,16 @@ def of_value(value: Expr, by: str, derivation: Derivation) -> Expr:
     value = derivation.expanded(value)
     if forces := sorted(map(str, value.free_symbols & {*derivation.laws})):
         raise Unread(f"a derivative of what holds {', '.join(forces)} is not read")
-    coordinates, rates = derivation.model.coordinates, derivation.model.rates
     symbol = derivation.names.get(by)
     if symbol == TIME:
         if value.has(*derivation.accelerations):
             raise Unread("the rate of an acceleration is not read")
-        states = (*coordinates, *rates)
-        slopes = dict(zip(states, (*rates, *derivation.accelerations), strict=True))
+        changes = (*derivation.model.rates, *derivation.accelerations)
+        slopes = dict(zip(derivation.states, changes, strict=True))
         if (clock := derivation.model.clock) is not None:  # which has no state of its own
             slopes[clock] = derivation.spelled(derivation.model.speed)
         return sp.Add(*(diff(value, state) * slope for state, slope in slopes.items()))
-    moving = (*coordinates, *rates, *derivation.accelerations)
+    moving = (*derivation.states, *derivation.accelerations)
     if by not in derivation.parameters and symbol not in moving:
         raise Unread(f"a derivative by {by}, which is no coordinate, rate or parameter of the page")
     return diff(value, symbol)

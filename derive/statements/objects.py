@@ -7,7 +7,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TypeAlias, TypeVar, cast
 
 import sympy as sp
@@ -210,6 +210,22 @@ class Derivation:
         return self.motion.acceleration_symbols
 
     @cached_property
+    def moved(self) -> tuple[tuple[Symbol, Symbol, Symbol], ...]:
+        """Every coordinate with its rate and acceleration."""
+        return tuple(zip(self.model.coordinates, self.model.rates, self.accelerations, strict=True))
+
+    @cached_property
+    def states(self) -> tuple[Symbol, ...]:
+        """Symbols of the coordinates and rates."""
+        return (*self.model.coordinates, *self.model.rates)
+
+    @cached_property
+    def gaps(self) -> dict[str, Expr]:
+        """The gap in coordinates of every contact that has one, by the contact's name."""
+        contacts = (it for it in self.model.contacts if it.gap is not None)
+        return {it.name: self.expanded(self.spelled(it.gap)) for it in contacts}
+
+    @cached_property
     def parameters(self) -> dict[str, Symbol]:
         """Symbols of the parameters by name: with units the page's quantities, else its numbers."""
         if self.scaled:
@@ -294,8 +310,7 @@ class Derivation:
     @cached_property
     def names(self) -> dict[str, Expr]:
         """Expressions of all names that a print may use."""
-        symbols = (*self.model.coordinates, *self.model.rates, *self.accelerations)
-        symbols = (*self.laws, *self.switches, LAMBDA, TIME, *symbols)
+        symbols = (*self.laws, *self.switches, LAMBDA, TIME, *self.states, *self.accelerations)
         return self.geometry | {str(symbol): symbol for symbol in symbols} | self.parameters
 
     @cached_property
@@ -347,13 +362,7 @@ class Derivation:
 
     def measured(self, length: Expr) -> Expr:
         """A quantity of the page in this form, cached."""
-        if length not in self._measured:
-            self._measured[length] = length if length.is_number else self.model.scaled(length)
-        return self._measured[length]
-
-    @cached_property
-    def _measured(self) -> dict[Expr, Expr]:
-        return {}
+        return self.kept("measured", str(length), lambda: self.model.scaled(length))
 
     def places(self, name: str) -> tuple[int, ...]:
         """The index of a coordinate; the indices of all but a clock's if the name is empty.
@@ -464,26 +473,16 @@ def _potentials_of_forces(derivation: Derivation) -> list[Expr]:
     return found
 
 
-def _balance(derivation: Derivation, name: str, side: str) -> Object:
-    """The equations of motion at rest, with friction at the sliding speed of the belt."""
+def _equilibrium(derivation: Derivation, name: str, side: str, steady: bool = True) -> Object:
+    """The equations of equilibrium, with friction at steady sliding; if not ``steady``, of motion
+    at rest, with friction at the sliding speed of the belt.
+    """
     values = (derivation.spelled(laws.friction_at_speed(one)) for one in derivation.model.frictions)
-    mu = dict(zip(derivation.coefficients, values, strict=True))
+    at_speed = dict(zip(derivation.coefficients, values, strict=True))
+    mu = derivation.at_rest if steady else at_speed
     rows = tuple(derivation.spelled(row, side).xreplace(mu) for row in derivation.model.residuals)
-    return Object(
-        rows, "mechanics.Mechanics.residuals", "covector", derivation.places(name), "parameters"
-    )
-
-
-def _equilibrium(derivation: Derivation, name: str, side: str) -> Object:
-    """The equations of equilibrium, with friction at steady sliding."""
-    return Object(
-        tuple(derivation.steady(row, side) for row in derivation.model.residuals),
-        "mechanics.Mechanics.residuals",
-        "covector",
-        derivation.places(name),
-        "parameters",
-        steady=True,
-    )
+    by, places = "mechanics.Mechanics.residuals", derivation.places(name)
+    return Object(rows, by, "covector", places, "parameters", steady=steady)
 
 
 def _state(derivation: Derivation, name: str, side: str) -> Object:
@@ -535,8 +534,7 @@ def _system(derivation: Derivation) -> Matrix:
     inverse, K = _mass(derivation).inv(), _stiffness(derivation)
     C = _damping(derivation) + _gyroscopic(derivation)
     n = inverse.rows
-    above = sp.zeros(n).row_join(sp.eye(n))
-    return above.col_join((-inverse * K).row_join(-inverse * C))
+    return Matrix([[sp.zeros(n), sp.eye(n)], [-inverse * K, -inverse * C]])
 
 
 def _of_linearization(of: Callable[[Mechanics], Matrix]) -> Callable[[Derivation], Matrix]:
@@ -727,7 +725,7 @@ OBJECTS: Mapping[str, Deriver] = {
     "motion": _motion,
     "acceleration": _acceleration,
     "energy": _energy,
-    "balance": _balance,
+    "balance": partial(_equilibrium, steady=False),
     "equilibrium": _equilibrium,
     "state": _state,
     "mass": _entries(_mass, "M", "mechanics.Mechanics.mass"),

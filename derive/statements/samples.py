@@ -47,11 +47,6 @@ def _drawn(derivation: Derivation, subject: Object, is_base: bool) -> dict[str, 
         found[name] = value if symbol.is_nonnegative else value * _signs(rng, size, 2)
         if is_base:
             found[name] = np.full(size, 1.0 if base.get(name) is None else base[name])
-    gaps = {
-        contact.name: derivation.expanded(derivation.spelled(contact.gap))
-        for contact in derivation.model.contacts
-        if contact.gap is not None
-    }
     coordinates = [str(symbol) for symbol in derivation.model.coordinates]
     found |= {name: _state(rng, size) for name in coordinates}
     # Pairs alternate between the sides that a statement is about.
@@ -64,7 +59,7 @@ def _drawn(derivation: Derivation, subject: Object, is_base: bool) -> dict[str, 
 
     def on_wrong_side() -> Flags:
         wrong = np.zeros(size, dtype=bool)
-        for name, gap in gaps.items():
+        for name, gap in derivation.gaps.items():
             level = numeric(gap, found)
             wrong |= np.where(pushing[name], level >= 0, level <= 0)
         return wrong

@@ -92,8 +92,7 @@ def verdicts_on(
     paper: Paper, model: PageModel, found: Sequence[Item | Verdict], *, repair: bool = True
 ) -> Checked:
     """Check the statements of a paper that :func:`read_paper` has read."""
-    items = [item for item in found if isinstance(item, Item)]
-    conventions = conventions_of(items)
+    conventions = conventions_of(found)
     rows = [
         verdict_on(item, conventions, repair=repair)
         if isinstance(item, Item)
@@ -112,9 +111,8 @@ def verdicts_on(
 def repaired(paper: Paper, model: PageModel) -> Paper:
     """The paper with those statements replaced by their repairs that it expects to be misprints."""
     _, found = read_paper(paper, model)
-    items = [item for item in found if isinstance(item, Item)]
-    conventions, statements = conventions_of(items), {it.id: it for it in paper.statements}
-    for item in items:
+    conventions, statements = conventions_of(found), {it.id: it for it in paper.statements}
+    for item in (it for it in found if isinstance(it, Item)):
         if item.statement.expect == "misprint" and (row := verdict_on(item, conventions)).repaired:
             statements[row.id] = replace(
                 item.statement, text=row.repaired, is_latex=False, transcribed="", form=row.form

@@ -89,7 +89,7 @@ def main(arguments: list[str] | None = None) -> int:
     if unproved or (failed and not options.variant):
         print(f"derive: the check failed; {options.out} is untouched", file=sys.stderr)
         return 1
-    of_models = _step("models", lambda: models(variant=options.variant))
+    of_models = _step("models", lambda: models(options.variant))
     files = _step("emit", lambda: emission.render(outcome, of_models))
     files = write.listed(write.sealed(files))
     write.write(files, options.out)
@@ -106,7 +106,7 @@ def main(arguments: list[str] | None = None) -> int:
     return 0
 
 
-def models(*, variant: bool = False) -> dict[str, str]:
+def models(variant: bool) -> dict[str, str]:
     """The files of ``generated/models``, a folder for each shipped page; in a variant only that of
     the article's page.
     """

@@ -100,7 +100,7 @@ def _along_force(model: Mechanics, contact: NormalForce) -> list[Expr]:
     """
     if contact.gap is None or contact.either_face:
         return []
-    rubbing = [one for one in model.frictions if one.normal is contact and one.along is not None]
+    rubbing = [one for one in model.frictions if one.normal is contact]
     return [
         expanded(
             sp.diff(contact.gap, symbol)

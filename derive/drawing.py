@@ -81,7 +81,7 @@ def is_drawn(page: Page) -> bool:
     }
     return (
         across
-        and (page.normal is None or gap in (None, *symbols[1:2]))
+        and gap in (None, *symbols[1:2])
         and (page.sliding is None or page.sliding.along == x)
         and set(symbols[2:]) == cars
         and all(mass in both and _is_anchor(both[both[0] == mass], symbols) for both in ends)
@@ -112,9 +112,7 @@ def _has_one_mass(page: Page) -> bool:
     """Whether the first two coordinates are those of one mass, and the others have masses of their
     own.
     """
-    if page.inertia is None:
-        return True
-    M = sp.hessian(page.inertia[0], page.rates)
+    M = sp.hessian(page.kinetic_energy[0], page.rates)
     return bool(
         M.is_diagonal()
         and not M.has(*page.places)
@@ -177,8 +175,7 @@ def _body(drawing: Drawing, page: Page) -> None:
     else:
         drawing.box(-half, half, style="ink body")
     rate = page.coordinates[0].rate
-    mass = "m" if page.inertia is None else _letter(diff(page.inertia[0], rate, 2))
-    drawing.name(mass, 7j)
+    drawing.name(_letter(diff(page.kinetic_energy[0], rate, 2)), 7j)
 
 
 def _terms(contact: Contact) -> list[Expr]:
@@ -413,7 +410,7 @@ def _speed_of_frame(drawing: Drawing, page: Page) -> None:
     """An arc with an arrow and the symbol of the speed at which the frame turns, where the kinetic
     energy has terms linear in the rates: the symbols of these terms that no mass has.
     """
-    energy, _ = page.inertia or (S.Zero, 0)
+    energy, _ = page.kinetic_energy
     still = dict.fromkeys(page.rates, 0)
     slopes = sp.Tuple(*(diff(energy, rate).subs(still) for rate in page.rates))
     speeds = slopes.free_symbols - set(page.places)

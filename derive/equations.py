@@ -38,7 +38,7 @@ def equations(model: Mechanics) -> list[str]:
             rf"-\pi < {phi} \le \pi"
         )
     for friction in model.frictions:
-        if friction.along is not None:
+        if friction.along != 0:
             law = friction.ahead.subs(SLIP, Symbol("v", positive=True))
             mu, slip = names[friction.mu], _latex(laws.slip(friction), names)
             lines.append(rf"{mu}(v) = {_latex(law, names)}, \quad v = {slip} > 0")

@@ -266,7 +266,7 @@ def _edges(it: Mechanics) -> tuple[targets.Edge, ...]:
     holding = motion.Motion(it).with_sticking
     for index, friction in enumerate(it.frictions, len(it.contacts)):
         row = holding.index(friction) if friction in holding else -1
-        kinds = ["slip"] * (friction.along is not None) + ["ahead", "behind"] * (row >= 0)
+        kinds = ["slip"] * (friction.along != 0) + ["ahead", "behind"] * (row >= 0)
         found += [targets.Edge(kind, index, friction.normal.name, row) for kind in kinds]
     return tuple(found)
 

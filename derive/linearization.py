@@ -15,10 +15,9 @@ def damping(model: Mechanics) -> Matrix:
     still = dict.fromkeys(model.rates, sp.S.Zero)
     C = Matrix(model.resistance).jacobian(model.rates)
     for friction in model.frictions:
-        if friction.along is not None:
-            mu = laws.smooth_friction(friction, felt=True).subs(friction.side, 1)
-            slopes = Matrix([friction.along]).jacobian(model.coordinates).T
-            C -= friction.normal.rubbing * slopes * Matrix([mu]).jacobian(model.rates)
+        mu = laws.smooth_friction(friction, felt=True).subs(friction.side, 1)
+        slopes = Matrix([friction.along]).jacobian(model.coordinates).T
+        C -= friction.normal.rubbing * slopes * Matrix([mu]).jacobian(model.rates)
     return C.subs(still).applyfunc(model.tidy)
 
 

@@ -224,7 +224,7 @@ class FrictionForce:
     """Friction on a contact: μ times its normal force, against a displacement."""
 
     normal: NormalForce
-    along: Expr | None  #: the displacement that it opposes; None if there is no friction
+    along: Expr  #: the displacement that it opposes; 0 if there is no friction
     rate: Expr  #: d(along)/dt
     belt: Expr  #: speed of the belt
     still: Expr  #: speed of the belt at phase 0 of the clock
@@ -292,7 +292,7 @@ class Mechanics:
     #: Rayleigh's dissipation function, half the power of the dampers
     dissipation: Expr
     contacts: tuple[NormalForce, ...]  #: a force that is 0 on a page without contacts
-    frictions: tuple[FrictionForce, ...]  #: one without ``along`` on a page without friction
+    frictions: tuple[FrictionForce, ...]  #: one along 0 on a page without friction
     clock: Symbol | None  #: the coordinate that grows at a given rate
     speed: Expr  #: that rate; 0 without a clock
     scaled: Callable[[Expr], Expr]  #: makes an expression of the page dimensionless
@@ -457,8 +457,7 @@ class Mechanics:
                 if contact.gap is not None:
                     row -= contact.force * diff(contact.gap, symbol)
             for friction in self.frictions:
-                if friction.along is not None:
-                    row -= friction.mu * friction.normal.rubbing * diff(friction.along, symbol)
+                row -= friction.mu * friction.normal.rubbing * diff(friction.along, symbol)
             rows.append(sp.collect(expanded(row), (*self.coordinates, *self.directions)))
         return tuple(rows)
 
@@ -521,11 +520,10 @@ def of(page: Page, units: bool = False) -> Mechanics:
     PageError
         If the page can't be derived.
     """
-    if page.inertia is None:
-        raise PageError(0, "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)")
+    energy, _ = page.kinetic_energy
     scaled = _Scaled(page, units)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
-    kinetic, linear, still = _by_rates(page, scaled(page.inertia[0]))
+    kinetic, linear, still = _by_rates(page, scaled(energy))
     page_energy = Add(*(scaled(energy) for energy, _ in page.energies))
     potential = rest_energy + page_energy - still
     contacts = _contacts(page, scaled)
@@ -729,10 +727,10 @@ def _in_coordinates(page: Page, gap: Expr | None, law: Expr, depth: Symbol) -> b
 def _frictions(
     page: Page, scaled: _Scaled, contacts: Mapping[Contact | None, NormalForce]
 ) -> tuple[FrictionForce, ...]:
-    """The friction of the page; without friction one that has no displacement."""
+    """The friction of the page; without friction one whose displacement is 0."""
     first, zero = next(iter(contacts.values())), S.Zero
     if not page.frictions:
-        return (FrictionForce(first, None, zero, zero, zero, zero, zero, None, None, 0),)
+        return (FrictionForce(first, zero, zero, zero, zero, zero, zero, None, None, 0),)
     found = []
     for it in page.frictions:
         ahead, behind = (scaled(expression_of(it.law(sign * SLIP))) for sign in (1, -1))

@@ -255,6 +255,20 @@ class Page:
         return (*self.springs, *self.torsions, *self.dampers)
 
     @property
+    def kinetic_energy(self) -> tuple[Expr, int]:
+        """The kinetic energy and the line that states it.
+
+        Raises
+        ------
+        PageError
+            If none does.
+        """
+        if self.inertia is None:
+            message = "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)"
+            raise PageError(0, message)
+        return self.inertia
+
+    @property
     def normal(self) -> Contact | None:
         """The contact of a page with at most one contact."""
         (contact,) = self.contacts or (None,)

@@ -198,7 +198,7 @@ class Motion:
             for contact, force in zip(model.contacts, normal, strict=True):
                 lever = S.Zero if contact.gap is None else diff(contact.gap, symbol)
                 for friction in model.frictions:
-                    if friction.normal is contact and friction.along is not None:
+                    if friction.normal is contact:
                         lever += friction.mu * diff(friction.along, symbol)
                 row += (contact.force - force) * lever
             rows.append(expanded(row))
@@ -439,7 +439,7 @@ class Motion:
 
     def friction_force(self, friction: FrictionForce) -> Expr:
         """The force of a friction, in its coefficient; for dry friction its symbol."""
-        if friction.along is None:
+        if friction.along == 0:
             return S.Zero
         return (
             friction.unknown
@@ -461,7 +461,7 @@ class Motion:
         dry friction forces.
         """
         model = self.model
-        frictions = [friction for friction in model.frictions if friction.along is not None]
+        frictions = [friction for friction in model.frictions if friction.along != 0]
         forces = [self.friction_force(friction) for friction in frictions]
         rubbing = Add(*(f * one.rate for f, one in zip(forces, frictions, strict=True)))
         powers = rubbing + self.damper_power + self.applied_power + self.clock_power
@@ -505,7 +505,7 @@ class Motion:
         sliding speed; 1 where there is none.
         """
         contacts = [S.One if it.border is None else it.border for it in self.model.contacts]
-        slips = [S.One if it.along is None else laws.slip(it) for it in self.model.frictions]
+        slips = [S.One if it.along == 0 else laws.slip(it) for it in self.model.frictions]
         return (*contacts, *slips)
 
     @cached_property

@@ -153,7 +153,7 @@ def check_forces(model: Mechanics) -> None:
                 "add it: "
                 f"{Limit.WITHOUT_MASS}",
             )
-    line = model.page.inertia[1] if model.page.inertia else 0
+    _, line = model.page.kinetic_energy
     if model.mass.has(*model.rates):
         raise PageError(line, f"the kinetic energy is no polynomial: {Limit.MASS_OF_SPEED}")
     if model.mass.det() == 0:
@@ -188,9 +188,7 @@ def _check_inertia(model: Mechanics) -> None:
     """The mass matrix is positive definite at the base values: at coordinates 0, where it may be
     singular, or else at a second place.
     """
-    if model.page.inertia is None:
-        return
-    energy, line = model.page.inertia
+    energy, line = model.page.kinetic_energy
     M = model.mass.subs(_bases(model))
     second = {q: Rational(3 + i, 7) for i, q in enumerate(model.coordinates)}
     places = [M.subs(at) for at in (dict.fromkeys(model.coordinates, 0), second)]

@@ -63,7 +63,7 @@ class Scene:
     @property
     def sliding(self) -> list[FrictionForce]:
         """Friction forces that oppose a displacement."""
-        return [friction for friction in self.model.frictions if friction.along is not None]
+        return [friction for friction in self.model.frictions if friction.along != 0]
 
     def _at_rest(self, expression: Expr | None, *by: Symbol) -> Expr:
         """The value of an expression where all coordinates are 0, or that of its derivative by some

@@ -267,7 +267,7 @@ def _images(model: Mechanics, places: Sequence[int], signs: Sequence[int]) -> di
 
 def _contact_maps(model: Mechanics, images: Mapping[Symbol, Expr]) -> Iterator[tuple[int, ...]]:
     """Permutations of the contacts, their own inverse, that agree with the coordinates' images."""
-    displacement_of = {it.name: it.along for it in model.frictions if it.along is not None}
+    displacement_of = {it.name: it.along for it in model.frictions}
 
     def fits(one: NormalForce, other: NormalForce) -> bool:
         # The displacement at a contact is mapped to that at its image, or to its negative.

@@ -100,11 +100,8 @@ def quantities() -> dict[str, Quantity]:
     found = {**nm.quantities()}
     for it in page().parameters:
         symbol = symbol_of(it)
-        found.setdefault(
-            str(symbol),
-            Quantity(symbol, it.latex, f"{it.meaning}, over its scale", domain=it.domain),
-        )
-    for it in page().parameters:
+        scaled = Quantity(symbol, it.latex, f"{it.meaning}, over its scale", domain=it.domain)
+        found.setdefault(str(symbol), scaled)
         measured = Quantity(it.symbol, it.latex, it.meaning, it.unit, it.domain)
         found.setdefault(str(it.symbol), measured)
     return found

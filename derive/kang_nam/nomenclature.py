@@ -134,13 +134,3 @@ UNIT_CIRCLES = ((c, s), (c0, s0))
 def quantities() -> Mapping[str, Quantity]:
     """Every entry of the nomenclature by its name in code."""
     return {str(symbol): entry for symbol, entry in _QUANTITIES.items()}
-
-
-def latex(expression: object) -> str:
-    """LaTeX in the article's notation."""
-    names = {symbol: entry.article for symbol, entry in _QUANTITIES.items()}
-    spelled = sp.sympify(expression).subs(
-        {c: sp.cos(theta), s: sp.sin(theta), c0: sp.cos(theta0), s0: sp.sin(theta0)},
-        simultaneous=True,
-    )
-    return str(sp.latex(spelled, symbol_names=names))

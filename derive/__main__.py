@@ -95,9 +95,8 @@ def main(arguments: list[str] | None = None) -> int:
     write.write(files, options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(
-        f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} "
-        "steps of the count theorem and "
-        f"{len(least)} of the lowest fold proved"
+        f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} steps of "
+        f"the count theorem and {len(least)} of the lowest fold proved"
     )
     for row in rows:
         if row.status in ("misprint", "failed"):

@@ -169,9 +169,8 @@ class _MethodReader:
             needed = ()
         if said and (wrong := [*(said.keys() - {*names}), *({*needed} - said.keys())]):
             raise refused(
-                f"{what}= has {', '.join(map(str, said))}, and "
-                f"{', '.join(map(str, wrong))} is unknown or missing; its names are "
-                f"{', '.join(names)}"
+                f"{what}= has {', '.join(map(str, said))}, and {', '.join(map(str, wrong))} is "
+                f"unknown or missing; its names are {', '.join(names)}"
             )
         return {name: self.of_page(value) for name, value in said.items()}
 
@@ -283,9 +282,8 @@ class _MethodReader:
         if not is_read or not friction.keys() <= {"belt", "holds"}:
             advice = (
                 "of loads with a sign, as those of CoulombKineticFriction, all friction is read; "
-                "let their "
-                'normal force be a symbol N, and give contact={"normal": N, "force": W} and '
-                'friction={"belt": V}'
+                'let their normal force be a symbol N, and give contact={"normal": N, "force": W} '
+                'and friction={"belt": V}'
             )
             raise refused(f"the loads hold {jumps[0]}: {advice}")
         return by_side.subs(side, 0), {

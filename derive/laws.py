@@ -77,9 +77,8 @@ def limit(friction: FrictionForce, law: Expr, speed: Symbol, end: Expr) -> Expr:
         where = "at rest" if end == 0 else "at fast sliding"
         raise PageError(
             friction.line,
-            f"what {law} comes to {where} can't be told: "
-            f"{str(error)[:1].lower()}{str(error)[1:]}; give its parameters domains that "
-            'decide it, as "> 0"',
+            f"what {law} comes to {where} can't be told: {str(error)[:1].lower()}{str(error)[1:]}; "
+            'give its parameters domains that decide it, as "> 0"',
         ) from error
 
 

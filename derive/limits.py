@@ -28,9 +28,8 @@ class Limit(Enum):
     PULLING = (
         "a contact law that is not seen to push, law(depth) >= 0, for every depth > 0 and all "
         "parameters of their domains",
-        'give domains that decide it, as "> 0", or a form that does, as '
-        "k*depth + k_3*depth**3; what holds on as well never opens: "
-        "page.contact(gap, law, unilateral=False)",
+        'give domains that decide it, as "> 0", or a form that does, as k*depth + k_3*depth**3; '
+        "what holds on as well never opens: page.contact(gap, law, unilateral=False)",
     )
     NONLINEAR_DAMPER = (
         "a damper that is nonlinear in speed",

@@ -104,9 +104,8 @@ def groups(page: Page) -> dict[str, Expr]:
             raise PageError(
                 entry.line,
                 f"{entry.symbol} is in {entry.unit}, and no product of "
-                f"{', '.join(str(unit.symbol) for unit in page.units) or 'nothing'}, "
-                "which become 1, is; make three independent quantities units of measure with "
-                "page.unit(...)",
+                f"{', '.join(str(unit.symbol) for unit in page.units) or 'nothing'}, which become "
+                "1, is; make three independent quantities units of measure with page.unit(...)",
             )
         if isinstance(entry, Datum):
             if entry.becomes != str(entry.symbol) and dimensions[entry.symbol] == units.NONE:
@@ -149,9 +148,8 @@ def check_forces(model: Mechanics) -> None:
         if model.mass.row(row).is_zero_matrix:
             raise PageError(
                 entry.line,
-                f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; "
-                "add it: "
-                f"{Limit.WITHOUT_MASS}",
+                f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; add "
+                f"it: {Limit.WITHOUT_MASS}",
             )
     _, line = model.page.kinetic_energy
     if model.mass.has(*model.rates):

@@ -317,9 +317,8 @@ def _check_places(page: Page) -> None:
         if any(part.free_symbols & rates for part in force.components):
             raise PageError(
                 force.line,
-                "this force holds a speed; one in proportion to it is page.damper(c, "
-                "along=x), and friction is page.friction(…); of any "
-                f"other, {Limit.NONLINEAR_DAMPER}",
+                "this force holds a speed; one in proportion to it is page.damper(c, along=x), and "
+                f"friction is page.friction(…); of any other, {Limit.NONLINEAR_DAMPER}",
             )
     for contact in page.contacts:
         if contact.gap is not None and not contact.gap.free_symbols & moving:

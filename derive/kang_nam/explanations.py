@@ -87,9 +87,8 @@ def _preload_consequence(point: ParameterPoint) -> str:
     residual = free_body.forces(ParameterPoint(kappa=Fraction(0)), mpf(0), mpf(0), mpf(1))
     return (
         "the undeformed state x = y = 0 would be an equilibrium (residual "
-        f"{_below(max(map(abs, residual)))}) "
-        f"without any contact force, where the base equilibrium (θ₀ = {point.theta0_deg}°) is "
-        f"x = {show(with_preload[0])}, y = {show(with_preload[1])}"
+        f"{_below(max(map(abs, residual)))}) without any contact force, where the base equilibrium "
+        f"(θ₀ = {point.theta0_deg}°) is x = {show(with_preload[0])}, y = {show(with_preload[1])}"
     )
 
 
@@ -110,11 +109,10 @@ def _force_scale_consequence(point: ParameterPoint) -> str:
     (right,) = free_body.equilibria(point)
     (literal,) = free_body.equilibria(point, Fraction(1, 10))
     return (
-        "none for L_o = 1 in the unit of length in use; taken literally with L_o = 0.1 m, n "
-        "is a tenth of −y and the base "
-        f"equilibrium (θ₀ = {point.theta0_deg}°) moves from x = {show(right[0])} to "
-        f"{show(literal[0])} and from "
-        f"y = {show(right[1])} to {show(literal[1])}"
+        "none for L_o = 1 in the unit of length in use; taken literally with L_o = 0.1 m, n is a "
+        f"tenth of −y and the base equilibrium (θ₀ = {point.theta0_deg}°) moves from x = "
+        f"{show(right[0])} to {show(literal[0])} and from y = {show(right[1])} to "
+        f"{show(literal[1])}"
     )
 
 
@@ -153,9 +151,8 @@ def _constant_evidence() -> tuple[bool, str]:
     }
     return (
         bool(lengths) and residuals["right"] < mpf(10) ** -40 and residuals["printed"] > 1e-6,
-        "at the lift-off equilibrium of the free body the quartic is "
-        f"{_below(residuals['right'])} with the right d_0 and "
-        f"{show(residuals['printed'], 3)} with the printed one",
+        f"at the lift-off equilibrium of the free body the quartic is {_below(residuals['right'])} "
+        f"with the right d_0 and {show(residuals['printed'], 3)} with the printed one",
     )
 
 
@@ -165,11 +162,9 @@ def _constant_consequence(point: ParameterPoint) -> str:
     real = [show(mpmath.re(root), 6) for root in roots if abs(mpmath.im(root)) < 1e-20]
     ((x, y),) = free_body.equilibria(point, contact=0)
     return (
-        f"d_0 = {show(values['printed'])} instead of {show(values['right'])}; the lift-off "
-        "length at θ₀ = "
-        f"{point.theta0_deg}° is L = {show(free_body.spring_length(point, x, y))}, the "
-        "printed quartic has the real roots "
-        f"{', '.join(real) or 'none'}"
+        f"d_0 = {show(values['printed'])} instead of {show(values['right'])}; the lift-off length "
+        f"at θ₀ = {point.theta0_deg}° is L = {show(free_body.spring_length(point, x, y))}, the "
+        f"printed quartic has the real roots {', '.join(real) or 'none'}"
     )
 
 

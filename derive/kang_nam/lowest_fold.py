@@ -154,10 +154,9 @@ def _start() -> tuple[Step, ...]:
             expand(at_rest - (alpha * (c0 - length * c) + sigma * (1 - length) * c)) == 0,
         ),
         Step(
-            "q s (L − 1) = κ − B (s − s₀): where cos θ > 0, L < 1 asks sin θ > sin θ₀, hence "
-            "L cos θ < cos θ₀ and x > 0, against α x < 0, so "
-            "that L ≥ 1 and 0 ≤ x < cos θ₀ (α = 0: L = 1, sin θ > sin θ₀): the one state with "
-            "cos θ > 0 is the one of small deformation",
+            "q s (L − 1) = κ − B (s − s₀): where cos θ > 0, L < 1 asks sin θ > sin θ₀, hence L cos "
+            "θ < cos θ₀ and x > 0, against α x < 0, so that L ≥ 1 and 0 ≤ x < cos θ₀ (α = 0: L = "
+            "1, sin θ > sin θ₀): the one state with cos θ > 0 is the one of small deformation",
             expand(stretch - lift) == 0,
         ),
     )
@@ -191,10 +190,9 @@ def _inclined_backward() -> tuple[Step, ...]:
             and manifestly_positive(turned),
         ),
         Step(
-            "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the reference "
-            "state has cos θ ≤ 0, friction moves "
-            "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f "
-            "= cos θ (a s + b) has the sign of −cos θ",
+            "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the reference state "
+            "has cos θ ≤ 0, friction moves it to larger θ, and folds are not there; at θ₀ = π/2 no "
+            "other state has it, as f = cos θ (a s + b) has the sign of −cos θ",
             expand((f - c * (fa * s + fb)).subs(elimination.f_coefficients()).subs({M: 0, c0: 0}))
             == 0
             and expand(upright + bound + theorem.sigma * (theorem.beta + 1) * (1 - sine)) == 0
@@ -208,33 +206,28 @@ def _follow() -> tuple[Step, ...]:
     f = elimination.f_in_parameters()
     return (
         Step(
-            "f is linear in μ₀, and f_μ₀ = q y sin θ < 0 in contact: the friction of a "
-            "direction is one number, and a state with f′ > 0 "
-            "moves to larger θ as friction rises",
+            "f is linear in μ₀, and f_μ₀ = q y sin θ < 0 in contact: the friction of a direction "
+            "is one number, and a state with f′ > 0 moves to larger θ as friction rises",
             expand(sp.diff(f, M) - sp.cancel(q * s * elimination.state()[y])) == 0,
         ),
         Step(
             "a fold with μ₀ > 0 and f″ < 0 has f > 0 at its θ without friction, so that the "
-            "reference state, the first root, lies "
-            "below it; at the fold f < 0 on both sides, and the third root lies above: to get "
-            "there the state would pass the fold's θ "
-            "at a smaller friction, and that θ has one friction only. So it ends at the fold, "
-            "or before",
+            "reference state, the first root, lies below it; at the fold f < 0 on both sides, and "
+            "the third root lies above: to get there the state would pass the fold's θ at a "
+            "smaller friction, and that θ has one friction only. So it ends at the fold, or before",
             all(step.holds for step in theorem.one_or_three()),
         ),
         Step(
-            "along the folds of f″ ≠ 0 dμ₀/dθ₀ = −f_θ₀/f_μ₀: the least friction of those with "
-            "f″ < 0 is that of a cusp (f″ = 0), of a turn "
-            "(f_θ₀ = 0), or at an end of the angles, θ₀ = 0: f ≠ 0 keeps folds away from sin "
-            "θ = 0 and y = 0, the steps above from "
-            "θ₀ = π/2, and without friction and α > 0 a double root lies above the first, "
-            "which is simple, and has f″ > 0",
+            "along the folds of f″ ≠ 0 dμ₀/dθ₀ = −f_θ₀/f_μ₀: the least friction of those with f″ < "
+            "0 is that of a cusp (f″ = 0), of a turn (f_θ₀ = 0), or at an end of the angles, θ₀ = "
+            "0: f ≠ 0 keeps folds away from sin θ = 0 and y = 0, the steps above from θ₀ = π/2, "
+            "and without friction and α > 0 a double root lies above the first, which is simple, "
+            "and has f″ > 0",
             expand(elimination.f_form.subs(s, 0) - fb * c) == 0 and bool(_inclined_backward()),
         ),
         Step(
-            "α = 0: at a turn κ σ cos θ cos θ₀ = 0, and neither cos θ = 0 nor θ₀ = π/2 is on "
-            "a fold with μ₀ > 0: the least is at a cusp or at "
-            "θ₀ = 0",
+            "α = 0: at a turn κ σ cos θ cos θ₀ = 0, and neither cos θ = 0 nor θ₀ = π/2 is on a "
+            "fold with μ₀ > 0: the least is at a cusp or at θ₀ = 0",
             expand((turning_line()[0] - kappa * sigma).subs(POLES).subs(alpha, 0)) == 0
             and all(value.subs(alpha, 0) == 0 for value in turning_line()[1:]),
         ),

@@ -76,10 +76,9 @@ def _quartic() -> tuple[Step, ...]:
             len(quartic) == 5 and quartic[4] == -nm.fb and quartic[0] == nm.fb,
         ),
         Step(
-            "three positive roots need a + d > 0: that of t is 2 (a + d), that of t² is −4 m "
-            "with m = μ₀ σ ≥ 0, and without "
-            "the first positive the coefficients change sign once, which by Descartes' rule "
-            "leaves one positive root",
+            "three positive roots need a + d > 0: that of t is 2 (a + d), that of t² is −4 m with "
+            "m = μ₀ σ ≥ 0, and without the first positive the coefficients change sign once, which "
+            "by Descartes' rule leaves one positive root",
             expand(quartic[1] - 2 * (nm.fa + nm.fd)) == 0
             and quartic[2] == -4 * nm.fm
             and manifestly_positive(in_contact(nm.fm).subs(nm.mu0, friction))
@@ -126,9 +125,8 @@ def _threshold_below_zero() -> tuple[Step, ...]:
             manifestly_positive(penetration.subs(nm.s, s).subs(kappa, sigma * (s0 + depth))),
         ),
         Step(
-            "s < 0 excludes L > 0 together with y < 0: σ s + B s₀ + κ must be negative and σ "
-            "(s − s₀) + κ positive, "
-            "but the first is larger than the second by (B + σ) s₀",
+            "s < 0 excludes L > 0 together with y < 0: σ s + B s₀ + κ must be negative and σ (s − "
+            "s₀) + κ positive, but the first is larger than the second by (B + σ) s₀",
             manifestly_positive(conflict),
         ),
     )
@@ -159,10 +157,9 @@ def _threshold_above_zero() -> tuple[Step, ...]:
             manifestly_positive(in_contact(-P).subs(nm.L, 1 + stretch) - alpha),
         ),
         Step(
-            "P² cos² θ* > α² cos² θ₀, with −P = α + λ, cos² θ₀ = C ≥ 0 and cos² θ* = C + s₀² "
-            "− s*²: F_x has the sign of "
-            "−cos θ at either end, so that there is an odd number of roots between, all with "
-            "t > 0 and L > 0: one or three",
+            "P² cos² θ* > α² cos² θ₀, with −P = α + λ, cos² θ₀ = C ≥ 0 and cos² θ* = C + s₀² − "
+            "s*²: F_x has the sign of −cos θ at either end, so that there is an odd number of "
+            "roots between, all with t > 0 and L > 0: one or three",
             manifestly_positive(
                 (alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2)
                 - alpha**2 * level
@@ -186,19 +183,16 @@ def _middle() -> tuple[Step, ...]:
     return (
         Step("L det K = f′ at every equilibrium", catastrophe.slope_identity()),
         Step(
-            "s* ≤ 0: contact is 0 < θ < π, and f is negative before the first root and "
-            "positive after the last: f = b < 0 at "
-            "θ = 0 and −b at θ = π",
+            "s* ≤ 0: contact is 0 < θ < π, and f is negative before the first root and positive "
+            "after the last: f = b < 0 at θ = 0 and −b at θ = π",
             f.subs({nm.s: 0, nm.c: 1}) == nm.fb
             and f.subs({nm.s: 0, nm.c: -1}) == -nm.fb
             and manifestly_positive(in_contact(-nm.fb)),
         ),
         Step(
             "s* > 0: contact is θ* < θ < π − θ*, and f is negative before the first root and "
-            "positive after the last: at the "
-            "ends f = q s* F_x with q s* > 0, F_x = P cos θ + α cos θ₀ has the sign of P cos "
-            "θ since (F_x)(P cos θ − α cos θ₀) > 0, "
-            "and P < 0",
+            "positive after the last: at the ends f = q s* F_x with q s* > 0, F_x = P cos θ + α "
+            "cos θ₀ has the sign of P cos θ since (F_x)(P cos θ − α cos θ₀) > 0, and P < 0",
             all(step.holds for step in _threshold_above_zero())
             and sp.simplify(at_end - in_contact(nm.q) * threshold * force) == 0,
         ),
@@ -210,8 +204,7 @@ def _middle() -> tuple[Step, ...]:
         ),
         Step(
             "det K < 0 is divergence: (27) is λ⁴ + tr K λ² + det K = 0, negative at λ = 0 and "
-            "positive for large λ, so that a real "
-            "λ > 0 solves it",
+            "positive for large λ, so that a real λ > 0 solves it",
             equation.all_coeffs() == [1, 0, K.trace(), 0, expand(K.det())],
         ),
     )

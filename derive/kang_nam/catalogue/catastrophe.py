@@ -107,9 +107,8 @@ def module() -> Module:
             ),
             Function(
                 "fold_events",
-                "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where "
-                "one has θ₀ = 0 or π, and "
-                "where one has μ₀ = 0. Needs α > 0.",
+                "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one "
+                "has θ₀ = 0 or π, and where one has μ₀ = 0. Needs α > 0.",
                 "f = f′ = 0",
                 (s, *WITHOUT_FRICTION),
                 events,
@@ -119,8 +118,7 @@ def module() -> Module:
             Function(
                 "fold_events_without_alpha",
                 "The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and "
-                "where "
-                "they meet at π/2.",
+                "where they meet at π/2.",
                 "f = f′ = 0",
                 (s, kappa, sigma, beta),
                 events_without_alpha,
@@ -161,10 +159,9 @@ def module() -> Module:
             ),
             Function(
                 "fold_sextic",
-                "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = "
-                "tan(θ/2), whose roots are "
-                "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the "
-                "surface.",
+                "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), "
+                "whose roots are all folds along a parameter v but θ₀; minus its sign is that of "
+                "dv/dθ on the surface.",
                 "f = f′ = 0",
                 (*F_COEFFICIENTS, fa_v, fb_v, fd_v, fm_v),
                 sextic,
@@ -173,9 +170,8 @@ def module() -> Module:
             ),
             Function(
                 "fold_cubics",
-                "Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos "
-                "θ₀, on the fold "
-                "through θ at friction μ₀.",
+                "Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on "
+                "the fold through θ at friction μ₀.",
                 "f = f′ = 0",
                 PARAMETERS,
                 _fold_cubics(),
@@ -184,9 +180,8 @@ def module() -> Module:
             ),
             Function(
                 "cusp_polynomial",
-                "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are "
-                "all cusps. "
-                "Needs α > 0 and α ≠ 1 + β.",
+                "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all "
+                "cusps. Needs α > 0 and α ≠ 1 + β.",
                 "f = f′ = f″ = 0",
                 WITHOUT_FRICTION,
                 cusp_polynomial,

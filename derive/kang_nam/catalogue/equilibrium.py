@@ -147,9 +147,8 @@ def module() -> Module:
             ),
             Function(
                 "f_magnitudes",
-                "Sums of the absolute values of the terms of a and d, against which their "
-                "rounding errors are "
-                "measured.",
+                "Sums of the absolute values of the terms of a and d, against which their rounding "
+                "errors are measured.",
                 "rounding-error analysis",
                 (*POINT, nbar),
                 (

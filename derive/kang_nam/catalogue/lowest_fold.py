@@ -23,9 +23,8 @@ def functions() -> tuple[Function, ...]:
     return (
         Function(
             "turning_polynomial",
-            "Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all "
-            "points at which the "
-            "curve of folds turns back in μ₀. Needs α > 0.",
+            "Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all points "
+            "at which the curve of folds turns back in μ₀. Needs α > 0.",
             "f = f′ = f_θ₀ = 0",
             WITHOUT_FRICTION,
             lowest_fold.turning_polynomial(),

@@ -109,9 +109,8 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
             said = (done.stderr or done.stdout).decode(errors="replace").split("\n")
             words = "; ".join([line.strip() for line in said if line.strip()][:3])
             raise ChildProcessError(
-                f"{shlex.join(compiler)} failed with exit code {done.returncode}: {words}; "
-                "give CC a "
-                "compiler of C99, as CC=gcc"
+                f"{shlex.join(compiler)} failed with exit code {done.returncode}: {words}; give CC "
+                "a compiler of C99, as CC=gcc"
             )
         machines = {"amd64": "x86_64", "arm64": "aarch64"}
         return {f"binaries/{machines.get(machine, machine)}-{system}/{library}": built.read_bytes()}

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from .definitions import SPELLED, Definition
-from .language import KernelError, Source, parse
+from .language import ROUGH, KernelError, Source, parse
 from .routines import items, places
 
 #: An expression and its kind.
@@ -238,7 +238,7 @@ class _Writer:
         kinds = tuple(kind for _, kind in typed)
         values = [value for value, _ in typed]
         wide = "Wide" in kinds
-        if name == "rough":
+        if name == ROUGH:
             return (self.leading(values[0]) if wide else values[0]), "Real"
         if name in self.program.kernel.records:
             record = self.program.record(name, kinds)

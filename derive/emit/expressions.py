@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum, auto
 
-from .language import KernelError, Routine, Source
+from .language import ROUGH, KernelError, Routine, Source
 
 
 class Strength(IntEnum):
@@ -89,9 +89,7 @@ class Expressions:
                     f"{self.print(no, Strength.OR)}",
                     Strength.CHOICE,
                 )
-            case ast.Call(func=ast.Name(id=name), args=[argument]) if hands_back(
-                self.source.routines.get(name)
-            ):
+            case ast.Call(func=ast.Name(id=name), args=[argument]) if name == ROUGH:
                 return self._expression(argument)
             case ast.Call(func=ast.Name(id=name), args=args):
                 return f"{self.called(name)}({self.listed(args)})", Strength.ATOM
@@ -135,20 +133,8 @@ class Expressions:
         )
 
 
-def hands_back(routine: Routine | None) -> bool:
-    """Whether a routine returns its argument unchanged, as ``rough`` of a double; a call of it is
-    printed as the argument.
-    """
-    match routine:
-        case Routine(arguments=((argument, _),), body=(ast.Return(value=ast.Name(id=returned)),)):
-            return argument == returned
-    return False
-
-
 def printed(source: Source, asked: Iterable[str]) -> list[Routine]:
-    """The routines that are printed: those asked for, and all that they call, except those that
-    return their argument.
-    """
+    """The routines that are printed: those asked for, and all that they call but ``ROUGH``."""
     needed: set[str] = set()
     further = [source.routines[name] for name in asked]
     while further:
@@ -156,11 +142,7 @@ def printed(source: Source, asked: Iterable[str]) -> list[Routine]:
         needed.add(routine.name)
         called = source.routines.keys() & set(routine.calls) - needed
         further += [source.routines[name] for name in sorted(called)]
-    return [
-        routine
-        for name, routine in source.routines.items()
-        if name in needed and not hands_back(routine)
-    ]
+    return [it for name, it in source.routines.items() if name in needed - {ROUGH}]
 
 
 def number(value: float) -> str:

@@ -19,6 +19,10 @@ Real: TypeAlias = Any
 #: A truth value, or an array of these.
 Flag: TypeAlias = Any
 
+#: The routine that gives a number as a double. On doubles it returns its argument: a call of it is
+#: printed as that, and it is not printed itself.
+ROUGH = "rough"
+
 
 def _primitive(name: str) -> Callable[..., Any]:
     """A placeholder for a function that every target provides."""
@@ -190,40 +194,32 @@ def _kind(annotation: ast.expr | None, node: ast.stmt | ast.arg) -> str:
 # kinds
 
 
-@dataclass(frozen=True)
-class Kinds:
-    """Inference of the kind of an expression of the kernel."""
-
-    source: Source
-
-    def of(self, expression: ast.expr, names: Mapping[str, str]) -> str:
-        """The kind of an expression: Real, Flag or the name of a record; ``names`` has the kinds of
-        local names.
-        """
-        match expression:
-            case ast.Constant():
-                return "Real"
-            case ast.Name(id=name):
-                return names.get(name, "Real")
-            case ast.Attribute(value=value, attr=attribute):
-                return dict(self.source.records[self.of(value, names)].fields)[attribute]
-            case ast.Compare():
-                return "Flag"
-            case ast.BinOp(op=ast.BitAnd() | ast.BitOr()) | ast.UnaryOp(op=ast.Invert()):
-                return "Flag"
-            case ast.BinOp() | ast.UnaryOp():
-                return "Real"
-            case ast.Call(func=ast.Name(id="where"), args=[_, yes, _]):
-                return self.of(yes, names)
-            case ast.Call(func=ast.Name(id=name)):
-                if name in self.source.records:
-                    return name
-                return (
-                    self.source.routines[name].returns if name in self.source.routines else "Real"
-                )
-        raise KernelError(
-            f"line {expression.lineno}: {ast.unparse(expression)} is not in the kernel's language"
-        )
+def kind_of(expression: ast.expr, names: Mapping[str, str], source: Source) -> str:
+    """The kind of an expression of the kernel: Real, Flag or the name of a record; ``names`` has
+    the kinds of local names.
+    """
+    match expression:
+        case ast.Constant():
+            return "Real"
+        case ast.Name(id=name):
+            return names.get(name, "Real")
+        case ast.Attribute(value=value, attr=attribute):
+            return dict(source.records[kind_of(value, names, source)].fields)[attribute]
+        case ast.Compare():
+            return "Flag"
+        case ast.BinOp(op=ast.BitAnd() | ast.BitOr()) | ast.UnaryOp(op=ast.Invert()):
+            return "Flag"
+        case ast.BinOp() | ast.UnaryOp():
+            return "Real"
+        case ast.Call(func=ast.Name(id="where"), args=[_, yes, _]):
+            return kind_of(yes, names, source)
+        case ast.Call(func=ast.Name(id=name)):
+            if name in source.records:
+                return name
+            return source.routines[name].returns if name in source.routines else "Real"
+    raise KernelError(
+        f"line {expression.lineno}: {ast.unparse(expression)} is not in the kernel's language"
+    )
 
 
 def passes(loop: ast.For) -> int:

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterable, Mapping
 
 from ..function import Module
-from ..language import Source, definitions
+from ..language import ROUGH, Source, definitions
 
 
 #: What the language's primitives are for arrays; the cube root and the choice have files of their
@@ -26,7 +26,7 @@ def render(
         f"from . import {home} as _{home}" for home in sorted({home for home, _ in used})
     )
     counted = "\n".join(f"{name} = {value!r}" for name, value in counts.items())
-    leading = ast.unparse(source.routines["rough"].body[-1])
+    leading = ast.unparse(source.routines[ROUGH].body[-1])
     code = definitions(source.text).replace(
         f"    {leading}\n", '    return getattr(x, "high", x)\n', 1
     )

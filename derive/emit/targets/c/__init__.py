@@ -7,8 +7,8 @@ import textwrap
 from collections.abc import Iterable
 
 from ...definitions import WIDTH
-from ...expressions import hands_back, printed
-from ...language import Kinds, Routine, Source
+from ...expressions import printed
+from ...language import ROUGH, Routine, Source
 from .. import Material, runtime, spoken, words
 from . import algebra, cost, kernel
 from .layout import plain
@@ -94,10 +94,7 @@ def _kernel(material: Material, definitions: str) -> str:
         [
             kernel.constants(numbers),
             *(kernel.structure(record) for record in source.records.values()),
-            *(
-                kernel.routine(it, Kinds(source), "algebra_")
-                for it in _in_order(source, printed(source, asked))
-            ),
+            *(kernel.routine(it, source) for it in _in_order(source, printed(source, asked))),
         ]
     )
 
@@ -110,7 +107,7 @@ def _in_order(source: Source, routines: Iterable[Routine]) -> list[Routine]:
         if name in ordered:
             return
         for called in source.routines[name].calls:
-            if called in source.routines and not hands_back(source.routines[called]):
+            if called in source.routines and called != ROUGH:
                 place(called)
         ordered[name] = source.routines[name]
 

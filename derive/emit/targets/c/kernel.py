@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping
 
 from ...expressions import Strength, Syntax, number
-from ...language import Kinds, Record, Routine
+from ...language import Record, Routine, Source, kind_of
 from ...routines import Printer, places
 from .layout import broken, comment, definition
 
@@ -28,18 +28,16 @@ def declared(kind: str) -> str:
     return {"Real": "double", "Flag": "int"}.get(kind) or kind
 
 
-def routine(routine: Routine, kinds: Kinds, prefix: str) -> str:
-    """The definition of a kernel's function; calls of generated algebra have ``prefix`` before the
-    name.
-    """
-    return _CPrinter(routine, kinds, prefix).definition()
+def routine(routine: Routine, source: Source) -> str:
+    """The definition of a kernel's function."""
+    return _CPrinter(routine, source).definition()
 
 
 class _CPrinter(Printer):
     step = "    "
     begin = "for (int i = 0; i < {}; i++) {{"
 
-    def __init__(self, routine: Routine, kinds: Kinds, prefix: str) -> None:
+    def __init__(self, routine: Routine, source: Source) -> None:
         logic: dict[type[ast.operator] | type[ast.unaryop], str] = {
             ast.BitAnd: "&",
             ast.BitOr: "|",
@@ -53,10 +51,8 @@ class _CPrinter(Printer):
             "sqrt": "sqrt",
             "cube_root": "cube_root",
         }
-        super().__init__(
-            routine, kinds.source, Syntax(primitives, logic, algebra=lambda name: f"{prefix}{name}")
-        )
-        self.kinds = kinds
+        syntax = Syntax(primitives, logic, algebra=lambda name: f"algebra_{name}")
+        super().__init__(routine, source, syntax)
         self.names: dict[str, str] = dict(routine.arguments)
 
     def definition(self) -> str:
@@ -76,7 +72,7 @@ class _CPrinter(Printer):
         return comment(text, indent)
 
     def assignment(self, name: str, value: ast.expr, indent: str) -> str:
-        kind = self.kinds.of(value, self.names)
+        kind = kind_of(value, self.names, self.source)
         assigned = name in self.names
         self.names[name] = kind
         start = (

@@ -32,32 +32,29 @@ def render(material: Material) -> list[str]:
     ]
 
 
-def _syntax(library: str) -> Syntax:
-    inside = f"{library}.kernel."
-    return Syntax(
-        primitives={
-            "where": f"{inside}where",
-            "maximum": f"{inside}larger",
-            "minimum": f"{inside}smaller",
-            "absolute": "abs",
-            "sqrt": "sqrt",
-            "cube_root": f"{inside}cube_root",
-        },
-        logic={ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "~"},
-        algebra=lambda name: f"{library}.algebra.{name}",
-        routine=lambda name: f"{inside}{method_name(name)}",
-        signs={"*": ".*", "/": "./"},
-        ternary=False,
-    )
-
-
 class _MatlabPrinter(Printer):
     begin, end, gives = "for pass = 1:{}", "end", "result = {};"
 
     def __init__(
         self, routine: Routine, source: Source, material: Material, said: set[str]
     ) -> None:
-        super().__init__(routine, source, _syntax(material.library))
+        inside = f"{material.library}.kernel."
+        syntax = Syntax(
+            primitives={
+                "where": f"{inside}where",
+                "maximum": f"{inside}larger",
+                "minimum": f"{inside}smaller",
+                "absolute": "abs",
+                "sqrt": "sqrt",
+                "cube_root": f"{inside}cube_root",
+            },
+            logic={ast.BitAnd: "&", ast.BitOr: "|", ast.Invert: "~"},
+            algebra=lambda name: f"{material.library}.algebra.{name}",
+            routine=lambda name: f"{inside}{method_name(name)}",
+            signs={"*": ".*", "/": "./"},
+            ternary=False,
+        )
+        super().__init__(routine, source, syntax)
         self.said = said
         self.numbers = {item.name: (item.value, item.comment) for item in source.constants}
         self.numbers |= {

@@ -117,17 +117,18 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     for entry in page.coordinates:
         yield str(entry.symbol), "this coordinate", entry.line
     for entry in page.coordinates:
-        yield str(entry.rate), f"the rate of {entry.symbol}", entry.line
-        yield acceleration_of(entry.symbol), f"the acceleration of {entry.symbol}", entry.line
-        yield f"{entry.symbol}0", f"the start of {entry.symbol}", entry.line
-        yield f"{entry.rate}0", f"the start of the rate of {entry.symbol}", entry.line
-        for of_limit in (
-            f"mean_{entry.symbol}",
-            f"rest_{entry.symbol}",
-            f"cycle_{entry.symbol}",
-            f"cycle_{entry.rate}",
+        q, v = entry.symbol, entry.rate
+        for name, what in (
+            (f"{v}", "the rate of"),
+            (acceleration_of(q), "the acceleration of"),
+            (f"{q}0", "the start of"),
+            (f"{v}0", "the start of the rate of"),
+            (f"mean_{q}", "a column of a sweep, for"),
+            (f"rest_{q}", "a column of a sweep, for"),
+            (f"cycle_{q}", "a column of a sweep, for"),
+            (f"cycle_{v}", "a column of a sweep, for"),
         ):
-            yield of_limit, f"a column of a sweep, for {entry.symbol}", entry.line
+            yield name, f"{what} {q}", entry.line
     for datum in page.parameters:
         yield datum.becomes, "this parameter", datum.line
         if datum.unit == "rad" and datum.becomes.isidentifier():
@@ -289,7 +290,7 @@ def _check_clock(page: Page, own: set[Symbol]) -> None:
     """The clock and its speed, which are its ``own`` symbols, occur only in statements that may
     hold them.
     """
-    said = [(page.inertia[0], page.inertia[1], "the kinetic energy")] if page.inertia else []
+    said = [(*page.kinetic_energy, "the kinetic energy")]
     said += [(it.along, it.line, "what friction opposes") for it in page.frictions]
     said += [(it.strength, it.line, f"the {it.quality} of this {it.what}") for it in page.elements]
     for value, line, what in said:
@@ -351,7 +352,7 @@ def _check_places(page: Page) -> None:
 
 def check_used(page: Page) -> None:
     """Raise a PageError for a parameter that no statement uses."""
-    used = {symbol for it in statements(page) for symbol in it.value.free_symbols}
+    used = sp.Tuple(*(it.value for it in statements(page))).free_symbols
     for datum in (it for it in page.parameters if it.symbol not in used):
         raise PageError(
             datum.line,
@@ -404,8 +405,8 @@ def statements(page: Page) -> Iterator[PageExpression]:
         )
     for energy, line in page.energies:
         yield PageExpression(energy, "this potential energy", line, "J")
-    if page.inertia is not None:
-        yield PageExpression(page.inertia[0], "the kinetic energy", page.inertia[1], "J")
+    energy, line = page.kinetic_energy
+    yield PageExpression(energy, "the kinetic energy", line, "J")
     if page.timer is not None:
         said, line = "the speed of the clock", page.timer.line
         yield PageExpression(page.timer.speed, said, line, "Hz")

@@ -72,18 +72,12 @@ def is_drawn(page: Page) -> bool:
     across = (
         len(symbols) < 2 or gap == symbols[1] or (gap is None and (mass in points or uncoupled))
     )
-    cars = {
-        symbol
-        for both in ends
-        for end in both
-        for symbol in symbols[2:]
-        if symbol in end[0].free_symbols
-    }
+    along_belt = sp.Tuple(*(end[0] for both in ends for end in both))
     return (
         across
         and gap in (None, *symbols[1:2])
         and (page.sliding is None or page.sliding.along == x)
-        and set(symbols[2:]) == cars
+        and set(symbols[2:]) <= along_belt.free_symbols
         and all(mass in both and _is_anchor(both[both[0] == mass], symbols) for both in ends)
         and all(it.along is None or it.along in symbols for it in page.elements)
         and all(
@@ -113,11 +107,7 @@ def _has_one_mass(page: Page) -> bool:
     own.
     """
     M = sp.hessian(page.kinetic_energy[0], page.rates)
-    return bool(
-        M.is_diagonal()
-        and not M.has(*page.places)
-        and M[0, 0] == M[min(1, M.rows - 1), min(1, M.rows - 1)]
-    )
+    return bool(M.is_diagonal() and not M.has(*page.places) and len({*M.diagonal()[:2]}) == 1)
 
 
 def _values(page: Page) -> dict[sp.Symbol, float]:

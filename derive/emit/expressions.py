@@ -28,7 +28,8 @@ class Strength(IntEnum):
 class Syntax:
     """What differs between the syntaxes of targets."""
 
-    #: Names of the functions for the language's primitives, except ``where``.
+    #: Names of the functions for the language's primitives. Without one for ``where`` a choice is
+    #: ``c ? a : b``.
     primitives: Mapping[str, str]
     #: Operators for ``&``, ``|`` and ``~``.
     logic: Mapping[type[ast.operator] | type[ast.unaryop], str]
@@ -36,8 +37,6 @@ class Syntax:
     routine: Callable[[str], str] = str  #: how a function of the kernel is called
     #: Other operators for arithmetic and comparisons, as ``.*`` for arrays.
     signs: Mapping[str, str] = field(default_factory=dict)
-    #: Whether a choice is ``c ? a : b``; else it is a function in ``primitives``.
-    ternary: bool = True
 
 
 @dataclass(frozen=True)
@@ -81,8 +80,8 @@ class Expressions:
                     f"{self.print(right, Strength.SUM)}",
                     Strength.COMPARE,
                 )
-            case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if (
-                self.syntax.ternary
+            case ast.Call(func=ast.Name(id="where" as name), args=[condition, yes, no]) if (
+                name not in self.syntax.primitives
             ):
                 return (
                     f"{self.print(condition, Strength.COMPARE)} ? {self.print(yes, Strength.OR)} : "

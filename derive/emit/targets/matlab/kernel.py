@@ -52,7 +52,6 @@ class _MatlabPrinter(Printer):
             algebra=lambda name: f"{material.library}.algebra.{name}",
             routine=lambda name: f"{inside}{method_name(name)}",
             signs={"*": ".*", "/": "./"},
-            ternary=False,
         )
         super().__init__(routine, source, syntax)
         self.said = said

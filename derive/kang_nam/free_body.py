@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from numbers import Rational
 from typing import Any
 
 import mpmath
@@ -29,12 +30,12 @@ DIGITS = 50
 class ParameterPoint:
     """Numbers for the parameters; ``theta0_deg`` in degrees, the rest exact rationals."""
 
-    theta0_deg: Fraction = Fraction(49)  #: of Figure 7a
-    mu0: Fraction = Fraction(str(article.BASE[nm.mu0]))
-    kappa: Fraction = Fraction(str(article.BASE[nm.kappa]))
-    alpha: Fraction = Fraction(str(article.BASE[nm.alpha]))
-    sigma: Fraction = Fraction(str(article.BASE[nm.sigma]))
-    beta: Fraction = Fraction(str(article.BASE[nm.beta]))
+    theta0_deg: Rational = Fraction(49)  #: of Figure 7a
+    mu0: Rational = article.BASE[nm.mu0]
+    kappa: Rational = article.BASE[nm.kappa]
+    alpha: Rational = article.BASE[nm.alpha]
+    sigma: Rational = article.BASE[nm.sigma]
+    beta: Rational = article.BASE[nm.beta]
 
     def number(self, name: str, arithmetic: mpmath.MPContext = mpmath.mp) -> mpf:
         """A parameter in the working precision; the angle in radians."""

@@ -14,7 +14,7 @@ from sympy import Expr, Symbol, expand
 from .. import laws, pages
 from ..algebra import Pair
 from ..emit.quantities import Quantity
-from ..mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number
+from ..mechanics import MU, PUSHING, SIDE, Mechanics, number
 from ..model import Datum, Page, expression_of
 from ..motion import Motion
 from . import nomenclature as nm
@@ -133,21 +133,6 @@ def spring_length() -> Expr:
     return in_article(of_page(), line.length)
 
 
-def replace_length(expression: Expr) -> Expr:
-    """An expression with the symbol L in place of the square root of (6)."""
-    square = expand(spring_length() ** 2)
-
-    def is_length(node: sp.Basic) -> bool:
-        return (
-            isinstance(node, sp.Pow)
-            and node.exp.is_Rational
-            and node.exp.q == 2
-            and expand(node.base - square) == 0
-        )
-
-    return expression.replace(is_length, lambda node: nm.L ** (2 * node.exp))
-
-
 # ------------------------------------------------------------------------------------------------
 # equations of motion
 
@@ -170,21 +155,13 @@ def motion() -> Pair:
 
 
 @cache
-def contact_law() -> Expr:
-    """The contact force n(y) of (11), which is 0 above the belt; minus its slope is n̄, (29)."""
+def contact_family() -> Expr:
+    """The contact force n(y) of (11) as one expression for contact (n̄ = 1) and lift-off (n̄ = 0);
+    minus its slope is n̄, (29).
+    """
     contact = of_page().contacts[0]
     assert contact.gap is not None
-    pushing, gap = (
-        in_article(of_page(), part) for part in (contact.law.subs(DEPTH, -contact.gap), contact.gap)
-    )
-    return sp.Piecewise((pushing, gap < 0), (sp.S.Zero if contact.unilateral else pushing, True))
-
-
-@cache
-def contact_family() -> Expr:
-    """The contact force as one expression for contact (n̄ = 1) and lift-off (n̄ = 0)."""
-    (pushing, _), (apart, _) = contact_law().args
-    return nm.nbar * pushing + (1 - nm.nbar) * apart
+    return in_article(of_page(), contact.force.subs(contact.depth, -contact.gap))
 
 
 @cache

@@ -25,12 +25,8 @@ lam = sp.Symbol("lambda")
 
 def _gradient(expression: Expr) -> Pair:
     """∂/∂x and ∂/∂y of an expression in x, y and L(x, y), at the state (c, s, L)."""
-    length = mechanics.spring_length()
-    polar = equilibrium.displacement()
-    slopes = {
-        coordinate: mechanics.replace_length(diff(length, coordinate)).subs(polar)
-        for coordinate in polar
-    }
+    square, polar = mechanics.spring_length() ** 2, equilibrium.displacement()
+    slopes = {coordinate: (diff(square, coordinate) / (2 * L)).subs(polar) for coordinate in polar}
     return tuple(
         expand(diff(expression, coordinate).subs(polar) + diff(expression, L).subs(polar) * slope)
         for coordinate, slope in slopes.items()

@@ -17,6 +17,7 @@ u; the sign of λ' says on which side of λ* it exists.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -86,10 +87,15 @@ def search(family: Family, condition: Condition, budget: int | None = None) -> F
     alone = family.given.shape[1] == len(family.vary) == 1  # one point, along one parameter
     if condition.singular and family.is_affine():
         return _of_affine_forces(family)
-    searched, whole = _region(family, balance)
-    if condition.touching is not None and not whole.all():
+    if condition.touching is None:
+        searched, whole = _region(family, balance)
+    else:
         # States on the border, where the contact's force is 0, are also states of the open contact.
-        searched, whole = _region(family, balance.across(condition.touching))
+        either = (balance, balance.across(condition.touching))
+        for in_pieces, each in itertools.product((False, True), either):  # pieces take long
+            searched, whole = _region(family, each, in_pieces=in_pieces)
+            if whole.all():
+                break
     system, fixed = Augmented(family, condition), family.begin
     if budget is None and system.options.budget is None:
         budget = _usual_budget(system)
@@ -125,9 +131,11 @@ def nothing(family: Family) -> Found:
     return Found(Roots.none(family.balance.n + len(family.vary)), *_region(family, family.balance))
 
 
-def _region(family: Family, balance: Balance) -> tuple[FloatArray, BoolArray]:
+def _region(
+    family: Family, balance: Balance, *, in_pieces: bool = True
+) -> tuple[FloatArray, BoolArray]:
     """The region of coordinates and varying parameters, and whether it holds all equilibria."""
-    searched, whole = region(balance, family.over, family.requested)
+    searched, whole = region(balance, family.over, family.requested, in_pieces=in_pieces)
     return with_sides(searched, family.spans), whole
 
 
@@ -521,11 +529,31 @@ def slopes_at_infinity(
     same = np.array_equal(_places(balance, z[:n, :1]), before[:, None], equal_nan=True)
     if found.point.size != 1 or not same:
         return np.full((n + 1, n), np.nan), np.full((n + 1, len(names)), np.nan)
-    system = _AtInfinity(Family(None, balance, names, column, np.zeros((len(names), 2))))
-    point = Intervals.point(np.concatenate([z[:n], given[:, None]]))
-    rows = system.slopes(point, system.prepared_at(given[:, None]))
-    slopes = np.array([[as_intervals(entry, (1,)).middle[0] for entry in row] for row in rows])
-    return slopes[:, :n], slopes[:, n:-1]
+
+    def slopes_by(*others: str) -> FloatArray:
+        """Derivatives by u, by ``vary``, and by other parameters."""
+        some = [names.index(name) for name in (vary, *others)]
+        fixed = given[:, None].copy()
+        fixed[some] = np.nan
+        family = Family(None, balance, (vary, *others), fixed, np.zeros((len(some), 2)))
+        system = _AtInfinity(family)
+        point = Intervals.point(np.concatenate([z[:n], given[some, None]]))
+        rows = system.slopes(point, system.prepared_at(given[:, None]))
+        return np.array(
+            [[as_intervals(entry, (1,)).middle[0] for entry in row[:-1]] for row in rows]
+        )
+
+    # As soon as a parameter is not 0 it may change the largest power of the forces: only where it
+    # does not, there is a slope by it.
+    others = [name for name in names if name != vary]
+    some = [name for name in others if given[names.index(name)]]
+    known, by_p = slopes_by(*some), np.full((n + 1, len(names)), np.nan)
+    by_p[:, [names.index(name) for name in (vary, *some)]] = known[:, n:]
+    for name in set(others).difference(some):
+        own = slopes_by(name)
+        if np.allclose(own[:, :-1], known[:, : n + 1], 1e-9):
+            by_p[:, names.index(name)] = own[:, -1]
+    return known[:, :n], by_p
 
 
 class _AtInfinity(OfFamily, WithoutTapes):

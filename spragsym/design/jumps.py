@@ -150,7 +150,8 @@ def jump_gradient(
     -------
     JumpGradient
         NaN where the state goes on, ends at a pitchfork, or loses contacts at once that it does not
-        lose at once beside these parameters.
+        lose at once beside these parameters; and by a parameter that is 0 where the state runs to
+        infinity, if forces far away are others as soon as it is not.
 
     Raises
     ------

@@ -54,19 +54,25 @@ FARTHEST = 1e60
 
 
 def region(
-    balance: Balance, bounds: Intervals, requested: FloatArray | None = None
+    balance: Balance,
+    bounds: Intervals,
+    requested: FloatArray | None = None,
+    *,
+    in_pieces: bool = True,
 ) -> tuple[FloatArray, BoolArray]:
     """A box for each point, −low and high of shape (2, n, N), and where it is proved to hold all
     equilibria.
 
     ``bounds`` are parameters, shape (P, N), and ``requested`` is the box of
-    :func:`requested_region`.
+    :func:`requested_region`. Only ``in_pieces`` are boxes of parameters halved for a proof, which
+    takes longest; else the box may be infinite where nothing is proved.
     """
     ends, proved = _by_forces(balance, bounds)
     # Edges of cells of a coordinate on either side of 0: first a few, then many.
     few = (*(10.0**k for k in range(-6, 5)), 1e8, 1e15, 1e30)
     many = tuple(10.0**k for k in (*range(-12, 19), 24, 32, 42))
-    for step in (partial(_by_cells, few), partial(_by_cells, many), _in_pieces):
+    last = (_in_pieces,) if in_pieces else ()
+    for step in (partial(_by_cells, few), partial(_by_cells, many), *last):
         open_ = np.flatnonzero(~proved)
         if not open_.size:
             break

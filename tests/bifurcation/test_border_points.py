@@ -1,15 +1,18 @@
 """Border points of several contacts, where one of them only just touches, against closed forms."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq
 
 import spragsym as ss
+from spragsym.bifurcation.borders import borders
 from spragsym.bifurcation.crossings import border_arrivals
-from spragsym.bifurcation.defining_systems import given_column
+from spragsym.bifurcation.defining_systems import Family, given_column
 from spragsym.bifurcation.tubes import Tubes
+from spragsym.statics import regions
 from spragsym.statics.search import balances_of
 from tests.oracles.contact_pages import BLOCKS, HEAD, JAMMING, PAD, SPRUNG, balanced, pad
 from tests.oracles.user_pages import model_of
@@ -296,3 +299,48 @@ def test_two_borders_near_to_one_another_are_two() -> None:
     down = ss.jump_value(p, "P", direction="down", begin=0.04, until=-0.04)
     assert abs(up) <= 1e-12
     assert down == pytest.approx(K * 1e-4 / 1.5, rel=1e-9)
+
+
+SELF_ENERGIZING = '''r"""A wedge brake."""
+from spragsym.derive.model import Page, cos, sin, tanh
+page = Page("A pad between the inclined face of a caliper and a disc.")
+m, k_d = page.unit("m", "kg", "mass"), page.unit("k_d", "N/m", "stiffness of the disc")
+L = page.unit("L", "m", "length")
+a = page.parameter("a", "rad", "inclination of the face", "(0, pi/2)", 0.5)
+mu = page.parameter("mu", "1", "friction of the disc", ">= 0", 0.35)
+k_f = page.parameter("k_f", "N/m", "stiffness of the caliper", "> 0", 2.0, becomes="phi")
+k_a = page.parameter("k_a", "N/m", "spring of the pad", ">= 0", 0.05, becomes="rho")
+F = page.parameter("F", "N", "force of the actuator", ">= 0", 0.02)
+g = page.parameter("g", "m", "gap", ">= 0", 0.05)
+V = page.parameter("V", "m/s", "speed of the disc", "> 0", 0.5)
+x = page.coordinate("x", "m", "along the disc")
+y = page.coordinate("y", "m", "towards the disc")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2)
+page.force(F, along=x)
+page.spring(k_a, along=x)
+disc = page.contact(g - y, lambda depth: k_d * depth, name="disc")
+page.contact(y * cos(a) - x * sin(a), lambda depth: k_f * depth, name="face")
+page.friction(x, V, lambda v: mu * tanh(10 * v / V), at_rest=mu, on=disc)
+'''
+
+
+@pytest.mark.thorough
+def test_states_at_a_border_are_bounded_by_the_open_contact(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """States of the closed pad run to infinity at mu = tan a + rho (1/phi + cos² a)/(sin a cos a);
+    where a contact just touches x = F/rho, which no search by pieces of mu has to find.
+    """
+
+    def pieces(*_: Any) -> Any:
+        raise AssertionError("searched in pieces")
+
+    monkeypatch.setattr(regions, "_in_pieces", pieces)
+    p = model_of(SELF_ENERGIZING, "wedge_brake").Parameters()
+    found = borders(Family.every(p, ("mu",)))
+    assert all(points.complete or points.endless for points in found)
+    assert not any(map(len, found))
+    monkeypatch.undo()
+    sine, cosine = math.sin(0.5), math.cos(0.5)
+    end = (sine + 0.05 * (0.5 + cosine**2) / sine) / cosine
+    assert ss.jump_value(p, "mu") == pytest.approx(end, rel=1e-12)

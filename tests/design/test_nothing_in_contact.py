@@ -114,3 +114,22 @@ def test_a_state_is_followed_from_the_fold_in_which_it_ends() -> None:
         assert path.x[-1] == pytest.approx((1.0 - 5.0**0.5) / 2.0)
     with pytest.raises(ss.errors.SpragsymError, match="begin where there is one"):
         ss.jump_value(p, "P", direction="down", begin=0.25 * (1.0 + 1e-10), until=-1.0)
+
+
+def test_a_hardening_that_is_0_leaves_the_slopes_at_infinity() -> None:
+    """The least hardening k_3 > 0 of the rail moves the end at infinity at once, so that it has no
+    slope by k_3 at 0; those by the others are the same without it.
+    """
+    law = "lambda depth: k_c * depth)"
+    hard = WEDGE.replace(law, "lambda depth: k_c * depth + k_3 * depth**3)").replace(
+        "s = page.coord",
+        'k_3 = page.parameter("k_3", "N/m^3", "hardening of the rail", ">= 0", 0.0)\ns = page.coord',
+    )
+    p = model_of(hard, "hard_wedge").Parameters(f=0.2)
+    slopes, a, rho = ss.jump_gradient(p, "mu"), 0.2, 0.01
+    end = (rho / math.sin(a) + math.sin(a)) / math.cos(a)
+    assert float(slopes.value) == pytest.approx(end)
+    by_a = math.tan(a) * end + 1.0 - rho / math.sin(a) ** 2
+    assert float(slopes.a) == pytest.approx(by_a, rel=1e-9)
+    assert float(slopes.rho) == pytest.approx(1.0 / (math.sin(a) * math.cos(a)), rel=1e-9)
+    assert np.isnan(slopes["k_3"])

@@ -9,7 +9,7 @@ import shlex
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
-from .damping import remedy
+from .damping import is_negligible, remedy
 from .example import example_of
 from .facts import FRICTION, Facts
 from .redesigns import Change
@@ -175,7 +175,7 @@ def _damping(report: Facts) -> Iterator[str]:
     less = "nothing" if here.growth_per_s == 0 else "next to nothing"
     yield (
         f"{less} damps here, practically neutral: the real brake's damping decides; "
-        f"{remedy(report.study.kind)}"
+        f"{remedy(report.study.kind, report.study.values)}"
     )
 
 
@@ -251,11 +251,12 @@ def _measurements(report: Facts) -> Rows:
             f"{' and '.join(missing)}, and add {write}: then its motion is followed too",
         )
     elif here is not None and here.stability == "neutral":
-        at = " and ".join(hertz(frequency) for frequency in here.frequencies_hz)
+        roots = zip(here.frequencies_hz, here.damping_ratio, strict=True)
+        at = " and ".join(hertz(f) for f, ratio in roots if is_negligible(ratio))
         yield (
             "measure",
             f"the damping of the real brake{f' at {at}' if at else ''}, of which the model has "
-            f"next to none: {remedy(study.kind)}",
+            f"next to none: {remedy(study.kind, study.values)}",
         )
     elif here is not None and here.stability == "unstable" and study.belt and study.source:
         command = f"spragsym bifurcation --data {shlex.quote(study.source)} --vary {study.belt}"

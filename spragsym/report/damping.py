@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from ..core.errors import ParameterError
 from ..models.load import WITH_DAMPERS
 from ..models.parameters import FloatArray, Range
 from ..models.quantities import Quantities
+from ..statics.stability import NEUTRAL_GROWTH
 from .example import example_of
 from .units import Measured
 
@@ -70,7 +71,8 @@ def modal_dampers(
     squares, modes = np.linalg.eigh(inverse @ (0.5 * (K + K.T)) @ inverse.T)
     if not squares[0] > 0:
         raise ParameterError(
-            f"{subject} has a mode without stiffness where it is unloaded; write {_lines(kind)}"
+            f"{subject} has a mode without stiffness where it is unloaded; write "
+            f"{_lines(kind, names)}"
         )
     back = M @ inverse.T @ modes
     asked = back @ np.diag(2 * ratio * np.sqrt(squares)) @ back.T
@@ -83,7 +85,7 @@ def modal_dampers(
     if off > rounding * np.linalg.norm(asked) or found.min() < -rounding * found.max():
         raise ParameterError(
             f"{subject} has {' and '.join(names)}, which cannot give all {size} modes one ratio; "
-            f"write {_lines(kind)}"
+            f"write {_lines(kind, names)}"
         )
     units = kind.units
     return {
@@ -92,16 +94,26 @@ def modal_dampers(
     }
 
 
-def _lines(kind: Quantities) -> str:
-    """Example lines of a file for all dampers."""
-    return ", ".join(f'{name} = "{example_of(name, kind.units[name])}"' for name in kind.dampers)
+def _lines(kind: Quantities, dampers: Iterable[str]) -> str:
+    """Example lines of a file for dampers."""
+    return ", ".join(f'{name} = "{example_of(name, kind.units[name])}"' for name in dampers)
 
 
-def remedy(kind: Quantities) -> str:
-    """What to write in the file to add damping."""
+def remedy(kind: Quantities, values: Mapping[str, float]) -> str:
+    """What to write in the file, or on the page, to add damping; ``values`` are those of the
+    quantities, in SI.
+    """
     if kind.model.where in WITH_DAMPERS:
         return 'write damping_ratio = "0.5 %" or what you measured'
-    return f"write {_lines(kind)} or what you measured" if kind.dampers else "add it to the page"
+    if idle := [name for name in kind.dampers if not values.get(name)]:
+        return f"write {_lines(kind, idle)} or what you measured"
+    given = f"check {' and '.join(kind.dampers)}, or " if kind.dampers else ""
+    return f"{given}add a damper to the page"
+
+
+def is_negligible(ratio: float) -> bool:
+    """Whether a damping ratio decides nothing: the mode counts as neutral."""
+    return abs(ratio) < NEUTRAL_GROWTH
 
 
 def _matrices(kind: Quantities, values: Mapping[str, float]) -> list[FloatArray]:

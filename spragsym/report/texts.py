@@ -14,8 +14,8 @@ from .._version import __version__
 from ..design.jumps import verb_of
 from ..design.probability import JumpProbability
 from ..models.load import USUAL, WITH_DAMPERS
-from ..statics.stability import NEUTRAL_GROWTH
 from .advice import Rows, next_steps, steps, warnings
+from .damping import is_negligible
 from .facts import Facts, percent_beyond
 from .redesigns import LARGEST_FACTOR
 from .states import SHARE_BEYOND_FOLD, JumpPeak, Oscillation, State, in_units
@@ -398,7 +398,7 @@ def _state(report: Facts) -> Rows:
 
 def _ratio(ratio: float) -> str:
     """A damping ratio; one that decides nothing has no number."""
-    return "next to no damping" if abs(ratio) < NEUTRAL_GROWTH else f"damping ratio {ratio:.2g}"
+    return "next to no damping" if is_negligible(ratio) else f"damping ratio {ratio:.2g}"
 
 
 def _described(state: State) -> str:

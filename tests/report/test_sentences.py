@@ -13,7 +13,9 @@ import scipy.optimize
 
 import spragsym as ss
 from spragsym.design.probability import JumpProbability
+from spragsym.models.quantities import quantities
 from spragsym.report import facts, texts
+from spragsym.report.damping import remedy
 from spragsym.report.facts import Facts, FoldRow
 from spragsym.report.friction_fit import FrictionFit, fit_friction
 from spragsym.report.redesigns import Change
@@ -829,7 +831,7 @@ ROWS: dict[str, list[tuple[Facts, str, str]]] = {
         (
             lying(stability="neutral", damping_ratio=(1e-7, 0.003)),
             "measure",
-            "the damping of the real brake at 44.35 Hz and 345.9 Hz, of which the model has "
+            "the damping of the real brake at 44.35 Hz, of which the model has "
             'next to none: write damping_ratio = "0.5 %" or what you measured',
         ),
         (
@@ -980,6 +982,19 @@ def test_a_warning(known: Facts, sentence: str) -> None:
     assert len(sentence.split()) < 25
     assert sentence in [text for _, text in dict(texts.sections(known))["Warnings"]]
     assert sentence not in texts.as_json(said_of())["warnings"]
+
+
+@pytest.mark.parametrize(
+    ("model", "given", "advice"),
+    [
+        ("stick_slip", {"c": 0.0}, 'write c = "7 N s/m" or what you measured'),
+        ("stick_slip", {"c": 1e-4}, "check c, or add a damper to the page"),
+        ("trolley", {}, "add a damper to the page"),
+        ("kang_nam", {}, 'write damping_ratio = "0.5 %" or what you measured'),
+    ],
+)
+def test_the_remedy_for_missing_damping(model: str, given: dict[str, float], advice: str) -> None:
+    assert remedy(quantities(model), given) == advice
 
 
 def test_friction_short_of_full_slip_is_told_where_the_printed_digits_show_it() -> None:

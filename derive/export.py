@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import TypeAlias
 
 import sympy as sp
-from sympy import Symbol
 
 from . import drawing, folder, mechanics, motion, pages, scene, units
 from .emit import definitions, targets
@@ -116,13 +115,13 @@ def material(
         datum.becomes: f"{datum.meaning}, radians" for datum in it.parameters if datum.unit == "rad"
     }
     quantities = {
-        datum.becomes: Quantity(number(datum), "", meanings[datum.becomes], domain=datum.domain)
+        datum.becomes: Quantity("", meanings[datum.becomes], domain=datum.domain)
         for datum in it.parameters
     }
     return targets.Material(
         modules=modules,
         quantities=quantities
-        | {named(name): Quantity(Symbol(name), "", meaning) for name, meaning in meanings.items()},
+        | {named(name): Quantity("", meaning) for name, meaning in meanings.items()},
         parameters=tuple(datum.becomes for datum in it.parameters),
         base_values={
             datum.becomes: datum.base for datum in it.parameters if datum.base is not None

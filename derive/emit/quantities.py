@@ -3,7 +3,6 @@
 import math
 import re
 from dataclasses import dataclass
-from typing import Any
 
 
 @dataclass(frozen=True)
@@ -24,12 +23,11 @@ class Interval:
 
 @dataclass(frozen=True)
 class Quantity:
-    """An entry of a nomenclature; ``str(symbol)`` is the name in generated code.
+    """An entry of a nomenclature.
 
     The number may be a quantity over a ``scale``, as a length over L_0.
     """
 
-    symbol: Any  #: SymPy's, or only its name
     article: str
     meaning: str
     unit: str = "1"

@@ -84,7 +84,7 @@ def material(generated: Callable[[str], str]) -> targets.Material:
             )
         },
         quantities={
-            name: Quantity(name, article, meaning, unit, written(Interval(*ends)))
+            name: Quantity(article, meaning, unit, written(Interval(*ends)))
             for name, (article, meaning, unit, *ends) in table["QUANTITIES"].items()
         },
         parameters=table["PARAMETERS"],

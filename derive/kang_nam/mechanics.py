@@ -74,7 +74,7 @@ def _require(model: Mechanics) -> None:
             "page of its own"
         )
     for datum in model.page.parameters:
-        entry = nm.quantities().get(datum.becomes)
+        entry = nm.QUANTITIES.get(datum.becomes)
         if entry is not None and datum.becomes not in published:
             raise ArithmeticError(
                 f"{datum.becomes} is {entry.meaning} in the article; give this parameter "
@@ -86,8 +86,7 @@ def symbol_of(datum: Datum) -> Symbol:
     """The symbol of the number that a quantity of the page becomes: that of the nomenclature if it
     has one.
     """
-    entry = nm.quantities().get(datum.becomes)
-    return number(datum) if entry is None else entry.symbol
+    return nm.SYMBOLS.get(datum.becomes, number(datum))
 
 
 def further_parameters() -> tuple[Symbol, ...]:
@@ -97,12 +96,11 @@ def further_parameters() -> tuple[Symbol, ...]:
 
 def quantities() -> dict[str, Quantity]:
     """The nomenclature, with further quantities of a changed page."""
-    found = {**nm.quantities()}
+    found = dict(nm.QUANTITIES)
     for it in page().parameters:
-        symbol = symbol_of(it)
-        scaled = Quantity(symbol, it.latex, f"{it.meaning}, over its scale", domain=it.domain)
-        found.setdefault(str(symbol), scaled)
-        measured = Quantity(it.symbol, it.latex, it.meaning, it.unit, it.domain)
+        scaled = Quantity(it.latex, f"{it.meaning}, over its scale", domain=it.domain)
+        found.setdefault(it.becomes, scaled)
+        measured = Quantity(it.latex, it.meaning, it.unit, it.domain)
         found.setdefault(str(it.symbol), measured)
     return found
 
@@ -115,7 +113,7 @@ def in_article(model: Mechanics, expression: Expr) -> Expr:
     names |= {number(datum): symbol_of(datum) for datum in page().parameters}
     symbols = {*model.coordinates, *model.rates}
     symbols |= {part for angle in model.angles for part in (angle.c, angle.s)}
-    names |= {symbol: nm.quantities()[str(symbol)].symbol for symbol in symbols}
+    names |= {symbol: nm.SYMBOLS[str(symbol)] for symbol in symbols}
     directions: dict[sp.Basic, Expr] = {}
     for line in model.lines:
         directions |= {line.c: line.dx / nm.L, line.s: line.dy / nm.L, line.l: nm.L}

@@ -5,14 +5,14 @@ Angles enter the algebra only by cosine and sine: ``c`` and ``s`` are cos θ and
 ``s0`` are cos θ₀ and sin θ₀, with the relations in :data:`UNIT_CIRCLES`.
 """
 
-from collections.abc import Mapping
-
 import sympy as sp
 from sympy import Symbol
 
 from ..emit.quantities import Quantity
 
-_QUANTITIES: dict[Symbol, Quantity] = {}
+#: Every entry of the nomenclature, and its symbol, by its name in code.
+QUANTITIES: dict[str, Quantity] = {}
+SYMBOLS: dict[str, Symbol] = {}
 
 
 def _define(
@@ -22,7 +22,7 @@ def _define(
     # SymPy needs to know positive signs only, to simplify the spring length; proofs that use other
     # signs state them.
     symbol = Symbol(code, real=True, positive=True if domain == "> 0" else None)
-    return _enter(Quantity(symbol, article, meaning, unit, domain, scale))
+    return _enter(symbol, Quantity(article, meaning, unit, domain, scale))
 
 
 def _scaled(
@@ -42,18 +42,18 @@ def _scaled(
 def _local(code: str, meaning: str) -> Symbol:
     """Enter a symbol of generated code only, without assumptions."""
     symbol = Symbol(code)
-    return _enter(Quantity(symbol, sp.latex(symbol), meaning))
+    return _enter(symbol, Quantity(sp.latex(symbol), meaning))
 
 
-def _enter(entry: Quantity) -> Symbol:
+def _enter(symbol: Symbol, entry: Quantity) -> Symbol:
     """Enter a quantity whose symbol is new."""
-    if any(str(entry.symbol) == str(other) for other in _QUANTITIES):
+    name = str(symbol)
+    if name in SYMBOLS:
         raise ValueError(
-            f"{entry.symbol} stands in the nomenclature twice; give the second quantity "
-            "another name"
+            f"{name} stands in the nomenclature twice; give the second quantity another name"
         )
-    _QUANTITIES[entry.symbol] = entry
-    return entry.symbol
+    SYMBOLS[name], QUANTITIES[name] = symbol, entry
+    return symbol
 
 
 # Dimensional data.
@@ -129,8 +129,3 @@ stiffness_entries = tuple(
 
 PARAMETERS = (mu0, kappa, alpha, sigma, beta)
 UNIT_CIRCLES = ((c, s), (c0, s0))
-
-
-def quantities() -> Mapping[str, Quantity]:
-    """Every entry of the nomenclature by its name in code."""
-    return {str(symbol): entry for symbol, entry in _QUANTITIES.items()}

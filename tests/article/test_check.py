@@ -162,7 +162,7 @@ def read(id: str) -> tuple[sp.Expr, ...]:
         it.value for one in item.equations for side in (one.left, one.right) for it in nodes(side)
     }
     for name in known - names.keys() - own.keys():
-        own[name] = nm.quantities()[name].symbol if name in nm.quantities() else sp.Symbol(name)
+        own[name] = nm.SYMBOLS.get(name, sp.Symbol(name))
     own |= {f"b_{place}": symbol for place, symbol in enumerate((nm.b1, nm.b2, nm.b3, nm.b4), 1)}
     own |= {"N": nm.n if item.derivation.scaled else nm.N, "Delta": _ATOMS[r"\Delta"]}
     circles = {sp.cos(names["theta"]): nm.c, sp.sin(names["theta"]): nm.s}

@@ -379,9 +379,7 @@ def test_the_articles_page_gives_lagranges_equations() -> None:
     """(1) and (2), with all units, from energies and forces written here, by SymPy's own
     mechanics.
     """
-    m, k, k_x, k_y, F_L, L_0 = (
-        nm.quantities()[name].symbol for name in ("m", "k", "k_x", "k_y", "F_L", "L_0")
-    )
+    m, k, k_x, k_y, F_L, L_0 = (nm.SYMBOLS[name] for name in ("m", "k", "k_x", "k_y", "F_L", "L_0"))
     x, y = dynamicsymbols("x y")
     frame, origin = ReferenceFrame("belt"), Point("O")
     origin.set_vel(frame, 0)

@@ -1,9 +1,11 @@
 """JAX and CasADi: precisions of 32 and 64 bits, and one side of every border."""
 
 import inspect
+import sys
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -30,6 +32,29 @@ def leaves(result: Any) -> list[Any]:
     if isinstance(result, list):
         return [leaf for item in result for leaf in leaves(item)]
     return [result]
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("language", ["jax", "casadi"])
+def test_springs_follow_the_place(language: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the page's names, by NumPy in the library's place: differences of the forces are their
+    Jacobian.
+    """
+    numpy_instead = {"jax": SimpleNamespace(numpy=np), "jax.numpy": np, "casadi": np}
+    for module, instead in numpy_instead.items():
+        monkeypatch.setitem(sys.modules, module, instead)
+    text = export.export(pages.SHIPPED / "kang_nam.py", "kang_nam", language)["kang_nam.py"]
+    exec(text, brake := {})
+    given = {"theta0": 0.9, "mu": 0.3, "kappa": 0.02, "alpha": 0.03, "sigma": 0.2, "beta": 0.1}
+
+    def forces(x: float, y: float) -> Any:
+        return np.array(brake["forces"](x, y, pushing=1.0, **given))
+
+    x, y, step = 0.1, -0.04, 1e-5
+    by_x = (forces(x + step, y) - forces(x - step, y)) / (2 * step)
+    by_y = (forces(x, y + step) - forces(x, y - step)) / (2 * step)
+    jacobian = brake["forces_jacobian"](x, y, pushing=1.0, **given)
+    np.testing.assert_allclose(np.transpose([by_x, by_y]), jacobian, atol=1e-8)
 
 
 @pytest.mark.by_hand(*shipped())

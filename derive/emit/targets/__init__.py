@@ -19,6 +19,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
+from types import ModuleType
 from typing import TypeAlias
 
 from ..definitions import Definition, symbols
@@ -133,20 +134,24 @@ def languages() -> list[str]:
     return sorted(module.name for module in pkgutil.iter_modules(__path__) if module.ispkg)
 
 
+def _target(language: str) -> ModuleType:
+    return importlib.import_module(f".{language}", __name__)
+
+
 def render(language: str, material: Material) -> dict[str, str]:
     """The files of a library in a language, by name."""
-    files: dict[str, str] = importlib.import_module(f".{language}", __name__).render(material)
+    files: dict[str, str] = _target(language).render(material)
     return files
 
 
 def packer(language: str) -> Callable[[Mapping[str, str]], bytes] | None:
     """The function that packs all files into one, for a language that has one file; else None."""
-    return vars(importlib.import_module(f".{language}", __name__)).get("packed")
+    return vars(_target(language)).get("packed")
 
 
 def in_python(language: str) -> bool:
     """Whether a language is Python on another array library, which keeps a page's names."""
-    return hasattr(importlib.import_module(f".{language}", __name__), "NAMESPACE")
+    return hasattr(_target(language), "NAMESPACE")
 
 
 # ------------------------------------------------------------------------------------------------

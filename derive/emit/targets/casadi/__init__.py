@@ -4,8 +4,10 @@ its optimizers and integrators.
 
 from .. import Material, python
 
+#: What stands for ``numpy``; a target that has it is one of Python.
+NAMESPACE = "casadi"
+
 
 def render(material: Material) -> dict[str, str]:
     """The module."""
-    # What stands for ``numpy``.
-    return python.render(material, "casadi", "if_else", {})
+    return python.render(material, NAMESPACE, "if_else", {})

@@ -4,10 +4,10 @@ set to.
 
 from .. import Material, python
 
+#: What stands for ``numpy``; a target that has it is one of Python.
+NAMESPACE = "jax.numpy"
+
 
 def render(material: Material) -> dict[str, str]:
     """The module."""
-    # What stands for ``numpy``.
-    return python.render(
-        material, "jax.numpy", "where", {"atan": "xp.arctan", "atan2": "xp.arctan2"}
-    )
+    return python.render(material, NAMESPACE, "where", {"atan": "xp.arctan", "atan2": "xp.arctan2"})

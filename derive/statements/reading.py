@@ -21,7 +21,7 @@ from .objects import Derivation, NoObject, Object, derived
 from .papers import Paper, Statement
 from .repair import Values, evaluated, same, same_but_for_factor
 from .samples import numeric
-from .tree import Equation, Node, Unread, printed, residual, symbols, to_sympy
+from .tree import Equation, Node, Unread, nodes, printed, residual, symbols, to_sympy
 
 
 @dataclass(frozen=True)
@@ -96,6 +96,8 @@ def read_statement(statement: Statement, book: Book) -> Item | Verdict:
                 None if statement.word == "definition" else derived(derivation, statement.about)
             )
             equations = equations_of(statement.judged, statement, derivation, book)
+            if statement.word == "normal" and "," not in statement.about and _opens(equations):
+                subject = derived(derivation, f"{statement.about}, both")
             return _item(statement, derivation, subject, equations, book)
         except Unread as error:
             where = f"at {error.place}, {statement.judged[error.place :][:20]!r}: "
@@ -104,6 +106,12 @@ def read_statement(statement: Statement, book: Book) -> Item | Verdict:
         except (NoObject, ArithmeticError) as error:
             return Verdict(statement, "unread", str(error))
     return Verdict(statement, "unread", problem)
+
+
+def _opens(equations: list[Equation]) -> bool:
+    """Whether equations say what a normal force is in an open contact too."""
+    inside = {one.value for equation in equations for one in nodes(equation.right)}
+    return bool(inside & {"Piecewise", "max", "min", "Heaviside"})
 
 
 def _new_names(

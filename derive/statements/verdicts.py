@@ -389,10 +389,10 @@ def _repaired(comparison: Comparison, part: Component) -> ProvedRepair | None:
         found = search.repairs(np.array([target for target, _ in tried]), pairs)
         for repair, target_number in found:
             # Targets 0 and 1 are the entry with either sign; a factor of parameters costs more, and
-            # so does another reading, as without a weight of which a part is printed.
+            # so does what removes a term that one reading has and another one has not.
             further = 0.005 if target_number > 1 else 0.0
-            if comparison.item.subject.readings and target_number:
-                further = 0.1
+            if comparison.item.subject.readings:
+                further += 0.25 * any(printed(it.new) == "0" for it in repair.edits)
             proved.append((replace(repair, further=further), tried[target_number][1]))
         proved = _proved_first(comparison, proved)
     if proved:

@@ -547,6 +547,30 @@ def test_a_constant_of_an_energy_is_an_energy() -> None:
     assert _same(row.repaired, f"{springs} + F_L*y")
 
 
+@pytest.mark.parametrize("lost", ["Omega**2/2", "m*Omega/2"])
+def test_a_term_of_one_reading_is_mended_and_not_taken_away(lost: str, tmp_path: Path) -> None:
+    """As the centrifugal potential, which may be left out as a whole."""
+    page = tmp_path / "page.py"
+    page.write_text(
+        '''"""A mass in a frame that turns."""
+from spragsym.derive.model import Page
+page = Page("A mass on a spring in a frame that turns.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "spring")
+h = page.unit("h", "m", "length")
+Omega = page.parameter("Omega", "1/s", "speed", "> 0", 0.4)
+x = page.coordinate("x", "m", "displacement")
+page.kinetic(m * (page.rate(x) ** 2 + Omega**2 * x**2) / 2)
+page.spring(k, along=x)
+'''
+    )
+    right = "V = k*x**2/2 - m*Omega**2/2*x**2"
+    fault = right.replace("m*Omega**2/2", lost)
+    row = _judged("energy V", fault, "units", pages.read(page))
+    assert row.status == "misprint"
+    assert _same(row.repaired, right)
+
+
 @pytest.mark.thorough
 def test_a_name_beside_an_equation_stands_for_what_it_is_given() -> None:
     """In this print and in others; a name with a value that no other equation uses is none."""

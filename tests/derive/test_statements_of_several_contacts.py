@@ -123,6 +123,7 @@ page.contact(b - x, lambda depth: k_s * depth, name="right")
 page.contact(b + x, lambda depth: k_s * depth, name="left")
 '''
 BOTH = r"k_s\max(x - b, 0) - k_s\max(-x - b, 0)"
+OPENS = r"\begin{cases} -k_s(x + b), & x < -b\\ 0, & \text{otherwise}\end{cases}"
 CASES = (
     r"\begin{cases} k_s(x - b), & x > b,\\ 0, & -b \le x \le b,\\ k_s(x + b), & x < -b\end{cases}"
 )
@@ -142,6 +143,8 @@ def test_stops_that_face_each_other_never_touch_at_once(tmp_path: Path) -> None:
         ("motion x, both", rf"m\ddot x + kx + {CASES} = 0".replace("x + b", "x - b"), "misprint"),
         ("normal right", r"N_R = k_s\langle x - b\rangle", "confirmed"),
         ("normal left", r"N_L = k_s\langle x + b\rangle", "misprint"),
+        ("normal left", rf"N_L = {OPENS}", "confirmed"),
+        ("normal left", rf"N_L = {OPENS}".replace("x < -b", "x < b"), "misprint"),
         ("pushing right", r"n_R = \begin{cases} 1, & x \ge b\\ 0, & x < b\end{cases}", "confirmed"),
         ("stiffness 1 1, contact of left alone", r"k_e = k + k_s", "confirmed"),
         ("motion x, contact", r"m\ddot x + kx = 0", "unread"),

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
 
 import sympy as sp
-from sympy import Expr, S, Symbol
+from sympy import Dummy, Expr, S, Symbol
 from sympy.core.relational import Relational
 
 from ..algebra import Pair
@@ -156,11 +156,17 @@ class Comparison:
                     meanings[entry / slope] = ""
             if factors and not is_entry and subject.factor in ("parameters", "monomial"):
                 own = self.exactly(tree)
+                if subject.steady:  # whose entries hold the laws of the normal forces
+                    own = own.xreplace(self.laws(subject.side))
                 meanings |= dict.fromkeys(self._multiples(own, entry), "")
                 for divisor, rest in self._quotients(entry):
                     divided = (rest, -rest, *self._multiples(own, rest))
                     meanings |= dict.fromkeys(divided, f"divided by {divisor}")
                 if subject.law == "covector":
+                    for without, said in self._eliminated(own, place):
+                        base = sign * without
+                        both = (base, -base, *self._multiples(own, base))
+                        meanings |= dict.fromkeys(both, said)
                     meanings |= self._combined(own, print_values, [*meanings], place)
             found.append(self._component(tree, "", meanings, sampled))
         return found
@@ -187,6 +193,29 @@ class Comparison:
                 if same(own_values, numeric(base + multiple, self.item.values)):
                     return {base + multiple: f"with a multiple of the equation of {name}"}
         return {}
+
+    def _eliminated(self, own: Expr, place: int) -> Iterator[tuple[Expr, str]]:
+        """A derived equation without the normal forces that the print lacks, which other equations
+        give: by N itself, or by μ N, the friction, and N.
+        """
+        derivation, entries = self.item.derivation, self.item.subject.entries
+        lacking = [force for force in derivation.normals if not own.has(force)]
+        if not entries[place].has(*lacking):
+            return
+        rubs = itertools.product(derivation.coefficients, lacking)
+        frictions: dict[Expr, Expr] = {mu * force: Dummy() for mu, force in rubs}
+        for products in ({}, frictions):
+            rows = [sp.expand(row).subs(products) for row in entries]
+            found = [rows[place]]
+            for force in (*products.values(), *lacking):
+                for base, other in itertools.product([*found], rows):
+                    slope = sp.diff(other, force)
+                    if other != rows[place] and slope != 0 and base.has(force):
+                        found.append(sp.expand(base - sp.diff(base, force) / slope * other))
+            back = {symbol: product for product, symbol in products.items()}
+            without = (one.subs(back) for one in found[1:])
+            said = "with multiples of other equations, which eliminate N"
+            yield from ((one, said) for one in without if not one.has(*lacking))
 
     def _constant(self, energy: Expr) -> Expr:
         """The terms of an energy that do not depend on the state."""
@@ -238,14 +267,23 @@ class Comparison:
         def apart(expression: Expr) -> list[Pair]:
             """The factor of parameters and the remaining factor of each of the first 40 terms."""
             terms = sp.Add.make_args(sp.expand(expression))[:40]
-            return [term.as_independent(*states, as_Add=False) for term in terms]
+            pairs = [term.as_independent(*states, as_Add=False) for term in terms]
+            whole: dict[Expr, list[Expr]] = {}
+            for factor, state in pairs:
+                whole.setdefault(state, []).append(factor)
+            # Also the factors of one state together, as of an equation with a multiple of another.
+            together = ((sp.Add(*it), state) for state, it in whole.items() if it[1:])
+            return [*pairs, *together]
 
         ours = apart(derivation.expanded(entry))
         votes: dict[Expr, int] = {}
         for factor, state in apart(derivation.expanded(own)):
             for factor_of_ours, same_state in ours:
                 if state == same_state and factor_of_ours != 0:
-                    votes[factor / factor_of_ours] = votes.get(factor / factor_of_ours, 0) + 1
+                    ratio = factor / factor_of_ours
+                    if factor.is_Add or factor_of_ours.is_Add:
+                        ratio = sp.factor(ratio)
+                    votes[ratio] = votes.get(ratio, 0) + 1
         found = sorted(votes, key=lambda it: (-votes[it], sp.count_ops(it), str(it)))[:4]
         return [factor * entry for factor in found]
 

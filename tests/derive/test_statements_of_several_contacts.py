@@ -154,3 +154,62 @@ def test_stops_that_face_each_other_never_touch_at_once(tmp_path: Path) -> None:
     )
     assert [it.status for it in found] == [it[2] for it in prints]
     assert "contact of right alone" in found[-1].evidence
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"N_f - N_r = \frac{\mu_0 h F - k_t\phi}{a}",
+        r"N_f = \frac F2 + \frac{\mu_0 h F - k_t\phi}{2a}",
+        r"N_r = \frac F2\left(1 - \frac{\mu_0 h}{a}\right) + \frac{k_t\phi}{2a}",
+    ],
+)
+def test_forces_on_the_legs_follow_from_two_equations(text: str) -> None:
+    """By hand: N_f + N_r = F, and k_t φ + a (N_f − N_r) = μ h F."""
+    renamed = {"N_f": "N_front", "N_r": "N_rear", r"\mu_0": "mu0"}
+    prints = [("equilibrium phi", it) for it in (text, text.replace("k_t", "2k_t"))]
+    found = rows(_page("pad_on_legs"), *prints, renamed=renamed)
+    assert [it.status == "confirmed" for it in found] == [True, False]
+
+
+LADDER = '''"""A ladder that slides."""
+from spragsym.derive.model import Page, cos, sgn, sin
+page = Page("A ladder on a moving floor, held upright by a torsion spring.")
+m = page.unit("m", "kg", "mass")
+l = page.unit("l", "m", "half of the length")
+g = page.unit("g", "m/s^2", "gravity")
+J = page.parameter("J", "kg m^2", "inertia", "> 0", 0.33)
+k = page.parameter("k", "N m", "torsion spring", "> 0", 0.5, becomes="kappa")
+c_n = page.parameter("c_n", "N/m", "floor", "> 0", 50.0, becomes="gamma")
+V = page.parameter("V", "m/s", "speed of the floor", "> 0", 1.0)
+mu_d = page.parameter("mu_d", "1", "friction", ">= 0", 0.3)
+x = page.coordinate("x", "m", "centre")
+y = page.coordinate("y", "m", "centre")
+phi = page.coordinate("phi", "rad", "angle from the vertical")
+page.kinetic((m * (page.rate(x) ** 2 + page.rate(y) ** 2) + J * page.rate(phi) ** 2) / 2)
+page.potential(m * g * y + k * phi**2 / 2)
+page.contact(y - l * cos(phi), lambda depth: c_n * depth)
+page.friction(x - l * sin(phi), V, slip=lambda v: mu_d * sgn(v), holds=mu_d)
+'''
+MOMENT = r"J\ddot\phi + k\phi = "
+
+
+@pytest.mark.parametrize(
+    ("right", "old", "new"),
+    [
+        (r"m(\ddot y + g)l(\sin\phi - \mu\cos\phi)", "- \\mu", "+ \\mu"),
+        (r"ml\left[(\ddot y + g)\sin\phi - \ddot x\cos\phi\right]", r"\ddot x", r"\dot x"),
+    ],
+)
+def test_a_normal_force_is_eliminated_by_a_factor_of_the_state(
+    right: str, old: str, new: str, tmp_path: Path
+) -> None:
+    """From the moments about the centre, by N = m (y″ + g) and μ N = m x″; a fault is mended."""
+    (tmp_path / "page.py").write_text(LADDER)
+    page = pages.read(tmp_path / "page.py")
+    faulty = right.replace(old, new)
+    prints = [("motion phi", MOMENT + it) for it in (right, faulty)]
+    one, other = rows(page, *prints)
+    assert (one.status, other.status) == ("confirmed", "misprint")
+    assert "eliminate N" in one.evidence
+    assert (len(other.edits), other.repaired) == (1, one.read)

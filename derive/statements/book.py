@@ -24,7 +24,7 @@ from .objects import LAMBDA, MOVING, TIME, Derivation, NoObject, Object, derivat
 from .papers import Paper, Statement
 from .repair import Values, evaluated, stem
 from .samples import numeric
-from .tree import Argument, Equation, Node, Unread, Vocabulary
+from .tree import Argument, Equation, Node, Unread, Vocabulary, as_printed
 from .tree import printed, read_sympy, symbols, to_sympy, undone
 
 
@@ -307,9 +307,6 @@ def _arguments(
     scales = _scales(derivation, book)
     still = dict.fromkeys(derivation.model.rates, 0)
 
-    def as_printed(argument: Node, inside: Node) -> Argument | None:
-        return Argument() if printed(inside) == printed(argument) else None
-
     def as_speed(speed: Expr, is_odd: bool, inside: Node) -> Argument | None:
         value = to_sympy(inside, names) if symbols(inside) <= names.keys() else sp.nan
         for sign in (1, -1) if is_odd else (1,):
@@ -320,7 +317,7 @@ def _arguments(
         return None
 
     found: dict[str, Callable[[Node], Argument | None]] = {
-        name: partial(as_printed, one) for name, one in book.arguments.items()
+        name: partial(as_printed, printed(one)) for name, one in book.arguments.items()
     }
     for symbol, speed, friction in zip(
         derivation.coefficients, derivation.speeds, derivation.model.frictions, strict=False

@@ -13,6 +13,7 @@ import re
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -45,7 +46,8 @@ _ROMAN = (
 _BOLD = (r"\mathbf", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
 _ACCENTS |= dict.fromkeys((r"\boldsymbol", r"\bm", r"\pmb", r"\mathbb", r"\underline"), r"\mathbf")
-_WORDS = ("where", "with", "and")  #: between equations
+_WORDS = ("", "where", "with", "and", "for", "if", "when")  #: between equations
+_BETWEEN = ("\\\\", r"\quad", r"\qquad", ",", ";", r"\Rightarrow", r"\Leftrightarrow", r"\eqno")
 _OVER = (r"\overset", r"\stackrel")
 _TIMES = (r"\cdot", r"\times", "*", r"\ast")
 _MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array")
@@ -156,21 +158,25 @@ def _pieces(items: Tokens) -> list[list[Token]]:
     """
     separated: list[Token] = []
     for it in items:
-        if separated and separated[-1].text in _ROMAN and _label([it]) in _WORDS:
+        is_word = separated and separated[-1].text in _ROMAN
+        if is_word and _label([it]).strip(".,;:") in _WORDS:
             separated[-1] = replace(separated[-1], text=r"\quad")
         else:
             separated.append(it)
     items, pieces = separated, list[list[Token]]([[]])
-    is_new_line = False
+    signs, is_new_line = ("+", "-", *_TIMES, *_EQUAL), False
     for number, it in enumerate(items):
-        if it.text in ("\\\\", r"\quad", r"\qquad", ",", ";"):
+        if it.text in _BETWEEN:
             _refuse_decimal_comma(items, number)
             is_new_line = is_new_line or it.text == "\\\\"
             pieces.append([])
         elif it.text != "&" and (it.text != "." or number < len(items) - 1):
-            if is_new_line and not pieces[-1] and it.text in ("+", "-", *_TIMES, *_EQUAL):
-                line = split(items[number + 1 :], "\\\\")[0]
-                if it.text in _EQUAL or all(one.text not in _EQUAL for one in line):
+            if is_new_line and not pieces[-1]:
+                above = next((piece for piece in reversed(pieces) if piece), [])
+                line = split(items[number:], "\\\\")[0]
+                is_whole = all({*_EQUAL} & {*texts(one)} for one in (above, line[1:]))
+                goes_on = it.text in signs and (it.text in _EQUAL or not is_whole)
+                if goes_on or (above and above[-1].text in signs):
                     pieces = [piece for piece in pieces if piece] or [[]]
             pieces[-1].append(it)
             is_new_line = False
@@ -265,6 +271,14 @@ class _LatexReader:
                 value = self.side(left, piece[0].at[0], True)
                 is_value = isinstance(value, Node) and (self.gives_names or value.kind != "add")
                 self.names.symbols |= symbols(node_of(value)) if is_value else set()
+                argument = _bracket(left[-1]) if left[1:] else None
+                if isinstance(value, Node) and value.kind == "symbol" and argument is not None:
+                    known = printed(self.number(argument))
+                    self.arguments = {
+                        value.value: partial(tree.as_printed, known),
+                        **self.arguments,
+                    }
+                    self.names.functions_of_one = self.arguments.keys()
                 matrix = self.expression(right[-1]) if right else ZERO
                 if isinstance(value, Node) and not isinstance(matrix, Node):
                     rows, columns = matrix.shape

@@ -119,6 +119,7 @@ def nested(text: str) -> tuple[Token, ...]:
             if not opened or token != closing.get(opened, rf"\end{{{opened}}}"):
                 raise Unread(f"{token} closes nothing that is open", start)
             stack.pop()
+            inner = _without_braces(inner)
             _refuse_ambiguous_bars(inner)
             # As in {\\bf K}, which is \\mathbf{K}.
             if inner and inner[0].text in styles:
@@ -130,8 +131,23 @@ def nested(text: str) -> tuple[Token, ...]:
     opened, begin, inner, _ = stack[-1]
     if opened:
         raise Unread(f"{opened} is not closed", begin)
+    inner = _without_braces(inner)
     _refuse_ambiguous_bars(inner)
     return tuple(inner)
+
+
+def _without_braces(inner: Tokens) -> list[Token]:
+    """The items with those inside a box, or above or below a horizontal brace, in its place."""
+    found, here = list[Token](), Cursor(inner)
+    while here.item is not None:
+        it = here.take()
+        if it.text in (r"\underbrace", r"\overbrace", r"\boxed") and here.text == "{":
+            found += here.take().items or ()
+            if here.text == {r"\underbrace": "_", r"\overbrace": "^"}.get(it.text):
+                here.place += 2  # what it is called
+        else:
+            found.append(it)
+    return found
 
 
 def _tokens(text: str) -> list[tuple[str, int, int, str]]:
@@ -168,6 +184,8 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
     ):
         instead = partial(_instead, opening, closing)
         shown = re.sub(spelled, instead, shown, flags=re.DOTALL)
+    equal = r"\\(?:overset|stackrel)\s*\{(?:[^{}]|\{[^{}]*\})*\}\s*\{\s*=\s*\}"
+    shown = re.sub(equal, lambda found: "=".center(len(found[0])), shown)
     shown = unprinted.sub(lambda found: " " * len(found[0]), shown)
     tokens: list[tuple[str, int, int, str]] = []
     place = 0

@@ -161,6 +161,11 @@ def joined(kind: str, parts: Sequence[Node], at: tuple[int, int] = (0, 0)) -> No
     return Node(kind, tuple(parts), at=at) if len(parts) > 1 else parts[0]
 
 
+def as_printed(known: str, inside: Node) -> Argument | None:
+    """The argument of a function that is known with it in SymPy's syntax; None for another one."""
+    return Argument() if printed(inside) == known else None
+
+
 def undone(tree: Node, other: Node, has: Callable[[Node], bool]) -> tuple[Node, Node] | None:
     """Both sides of tree = other with the outermost operation of the tree on the other side; None
     where more than one of its parts has what is to stand alone, or it can't be undone.

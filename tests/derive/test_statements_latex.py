@@ -166,6 +166,20 @@ READ = {
     r"\frac{\partial}{\partial x}(m x^2 y) + \frac{\partial(k y + \sin x)}{\partial x}": [
         "m*y*(2*x) + cos(x) = 0"
     ],
+    r"\begin{split} m\ddot x &- a \\ &+ k x = 0 \end{split}": ["m*ax - a + k*x = 0"],
+    r"\begin{multline} m\ddot x + \\ k x = 0,\\ a = m \\ -g = 0\end{multline}": [
+        "m*ax + k*x = 0",
+        "a = m",
+        "-g = 0",
+    ],
+    r"\boxed{m\ddot x - \underbrace{k x + g}_{F(x)} \overset{!}{=} 0 \text{ .}} \eqno(3)": [
+        "m*ax - k*x + g = 0"
+    ],
+    r"m\ddot x = \overbrace{k x}^{\text{spring}}\, a \Rightarrow a \stackrel{\text{def}}{=} 0": [
+        "m*ax = k*x*a",
+        "a = 0",
+    ],
+    r"m\ddot x + f(x) = 0, \quad f(x) = k x \text{ for } x > 0": ["m*ax + f = 0", "f = k*x"],
     r"\begin{aligned}[t] m\ddot x &= k x \end{aligned}": ["m*ax = k*x"],
     r"\mathbf B(\mathbf q, \dot{\mathbf q}) = \begin{bmatrix} x \\ k\end{bmatrix}": [
         "mathbfB_1 = x",
@@ -252,6 +266,7 @@ def test_a_print_is_read(text: str, expected: list[str]) -> None:
         r"\mathbf b = (1,5)^T",
         r"\mathbf{B} = \begin{bmatrix} \mathbf{0}_{1\times 3} & a\\ k & m\end{bmatrix}",
         r"\frac{\partial(m x)}{\partial m}",
+        r"m\ddot x + f(y) = 0, \quad f(x) = k x",
     ],
 )
 def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(text: str) -> None:

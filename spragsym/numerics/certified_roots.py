@@ -94,8 +94,10 @@ class Roots:
 
     @property
     def middle(self) -> FloatArray:
-        """Approximate roots: midpoints of the boxes, (n, roots)."""
-        return Intervals(self.ends).middle
+        """Approximate roots: midpoints of the boxes, (n, roots); 0 where it is as good."""
+        found = Intervals(self.ends)
+        # Else rounding alone would make up the digits of a number that is 0 by symmetry.
+        return np.where(np.abs(found.middle) <= 0.25 * found.width, 0.0, found.middle)
 
     @property
     def error(self) -> FloatArray:

@@ -157,3 +157,11 @@ def test_boxes_of_parameters_are_proved_for_all_of_their_points():
         order = np.argsort(found.middle[0])
         inside = (-found.ends[0, 0, order] <= roots) & (roots <= found.ends[1, 0, order])
         assert inside.all()
+
+
+def test_a_root_that_rounding_does_not_tell_from_0_is_0_with_an_error_that_covers_its_box() -> None:
+    spans = np.array([[-3e-17, 5e-17], [-1e-17, 5e-17], [2e-17, 3e-17], [-1.0, 1.5]])
+    roots = certified_roots.Roots.at(np.stack([-spans[:, 0], spans[:, 1]])[:, None])
+    assert roots.middle[0] == pytest.approx([0.0, 2e-17, 2.5e-17, 0.0], rel=1e-15, abs=0)
+    assert (roots.error >= np.abs(spans - roots.middle.T).max(axis=1)).all()
+    assert roots.error == pytest.approx([5e-17, 3e-17, 5e-18, 1.5], rel=1e-12)

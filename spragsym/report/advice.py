@@ -9,11 +9,11 @@ import shlex
 from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
-from .damping import is_negligible, remedy
+from .damping import remedy
 from .example import example_of
 from .facts import FRICTION, Facts
 from .redesigns import Change
-from .states import State, comes_from_near
+from .states import State, comes_from_near, is_negligible
 from .study import Study
 from .tolerances import deciding
 from .units import hertz

@@ -10,7 +10,6 @@ from ..core.errors import ParameterError
 from ..models.load import WITH_DAMPERS
 from ..models.parameters import FloatArray, Range
 from ..models.quantities import Quantities
-from ..statics.stability import NEUTRAL_GROWTH
 from .example import example_of
 from .units import Measured
 
@@ -109,11 +108,6 @@ def remedy(kind: Quantities, values: Mapping[str, float]) -> str:
         return f"write {_lines(kind, idle)} or what you measured"
     given = f"check {' and '.join(kind.dampers)}, or " if kind.dampers else ""
     return f"{given}add a damper to the page"
-
-
-def is_negligible(ratio: float) -> bool:
-    """Whether a damping ratio decides nothing: the mode counts as neutral."""
-    return abs(ratio) < NEUTRAL_GROWTH
 
 
 def _matrices(kind: Quantities, values: Mapping[str, float]) -> list[FloatArray]:

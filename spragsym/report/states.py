@@ -28,7 +28,7 @@ from ..results import Equilibria, EquilibriumType, Named, Result
 from ..statics.balance import Balance
 from ..statics.equilibria import equilibria
 from ..statics.search import balances_of, number_of
-from ..statics.stability import linearization, roots, verdicts
+from ..statics.stability import NEUTRAL_GROWTH, linearization, roots, verdicts
 from .study import Study
 from .units import Numbers
 
@@ -359,6 +359,11 @@ def _roots(study: Study, q: list[float], touching: str) -> ComplexArray:
     balances = balances_of(p.model, law=study.law)
     balance = balances[number_of(balances, touching)]
     return roots(*linearization(balance, np.array(q)[:, None], given[:, None]))[0]
+
+
+def is_negligible(ratio: float) -> bool:
+    """Whether a damping ratio decides nothing: the mode counts as neutral."""
+    return abs(ratio) < NEUTRAL_GROWTH
 
 
 def jump_peak(study: Study, value: float, speed: float) -> JumpPeak | None:

@@ -15,10 +15,9 @@ from ..design.jumps import verb_of
 from ..design.probability import JumpProbability
 from ..models.load import USUAL, WITH_DAMPERS
 from .advice import Rows, next_steps, steps, warnings
-from .damping import is_negligible
 from .facts import Facts, percent_beyond
 from .redesigns import LARGEST_FACTOR
-from .states import SHARE_BEYOND_FOLD, JumpPeak, Oscillation, State, in_units
+from .states import SHARE_BEYOND_FOLD, JumpPeak, Oscillation, State, in_units, is_negligible
 from .study import Study
 from .units import SIGMAS_AT_ENDS, Numbers, hertz
 

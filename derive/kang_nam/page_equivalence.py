@@ -5,12 +5,11 @@ other pages are proved to have the equations of the article's page where what th
 """
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, Matrix
 
-from ..algebra import Row
 from .. import algebra, laws, linearization, pages, statics
 from ..emit.definitions import flat
-from ..mechanics import MU, Mechanics
+from ..mechanics import MU
 from ..motion import Motion
 from ..statements import objects
 
@@ -29,9 +28,7 @@ ADDED = {
 def identities() -> dict[str, bool]:
     """Each claim, and whether it holds."""
     found = {
-        "the general way gives K (28) and the damping about steady sliding": _linearization(
-            _page("kang_nam")
-        ),
+        "the general way gives K (28) and the damping about steady sliding": _linearization(),
         "the general way gives D and b, (16)–(19) and (22)–(25)": _in_direction(),
     }
     for name, added in ADDED.items():
@@ -42,34 +39,20 @@ def identities() -> dict[str, bool]:
     return found
 
 
-def _page(name: str) -> Mechanics:
-    """The mechanics of a shipped page."""
-    return pages.read(pages.SHIPPED / f"{name}.py").mechanics
-
-
 def _polar(expression: Expr) -> Expr:
     """An expression with x and y replaced by direction and length of the spring, (4) and (5)."""
     return sp.expand(expression.subs(equilibrium.displacement(), simultaneous=True))
 
 
-def _equal(model: Mechanics, general: Row, special: Row) -> bool:
-    """Whether expressions of the general derivation equal those of the article's."""
-    pairs = zip(general, special, strict=True)
+def _linearization() -> bool:
+    """Whether stiffness and damping agree."""
+    model = mechanics.of_page()
+    mu = laws.friction_at_rest(model.frictions[0])
+    general = (*Matrix(statics.jacobian(model)).subs(MU, mu), *linearization.damping(model))
+    pairs = zip(general, (*stability.stiffness(), *stability.damping()), strict=True)
     return all(
         unit_circles.equal(_polar(mechanics.in_article(model, ours)), _polar(theirs))
         for ours, theirs in pairs
-    )
-
-
-def _linearization(model: Mechanics) -> bool:
-    """Whether stiffness and damping agree."""
-    K = tuple(
-        entry.subs(MU, laws.friction_at_rest(model.frictions[0]))
-        for entry in flat(statics.jacobian(model))
-    )
-    damped = tuple(linearization.damping(model))
-    return _equal(model, K, tuple(stability.stiffness())) and _equal(
-        model, damped, tuple(stability.damping())
     )
 
 
@@ -96,7 +79,7 @@ def _in_direction() -> bool:
 
 def _reduces(name: str, added: tuple[str, ...]) -> bool:
     """Whether a page is the article's page where the added parameters are 0."""
-    model, article = _page(name), _page("kang_nam")
+    model, article = pages.read(pages.SHIPPED / f"{name}.py").mechanics, mechanics.of_page()
     by_name = {str(symbol): symbol for symbol in model.arguments}
     without = {by_name[symbol]: sp.S.Zero for symbol in added}
     pairs = [

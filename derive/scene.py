@@ -8,7 +8,7 @@ origin is ±(−r_y, r_x), where (r_x, r_y) leads from the centre of the body to
 derivatives of A and G give (r_x, r_y), and the sense in which φ turns.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
@@ -18,9 +18,9 @@ from sympy import Expr, S, Symbol
 
 from . import mechanics
 from .algebra import expanded
-from .emit.function import Function, Module, of_page
+from .emit.function import Module, of_page
 from .mechanics import FrictionForce, Mechanics, NormalForce
-from .model import Element, Page
+from .model import Page, Point
 
 #: A JSON object that the explorer reads.
 Plain: TypeAlias = dict[str, object]
@@ -35,15 +35,6 @@ class RigidBody:
     parts: dict[str, Symbol] = field(default_factory=dict)
     #: 1 where the angle turns it counter-clockwise, −1 where it does clockwise.
     sense: int = 1
-
-    def merge(self, other: "RigidBody") -> bool:
-        """Take over the coordinates of another body, and return True; False where both have one of
-        the same kind, since they are two bodies then.
-        """
-        fits = not self.parts.keys() & other.parts.keys()
-        if fits:
-            self.parts |= other.parts
-        return fits
 
 
 @dataclass(frozen=True)
@@ -113,14 +104,15 @@ class Scene:
     @cached_property
     def bodies(self) -> list[RigidBody]:
         """The bodies: coordinates move the same one if they occur together at one end of a spring,
-        or at one contact and its friction.
+        or at one contact and its friction, and are of different kinds.
         """
         owner = {symbol: RigidBody({kind: symbol}) for symbol, kind in self.kinds.items()}
         for group in self._groups():
             for symbol in group:
                 for other in group:
                     first, second = owner[symbol], owner[other]
-                    if first is not second and first.merge(second):
+                    if not first.parts.keys() & second.parts.keys():
+                        first.parts |= second.parts
                         owner |= dict.fromkeys(second.parts.values(), first)
         bodies = list({id(body): body for body in owner.values()}.values())
         for body in bodies:
@@ -191,10 +183,11 @@ class Scene:
                 return 1 if side > 0 else -1
         return 1
 
-    def _arm(self, contact: NormalForce, owners: list[int]) -> tuple[Expr, Expr]:
+    def _arm(self, contact: NormalForce) -> tuple[Expr, Expr]:
         """The vector from the centre of a contact's body to the contact, at the origin; 0 if the
         body does not turn.
         """
+        owners = self._owners(contact)
         body = self.bodies[owners[0]] if owners else RigidBody()
         if "angle" not in body.parts:
             return S.Zero, S.Zero
@@ -230,9 +223,9 @@ class Scene:
                 seen.append(tie)
                 yield tie
 
-    def _straight(self) -> list[Element]:
-        """Springs between two points of the plane."""
-        return [it for it in self.page.springs if it.ends is not None]
+    def _straight(self) -> list[tuple[Point, Point]]:
+        """Both ends of the springs between two points of the plane."""
+        return [it.ends for it in self.page.springs if it.ends is not None]
 
     # ---------------------------------------------------------------------------------------------
     # output
@@ -262,8 +255,8 @@ class Scene:
             ],
             "ties": list(self._ties()),
             "springs": [
-                [self._body_of(self._takes(sp.Tuple(*end)))[:1] for end in it.ends or ()]
-                for it in self._straight()
+                [self._body_of(self._takes(sp.Tuple(*end)))[:1] for end in ends]
+                for ends in self._straight()
             ],
         }
 
@@ -271,18 +264,15 @@ class Scene:
         """The exported function ``places``: the vector from the centre of its body to every contact
         at the origin, then both ends of every straight spring.
         """
-        arms = [self._arm(it, self._owners(it)) for it in self.model.contacts]
-        scaled: Callable[[Expr], Expr] = self.model.scaled
-        ends = [
-            tuple(scaled(sp.sympify(part)) for part in end)
-            for it in self._straight()
-            for end in it.ends or ()
-        ]
-        function: Function = of_page(
+        points = (point for ends in self._straight() for point in ends)
+        function = of_page(
             "places",
             "Arms of the contacts, and ends of the straight springs.",
             (*self.model.coordinates, *self.model.arguments),
-            (*arms, *ends),
+            (
+                *map(self._arm, self.model.contacts),
+                *(tuple(map(self.model.scaled, point)) for point in points),
+            ),
             "pairs",
         )
         return Module("scene", "Places of the drawing", (function,))

@@ -113,11 +113,7 @@ def resolvent_cubic() -> Row:
     ell = Symbol("ell")
     conic = f_form + ell * (c**2 + s**2 - 1)
     homogeneous = Symbol("h")
-    form = expand(
-        sp.cancel(
-            homogeneous**2 * conic.subs({c: c / homogeneous, s: s / homogeneous}, simultaneous=True)
-        )
-    )
+    form = sp.Poly(conic, c, s).homogenize(homogeneous).as_expr()
     determinant = sp.hessian(form, (c, s, homogeneous)).det()
     *lower, leading = ascending(expand(determinant), ell)
     return tuple(expand(value / leading) for value in (*lower, leading))

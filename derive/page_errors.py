@@ -13,7 +13,7 @@ class PageError(ArithmeticError):
     def __init__(self, line: int, message: str, page: str = "") -> None:
         # Internal symbols begin with an underscore that pages do not have.
         message = re.sub(r"(?<!['\w])_(?=[a-z])", "", message)
-        where = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
+        where = ", ".join(filter(None, (page, f"line {line}" if line else "")))
         super().__init__(f"{where}: {message}" if where else message)
         self.line, self.message = line, message
 

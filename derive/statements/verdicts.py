@@ -213,13 +213,12 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
                     _with_difference(row, item, gap), evidence=item.statement.limit + said
                 )
                 continue
-        candidates = [_repaired(*one) for one in versions] if repair else []
-        proved = (one for one in candidates if one is not None)
+        proved = filter(None, (_repaired(*one) for one in versions if repair))
         best = min(proved, key=lambda one: one.repair.cost, default=None)
         if best is None:
             said = "no edit, and no two, give what is derived" if repair else ""
             row = _with_difference(row, item, gap)
-            return replace(row, evidence="; ".join(one for one in (units_problem, said) if one))
+            return replace(row, evidence="; ".join(filter(None, (units_problem, said))))
         row, counted = _with_meaning(row, item, best.part, best.exact)
         edited = comparison.exactly(best.repair.tree)
         row = _with_difference(row, item, comparison.exactly(part.tree) - edited)
@@ -274,7 +273,7 @@ def _misprint(
         edits=tuple(map(_edit_as_json, edits)),
         marked=_marked(statement.judged, edits),
         alternatives=max(one.count for one in repairs),
-        evidence=f"{units_problem}; {evidence}" if units_problem else evidence,
+        evidence="; ".join(filter(None, (units_problem, evidence))),
         cost="; ".join(dict.fromkeys(_cost(comparison, one) for one in repairs)),
     )
 
@@ -501,7 +500,7 @@ def _said_once(rows: Sequence[Row]) -> list[Row]:
         key = _edit_key(row)
         others = tuple(it.id for it in rows if key and it.id != row.id and _edit_key(it) == key)
         note = "the print, or the page" if others else ""
-        joined = "; ".join(part for part in (row.note, note) if part)
+        joined = "; ".join(filter(None, (row.note, note)))
         found.append(replace(row, said_once_with=others, note=joined))
     return found
 

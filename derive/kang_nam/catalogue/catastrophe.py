@@ -6,10 +6,9 @@ from sympy import Symbol, diff, expand
 from ...algebra import Names, Pair, Row
 from ...emit.function import Function, Module
 from ...factors import factored
-from .. import catastrophe, elimination, equilibrium, theorem
+from .. import catastrophe, elimination, equilibrium, lowest_fold, theorem
 from ..nomenclature import B, M, PARAMETERS, alpha, beta, c, c0, fa, fa_v, fb, fb_v, fd, fd_v
 from ..nomenclature import fm, fm_v, kappa, mu0, p, q, s, s0, sigma, theta0
-from . import lowest_fold
 from ..unit_circles import by_inclination, rotate_derivative
 from .arrangement import (
     ANGLE,
@@ -224,7 +223,7 @@ def module() -> Module:
                 "sin0, mu0/cos",
                 contact,
             ),
-            *lowest_fold.functions(),
+            *_turning(),
         ),
     )
 
@@ -392,3 +391,47 @@ def _cusp_polynomial() -> tuple[Row, Names]:
     return tuple(
         sp.factor_terms(expand(numerator)) / denominator for numerator, denominator in quotients
     ), names
+
+
+def _turning() -> tuple[Function, ...]:
+    """Functions of the points at which the curve of folds turns back in μ₀."""
+    first, second = sp.symbols("a_:3"), sp.symbols("c_:3")
+    slope, circle = lowest_fold.quadratics_in_parts()
+    names = {
+        **in_contact(),
+        **lowest_fold.PARTS,
+        **dict(zip((*first, *second), (*slope, *circle), strict=True)),
+    }
+    outer, upper, _ = lowest_fold.minors(first, second)
+    weight, constant, along = lowest_fold.turning_line()
+    cosine = sp.factor_terms(constant + along * s0) / weight
+    return (
+        Function(
+            "turning_polynomial",
+            "Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all points "
+            "at which the curve of folds turns back in μ₀. Needs α > 0.",
+            "f = f′ = f_θ₀ = 0",
+            WITHOUT_FRICTION,
+            lowest_fold.turning_polynomial(),
+            "e0, …, e9",
+            in_contact(),
+        ),
+        Function(
+            "turning_sine",
+            "Numerator and denominator of sin θ₀ where the curve of folds turns back in μ₀.",
+            "f = f′ = f_θ₀ = 0",
+            (s, *WITHOUT_FRICTION),
+            (-outer, upper),
+            "numerator, denominator",
+            names,
+        ),
+        Function(
+            "turning_cosine",
+            "cos θ cos θ₀ where the curve of folds turns back in μ₀. Needs α > 0.",
+            "f = f_θ₀ = 0",
+            (s, s0, *WITHOUT_FRICTION),
+            cosine,
+            "cos cos0",
+            in_contact(),
+        ),
+    )

@@ -16,14 +16,7 @@ from sympy import Add, Expr, Matrix, S, Symbol, diff
 from . import laws
 from .algebra import Names, Row, Symbols, equal, expanded, reached
 from .emit.function import Function, Module, Results, of_page
-from .mechanics import (
-    FrictionForce,
-    Mechanics,
-    NormalForce,
-    named,
-    number,
-    on,
-)
+from .mechanics import FrictionForce, Mechanics, named, number, on
 from .model import acceleration_of
 
 
@@ -277,9 +270,7 @@ class Motion:
         M ∂q″ = ∂forces − ∂M q″, with given ``friction_slopes`` or those of
         :meth:`friction_slopes`.
         """
-        friction_slopes = (
-            self.friction_slopes(symbol) if friction_slopes is None else friction_slopes
-        )
+        friction_slopes = friction_slopes or self.friction_slopes(symbol)
         if not self.is_coupled:
             return tuple(
                 self.derivative(row, symbol, friction_slopes) for row in self.accelerations
@@ -461,23 +452,17 @@ class Motion:
         dry friction forces.
         """
         model = self.model
-        frictions = [friction for friction in model.frictions if friction.along != 0]
-        forces = [self.friction_force(friction) for friction in frictions]
-        rubbing = Add(*(f * one.rate for f, one in zip(forces, frictions, strict=True)))
+        forces = {it: self.friction_force(it) for it in model.frictions if it.along != 0}
+        rubbing = Add(*(force * it.rate for it, force in forces.items()))
         powers = rubbing + self.damper_power + self.applied_power + self.clock_power
-        springs = enumerate(zip(model.lines, model.stiffnesses, strict=True), 1)
-        pressed = [friction.normal for friction in frictions]
-
-        def name_of(what: str, contact: NormalForce) -> str:
-            return f"{what}.{contact.name}" if contact.name else what
-
+        pressed = [it.normal for it in forces]
         found: dict[str, Expr] = {}
         for contact in model.contacts:
             if contact.gap is not None or contact in pressed:
-                found[name_of("force.normal", contact)] = contact.force
-        for friction, force in zip(frictions, forces, strict=True):
-            found[name_of("force.friction", friction.normal)] = force
-        for count, (line, k) in springs:
+                found[f"force.normal{contact.name and f'.{contact.name}'}"] = contact.force
+        for it, force in forces.items():
+            found[f"force.friction{it.name and f'.{it.name}'}"] = force
+        for count, (line, k) in enumerate(zip(model.lines, model.stiffnesses, strict=True), 1):
             if k != 0:
                 found[f"force.spring{count}"] = k * (line.l - line.rest)
         return found | {"energy": self.energy, "power": powers}

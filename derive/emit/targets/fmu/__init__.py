@@ -156,7 +156,6 @@ def _model(material: Material, motion: MotionMaterial, words: Mapping[str, str])
     )
     kinds = [one.kind for one in motion.borders]
     contacts, sides = len(motion.rooted), len(motion.rubbing)
-    near = contacts + sides
     sizes = {
         "coordinates": count,
         "parameters": parameters,
@@ -172,17 +171,18 @@ def _model(material: Material, motion: MotionMaterial, words: Mapping[str, str])
         "springs": len(algebra["geometry"].leaves) // 3 if "geometry" in algebra else 0,
         "outputs": len(motion.outputs),
     }
-    places = {
-        "s": [f"s[{i}]" for i in range(2 * count)],
-        "a": [f"a[{i}]" for i in range(count)],
-        "l": [f"m[{i}]" for i in range(contacts, near)],
-        "p": [f"p[{i}]" for i in range(parameters)],
-        "m": [f"m[{i}]" for i in range(near + layers + turnings)],
-        "w": [f"m[{i}]" for i in range(near + layers, near + layers + turnings)],
-    }
-    # Functions of the library that the motion calls, and their arguments, a letter each: s is the
-    # state, a accelerations, p parameters, m the mode, l its sides of frictions, w its ways of
-    # torsion springs.
+    # The elements of arrays that stand for the arguments of functions: s is the state, a has
+    # accelerations, p parameters, and m the mode.
+    elements = [
+        *(f"s[{i}]" for i in range(2 * count)),
+        *(f"p[{i}]" for i in range(parameters)),
+        *(f"m[{i}]" for i in range(contacts + sides + layers + turnings)),
+    ]
+    places = dict(zip(taken(algebra["regime_rhs"], material.angles), elements, strict=True))
+    names = taken(algebra["border_rates"], material.angles)
+    accelerations = (name for name in names if name not in places)
+    places |= {name: f"a[{i}]" for i, name in enumerate(accelerations)}
+    # Functions of the library that the motion calls, and the arrays that each is given.
     in_c = {
         "rhs": "sp",
         "regime_rhs": "spm",
@@ -190,27 +190,22 @@ def _model(material: Material, motion: MotionMaterial, words: Mapping[str, str])
         "regime_by_parameters": "spm",
         "borders": "sp",
         "border_rates": "sap",
-        "layers": "spl",
-        "layer_rates": "sapl",
-        "turning_borders": "spw",
-        "turning_rates": "sapw",
+        "layers": "spm",
+        "layer_rates": "sapm",
+        "turning_borders": "spm",
+        "turning_rates": "sapm",
         "grip": "spm",
         "grip_slopes": "spm",
         "outputs": "spm",
         "output_slopes": "spm",
         "clock": "p",
+        "geometry": "sp",
     }
     called = [
-        _adapter(material, algebra[name], kinds, places)
-        for name, kinds in in_c.items()
+        _adapter(material, algebra[name], arrays, places)
+        for name, arrays in in_c.items()
         if name in algebra
     ]
-    geometry = algebra.get("geometry")  # none where there are no springs along lines
-    if geometry and geometry.leaves:
-        names = taken(algebra["rhs"], material.angles)
-        variables = dict(zip(names, (*places["s"], *places["p"]), strict=True))
-        own = [variables[name] for name in taken(geometry, material.angles)]
-        called.append(_calling(material, geometry, "sp", own))
     texts = {
         "quantities": ",\n    ".join(map(_quantity, (*motion.given, Variable("", "")))),
         "powers": ", ".join(map(_powers, (*motion.states[:count], motion.time))),
@@ -246,21 +241,14 @@ def _event_border(edge: Edge) -> str:
 
 
 def _adapter(
-    material: Material, function: Definition, kinds: str, places: Mapping[str, list[str]]
+    material: Material, function: Definition, arrays: str, places: Mapping[str, str]
 ) -> str:
-    """The adapter of a function to arrays in the order of ``kinds``."""
-    given = [one for kind in kinds for one in places[kind]]
-    assert len(given) == len(taken(function, material.angles)), function.name
-    return _calling(material, function, kinds, given)
-
-
-def _calling(material: Material, function: Definition, kinds: str, given: list[str]) -> str:
-    """A C function that calls the library's with the given arguments; it returns 0 if that has a
-    result.
+    """A C function of arrays that calls the library's with their elements; it returns 0 if that
+    has a result.
     """
-    arrays = dict.fromkeys("m" if kind in "lw" else kind for kind in kinds)
     head = ", ".join(f"const double *{name}" for name in arrays)
-    called = f"{material.library}_{function.name}({', '.join(given)}, result)"
+    given = ", ".join(places[name] for name in taken(function, material.angles))
+    called = f"{material.library}_{function.name}({given}, result)"
     return (
         f"static int {function.name}({head}, double *result) {{ return {called} != "
         f"{material.library.upper()}_OK; }}\n"

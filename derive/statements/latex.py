@@ -113,8 +113,8 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     while len(items) == 1 and (inside := _equations_inside(items[0])):
         items = inside
     pieces = _pieces(items)
-    relations = [piece for piece in pieces if _is_condition(piece)]
-    pieces = [piece for piece in pieces if piece not in relations] or relations
+    relations = [_condition_of(piece) for piece in pieces if _is_condition(piece)]
+    pieces = [[*it] for it in map(_equation_of, pieces) if it] or relations
     if len(pieces) > 1:
         reader.give_names(pieces)
     equations = [it for piece in pieces for it in reader.equations(piece)]
@@ -149,6 +149,21 @@ def _is_order(text: str) -> bool:
 def _is_condition(items: Tokens) -> bool:
     """Whether the items hold a relation other than equality."""
     return any(it.text in _RELATIONS and it.text not in _EQUAL for it in items)
+
+
+def _condition_of(items: Tokens) -> list[Token]:
+    """The relation of what stands behind the last sign of equality before it, as in a = b > 0."""
+    relation = next(it for it in items if it.text in _RELATIONS and it.text not in _EQUAL)
+    before, *behind = split(items, relation.text)
+    return [*split(before, *_EQUAL)[-1], *items[len(before) :]]
+
+
+def _equation_of(items: Tokens) -> Tokens:
+    """The items before a relation other than equality, if they are an equation; else none."""
+    if not _is_condition(items):
+        return items
+    count = len(items) - len(_condition_of(items)) - 1
+    return split(items, *(_RELATIONS.keys() - _EQUAL))[0] if count > 0 else []
 
 
 def _pieces(items: Tokens) -> list[list[Token]]:
@@ -711,11 +726,11 @@ class _LatexReader:
         inside = _bracket(following[-1], ("(", "[", r"\{")) if following[count:] else None
         if word == "det" and {*texts(following[count:])} & {*_MATRICES}:
             inside = following[count:]
-        if word not in ("diag", "det") or inside is None:
+        if word != "det" and (word != "diag" or inside is None):
             return None
-        here.place += count + 1
-        if word == "det":
-            matrix = self.expression(inside)
+        here.place += count + (inside is not None)
+        if word == "det" or inside is None:
+            matrix = self.factor(here).value if inside is None else self.expression(inside)
             if isinstance(matrix, Node):
                 raise Unread("the determinant of what is no matrix", start)
             return replace(determinant(matrix), at=(start, here.end))

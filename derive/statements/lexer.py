@@ -161,11 +161,13 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
         | \\(?:label|tag|hspace|vspace|phantom)\*?\s*\{{[^{{}}]*\}}
         | \\left\s*\\\{{(?=\s*\\begin\{{{aligned}\}}) | \\(?:begin|end)\{{{aligned}\}}
         (?:\s*\\right\s*\\\}})?
-        | \\(?:left|right)\s*\. | (?<=\\\\)\s*\[[^\]]*\]
+        | \\(?:left|right)\s*\. | (?<=\\\\)\s*(?:\[[^\]]*\]|\\hline)
         | (?<!\\)\\(?:displaystyle|textstyle|limits|nonumber|notag|,|;|:|!|>|\s) | ~""",
         re.VERBOSE,
     )
     shown = re.sub(r"(\\begin\{\w+\*?\})\[[tbc]\]", r"\1   ", text.replace("−", "-"))
+    columns = r"\\begin\{array\}\s*\{[^{}]*\}"
+    shown = re.sub(columns, lambda found: found[0].replace("|", " "), shown)
     for opening, closing, spelled in (
         # A choice or equations behind a brace, and what is taken at a point.
         (

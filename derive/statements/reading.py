@@ -265,9 +265,12 @@ def _entries(equations: list[Equation], subject: Object, derivation: Derivation)
         for left in lefts:
             if (mark := re.search(r"([1-9])([1-9])$", left)) and max(map(int, mark[0])) <= size:
                 places[left] = (int(mark[1]) - 1) * size + int(mark[2]) - 1
+    if len(subject.index) == 1:  # which may be numbered otherwise
+        places = {}
     found = [places.get(*pair) for pair in zip(lefts, subject.index, strict=False)]
     if sorted(found) != [*subject.index] or len(lefts) > len(found):
-        raise Unread(f"left of = stand {', '.join(lefts)}; each entry has to stand there once")
+        said = "each entry has to stand there once, and what else is printed in other statements"
+        raise Unread(f"left of = stand {', '.join(lefts)}; {said}")
     return tuple(found[lefts.index(name)] for name in names) if is_chain else tuple(found)
 
 
@@ -332,10 +335,10 @@ def _item(
     ]
     equations = claims if len(claims) >= count else equations[-count:]
     targets = tuple(numeric(entry, values) for entry in subject.entries)
-    if count == 1:
-        subject = replace(subject, index=subject.index * len(equations))
-    elif subject.is_value:
+    if subject.is_value:
         subject = replace(subject, index=_entries(equations, subject, derivation))
+    elif count == 1:
+        subject = replace(subject, index=subject.index * len(equations))
     elif len(equations) > count:
         said = "the print more equations; give the others statements of their own"
         raise Unread(f"{statement.about} has {count} entries, and {said}")

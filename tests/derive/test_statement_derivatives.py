@@ -131,6 +131,22 @@ def test_a_condition_beside_an_equation_has_to_hold_where_it_is_judged(
     assert status == "confirmed" or "say" in row.evidence
 
 
+def test_a_relation_behind_an_equation_is_a_condition() -> None:
+    """As in N = -k y > 0, which says a value and where it is one."""
+    value = r"c_e = c + N_0\mu'(v_0)"
+    for relation, status in (("< -9c", "unread"), (r"= c + N_0\mu'(v_0) \ne 0", "confirmed")):
+        assert _only(f"{value} {relation}", "damping 1 1").status == status
+    wrong = f"{value} = c - N_0\\mu'(v_0) \\ne 0"
+    assert _only(wrong, "damping 1 1").status == "misprint"
+
+
+def test_a_value_of_another_name_is_not_that_of_the_object() -> None:
+    """Two scales in one statement about one of them."""
+    text = r"\omega_1 = \sqrt{k/m}\,t, \qquad \omega_2 = \frac{c}{m}"
+    row = _only(text, "scale time")
+    assert (row.status, "other statements" in row.evidence) == ("unread", True)
+
+
 @pytest.mark.parametrize(
     ("slope", "status"),
     [

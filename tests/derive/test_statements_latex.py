@@ -180,6 +180,8 @@ READ = {
         "a = 0",
     ],
     r"m\ddot x + f(x) = 0, \quad f(x) = k x \text{ for } x > 0": ["m*ax + f = 0", "f = k*x"],
+    r"a = \det\left[\begin{array}{c|c} k & x \\ \hline y & m\end{array}\right]": ["a = k*m - x*y"],
+    r"a = \det\mathbf I_2 = -k y \ge 0": ["a = 1", "a = -k*y"],
     r"\begin{aligned}[t] m\ddot x &= k x \end{aligned}": ["m*ax = k*x"],
     r"\mathbf B(\mathbf q, \dot{\mathbf q}) = \begin{bmatrix} x \\ k\end{bmatrix}": [
         "mathbfB_1 = x",

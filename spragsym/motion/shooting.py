@@ -220,7 +220,9 @@ class Orbit:
             assert border.slopes is not None
             slopes = border.slopes(self.state.tolist(), self.constants, mode)[n : 2 * n]
             normal = np.array([*slopes, *[0.0] * n], dtype=float)
-            # On a belt that moves, held places differ by a shift in time.
+            if self.field.clock:  # a place on a belt that moves to and fro
+                normal[n - 1] -= normal @ rates / rates[n - 1]
+            # On a belt that moves on, held places differ by a shift in time.
             still = abs(normal @ rates) <= OVERSHOOT * norm(normal)
             if still and border.contact not in changed:
                 normals.append(normal[None])

@@ -10,6 +10,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.core.errors import ConvergenceError
+from spragsym.motion.shooting import integrated, remeshed
 from spragsym.motion.sweeps import basin, rms_sweep
 from tests.oracles.contact_pages import BLOCKS
 from tests.oracles.user_pages import model_of
@@ -102,6 +103,11 @@ def test_what_rides_on_a_table_that_shakes_keeps_its_place_on_it() -> None:
         assert found.exponents[:2] == pytest.approx([0.0, 0.0], abs=2e-3)
         assert found.exponents[2] == -math.inf
         assert "drift" not in found.why
+    cycle = ss.cycle(p, turns=1, near=(0.1, 0.0, 0.16, 0.8))
+    assert (cycle.stable, cycle.multipliers.tolist()[1:]) == (True, [1, 0])
+    assert cycle.state[:2] == pytest.approx([0.3, math.pi / 2], abs=1e-9)
+    later = integrated(cycle.orbit.flow, remeshed(cycle.orbit, 1, 1.0))
+    assert later.multipliers.held == 1
 
 
 def test_a_set_of_rest_states_is_one_attractor() -> None:

@@ -31,7 +31,7 @@ from ..numerics.interval_arrays import (
     scale_of,
     spans_of,
 )
-from ..numerics.vectors import magnitude
+from ..numerics.vectors import in_one_turn, magnitude
 from ..results import Points
 from ..statics import stability
 from ..statics.balance import NEGLIGIBLE, Balance
@@ -405,7 +405,10 @@ def with_seen(system: Augmented, found: Found) -> tuple[Found, Roots, FloatArray
     from scipy.optimize import linear_sum_assignment  # heavy, and a refusal does not need it
 
     fixed, seen = system.family.begin, np.array(_sightings(system, found.roots.undecided))
-    detected = seen.reshape(-1, system.n + 1).T
+    seen = seen.reshape(-1, system.n + 1)
+    # The search goes beyond both ends of a turn: an image of a state there is seen as well.
+    own = (in_one_turn(seen, system.balance.periodic) == seen) | np.isnan(seen)
+    detected = seen[own.all(axis=1)].T
     candidates = detected[:-1]
     around = ends_around(candidates, 1e-6 * scale_of(candidates))
     tried = refined(system, fixed, Roots.at(around))

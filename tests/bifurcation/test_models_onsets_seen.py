@@ -154,3 +154,46 @@ def test_a_fold_where_no_contact_touches_is_a_remark() -> None:
     (remark,) = found.remarks
     assert "where no contact touches is a fold at P = 0.25," in remark
     assert not ss.folds(p, "P", between={"P": (-1.0, 0.2)}).remarks
+
+
+CART = '''r"""A pendulum."""
+from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin
+page = Page("A pendulum on a block on a belt.")
+m = page.unit("m", "kg", "bob")
+l = page.unit("l", "m", "length")
+g = page.unit("g", "m/s^2", "gravity")
+mu_k = page.parameter("mu_k", "1", "kinetic friction", ">= 0", 0.3)
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.3)
+c = page.parameter("c", "N m s", "pivot", ">= 0", 0.05, becomes="zeta")
+v_0 = page.parameter("v_0", "m/s", "fall of friction", "> 0", 0.5)
+x = page.coordinate("x", "m", "block")
+phi = page.coordinate("phi", "rad", "pendulum")
+v, w = page.rate(x), page.rate(phi)
+page.kinetic(m * v**2 + m * ((v + l * cos(phi) * w) ** 2 + (l * sin(phi) * w) ** 2) / 2)
+page.potential(-m * g * l * cos(phi))
+page.spring(3 * m * g / l, along=x)
+page.damper(c, along=phi)
+page.normal_force(3 * m * g)
+law = lambda s: (mu_k + exp(-Abs(s) / v_0) / 5) * sgn(s)
+page.friction(x, V, slip=law, holds=mu_k + 0.2)
+'''
+
+
+@pytest.mark.validate
+def test_a_state_at_the_end_of_a_turn_is_seen_once() -> None:
+    """The two modes of the hanging pendulum lose their damping at one speed, so that the search
+    is not complete and floats look too; the standing one has ω² = (3 ζ - s)/(3 ζ + s) and
+    2 ω⁴ - s ζ ω² = 3, where s is the slope of the friction law times the normal force.
+    """
+    p = model_of(CART, "cart").Parameters()
+    found = ss.flutter_onsets(p, vary="V", between={"V": (0.0, 4.0)})
+    assert not found.complete
+
+    def excess(s: float) -> float:
+        square = (0.15 - s) / (0.15 + s)
+        return float(2 * square**2 - 0.05 * s * square - 3)
+
+    slope = brentq(excess, -0.1, 0.0)
+    assert found.phi == pytest.approx([0, 0, np.pi], abs=1e-6)
+    expected = [0.5 * np.log(8), 0.5 * np.log(8), -0.5 * np.log(-slope / 1.2)]
+    assert found.V == pytest.approx(expected, rel=1e-6)

@@ -3,12 +3,14 @@ many there are.
 """
 
 import itertools
+from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
 from spragsym.bifurcation import bifurcation_sets
+from tests.oracles.user_pages import model_of
 
 
 @pytest.mark.thorough
@@ -64,3 +66,45 @@ def test_pairs_are_all_that_no_decided_line_separates(number: int) -> None:
     np.add.at(got, (found.min(axis=0), found.max(axis=0)), True)
     assert found.shape[1] == got.sum()
     np.testing.assert_array_equal(got, expected)
+
+
+HOOK = '''r"""A snap-fit hook that a soft pusher moves over a bump."""
+from spragsym.derive.model import Page, exp, tanh
+page = Page("A snap-fit hook that is pushed over a bump by a soft pusher.")
+m, k_b = page.unit("m", "kg", "mass"), page.unit("k_b", "N/m", "stiffness of the bump")
+L = page.unit("L", "m", "width of the bump")
+mu = page.parameter("mu", "1", "friction coefficient", ">= 0", 0.2)
+X = page.parameter("X", "m", "place of the pusher", "real", 0.0)
+k_u = page.parameter("k_u", "N/m", "pusher", "> 0", 0.1)
+k_w = page.parameter("k_w", "N/m", "hook", "> 0", 0.2)
+H = page.parameter("H", "m", "height of the bump", ">= 0", 1.0)
+e = page.parameter("e", "m", "clearance", "real", 0.1)
+V = page.parameter("V", "m/s", "speed", "> 0", 0.5)
+u = page.coordinate("u", "m", "insertion")
+w = page.coordinate("w", "m", "lift of the hook")
+page.kinetic(m * (page.rate(u)**2 + page.rate(w)**2) / 2)
+page.potential(k_u * (u - X)**2 / 2)
+page.spring(k_w, along=w)
+page.contact(w + e - H * exp(-u**2 / L**2), lambda depth: k_b * depth)
+page.friction(u, V, lambda v: mu * tanh(10 * v / V), at_rest=mu)
+'''
+
+
+@pytest.mark.thorough
+def test_the_folds_of_a_snap_fit_are_complete() -> None:
+    """With N = (H exp(−u²) − e)/(1 + 1/k_w), X = u − N (2 u H exp(−u²) + mu)/k_u has its extrema at
+    the folds; over u in [−10, 10] exp(−u²) is at most 1.
+    """
+    p = model_of(HOOK, "hook").Parameters()
+    found = ss.bifurcation_set(p, ("X", "H"), n=8, between={"X": (-3.0, 3.0), "H": (0.1, 1.5)})
+    assert found.complete
+    (curve,) = found.curves
+    u, height = curve["u"], curve["H"]
+
+    def pushed(at: Any) -> Any:
+        bell = height * np.exp(-(at**2))
+        return at - (bell - 0.1) / 6.0 * (2.0 * at * bell + 0.2) / 0.1
+
+    np.testing.assert_allclose(curve["X"], pushed(u), atol=1e-11)
+    step = 1e-5
+    np.testing.assert_allclose((pushed(u + step) - pushed(u - step)) / (2 * step), 0.0, atol=1e-7)

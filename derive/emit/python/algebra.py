@@ -75,7 +75,10 @@ class AlgebraPrinter(StrPrinter):
 
     def call(self, name: str, *arguments: Expr) -> str:
         """A function of these arguments."""
-        return f"{'' if name == 'abs' else 'xp.'}{name}({', '.join(map(self._print, arguments))})"
+        # −x*x is the product of −x and x, which to intervals is no square: of both signs, where a
+        # bell exp(−x*x) is at most 1.
+        given = (re.sub(r"^-((\w+)\*\2)\b", r"-(\1)", self._print(one)) for one in arguments)
+        return f"{'' if name == 'abs' else 'xp.'}{name}({', '.join(given)})"
 
     def _print(self, expression: sp.Basic, **options: Any) -> str:
         # The printer of SymPy writes whatever it is given, under SymPy's name for it.

@@ -48,7 +48,7 @@ def _layers(friction: FrictionForce) -> list[tuple[Expr, Expr, Expr, Expr]]:
         argument = node.args[0]
         if isinstance(node, sp.exp):
             found.append((node, S.Zero, node, -argument))
-        elif (end := _within_domains(limit(friction, argument, SLIP, sp.oo))) in (sp.oo, -sp.oo):
+        elif (end := _within_domains(limit(friction, argument, sp.oo))) in (sp.oo, -sp.oo):
             far, exponent = sp.sign(end), 2 * sp.sign(end) * argument
             found.append(
                 (node, far, -2 * far * sp.exp(-exponent) / (1 + sp.exp(-exponent)), exponent)
@@ -63,7 +63,7 @@ def _within_domains(value: Expr) -> Expr:
     )
 
 
-def limit(friction: FrictionForce, law: Expr, speed: Symbol, end: Expr) -> Expr:
+def limit(friction: FrictionForce, law: Expr, end: Expr) -> Expr:
     """The limit of a friction law, or of a part of it, at an end of the sliding speed.
 
     Raises
@@ -72,7 +72,7 @@ def limit(friction: FrictionForce, law: Expr, speed: Symbol, end: Expr) -> Expr:
         If SymPy does not find it.
     """
     try:
-        return sp.limit(law, speed, end)
+        return sp.limit(law, SLIP, end)
     except NotImplementedError as error:
         where = "at rest" if end == 0 else "at fast sliding"
         raise PageError(
@@ -114,20 +114,9 @@ def static_coefficients(friction: FrictionForce) -> Pair:
     """Static friction coefficients with the belt and against it: the larger of ``holds`` and the
     kinetic coefficient at sliding speed 0.
     """
-    holds = friction.holds
-    assert holds is not None
-
-    def larger(kinetic: Expr) -> Expr:
-        difference = sp.simplify(holds - kinetic)
-        if difference.is_nonnegative:
-            return holds
-        if difference.is_nonpositive:
-            return kinetic
-        return (holds + kinetic + sp.Abs(holds - kinetic)) / 2
-
-    ahead = limit(friction, friction.ahead, SLIP, S.Zero)
-    behind = -limit(friction, friction.behind, SLIP, S.Zero)
-    return larger(ahead), larger(behind)
+    kinetic = limit(friction, friction.ahead, S.Zero), -limit(friction, friction.behind, S.Zero)
+    ahead, behind = (sp.Max(friction.holds, it).rewrite(sp.Abs) for it in kinetic)
+    return ahead, behind
 
 
 def friction_held(friction: FrictionForce) -> Expr:
@@ -178,7 +167,7 @@ def friction_at_rest(friction: FrictionForce) -> Expr:
     named = friction.at_rest
     if named is None:
         return friction_at_speed(friction)
-    fast = limit(friction, friction.ahead, SLIP, sp.oo)
+    fast = limit(friction, friction.ahead, sp.oo)
     if sp.simplify(fast - named) != 0:
         raise PageError(
             friction.line,

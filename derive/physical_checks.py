@@ -249,7 +249,7 @@ def _check_friction(model: Mechanics, sliding: FrictionForce) -> None:
             "is >= 0",
         )
     for side, value in (("ahead", sliding.ahead), ("behind", -sliding.behind)):
-        at_zero = laws.limit(sliding, value, SLIP, S.Zero)
+        at_zero = laws.limit(sliding, value, S.Zero)
         if sliding.holds is not None and _negative(model, at_zero, SLIP):
             law = at_zero if side == "ahead" else -at_zero
             raise PageError(

@@ -24,22 +24,20 @@ def sums(model: Mechanics) -> Matrix:
     mirror reflects and rows that it does not are not added to each other.
     """
     n = len(model.coordinates)
-    T, rows, reflected = sp.eye(n), list(model.residuals), symmetry.mirror(model).images
+    T, rows, images = sp.eye(n), list(model.residuals), symmetry.mirror(model).images
+    reflected = [symbol in images for symbol in model.coordinates]
     for contact in model.contacts:
         along = _along_force(model, contact)
         pivot = next((i for i, part in enumerate(along) if part.is_Number and part != 0), None)
         if pivot is None or not any(part.has(*model.coordinates) for part in along):
             continue
         for i in range(n):
-            same_parity = (model.coordinates[i] in reflected) == (
-                model.coordinates[pivot] in reflected
-            )
-            if i != pivot and along[i] != 0 and same_parity:
+            if i != pivot and along[i] != 0 and reflected[i] == reflected[pivot]:
                 factor = along[i] / along[pivot]
                 rows[i] = expanded(rows[i] - factor * rows[pivot])
                 T[i, :] -= factor * T[pivot, :]
     for i, j in itertools.combinations(range(n), 2):
-        if (model.coordinates[i] in reflected) != (model.coordinates[j] in reflected):
+        if reflected[i] != reflected[j]:
             continue
         for sign in (1, -1):
             total = expanded(rows[j] + sign * rows[i])

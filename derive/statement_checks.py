@@ -196,7 +196,7 @@ def _check_contacts(page: Page) -> None:
 
 def _check_elements(page: Page) -> None:
     seen: dict[object, int] = {}
-    moving, rates = set(page.places), set(page.rates)
+    moving = set(page.places)
     for element in page.elements:
         what, strength = element.what, element.strength
         if _is_negative(page, strength):
@@ -222,7 +222,7 @@ def _check_elements(page: Page) -> None:
                 "positive one",
             )
         if element.along is not None:
-            _check_along(element.along, f"along of this {what}", element.line, moving, rates)
+            _check_along(page, element.along, f"along of this {what}", element.line)
         elif element.ends is not None:
             one, two = element.ends
             vector = [sp.expand(end - begin) for begin, end in zip(one, two, strict=True)]
@@ -245,12 +245,10 @@ def _check_elements(page: Page) -> None:
         seen[key] = element.line
 
 
-def _check_along(
-    along: Expr, what: str, line: int, moving: set[Symbol], rates: set[Symbol]
-) -> None:
-    if along.free_symbols & rates:
+def _check_along(page: Page, along: Expr, what: str, line: int) -> None:
+    if along.free_symbols & {*page.rates}:
         raise PageError(line, f"{what} is {along}, a speed; give the coordinate itself, as along=x")
-    if not along.free_symbols & moving:
+    if not along.free_symbols & {*page.places}:
         raise PageError(
             line, f"{what} is {along}, which no coordinate moves; give a coordinate, as along=x"
         )
@@ -329,7 +327,7 @@ def _check_places(page: Page) -> None:
                 "distance of mass and belt",
             )
     for sliding in page.frictions:
-        _check_along(sliding.along, "what friction opposes", sliding.line, moving, rates)
+        _check_along(page, sliding.along, "what friction opposes", sliding.line)
         if others := sliding.belt.free_symbols & ((moving | rates) - own):
             held = ", ".join(sorted(map(str, others)))
             raise PageError(

@@ -219,7 +219,8 @@ def fates(
     Every parameter is an axis: a single number, a,b,c, or start:stop:count; a picture is of two
     that vary. Killed or interrupted, the same command goes on where it stopped; finished, it reads
     the file. With --data it holds columns in the units of that file, and beside it stands what it
-    is made from, in those of the model, as FILE.model.csv.
+    is made from, in those of the model, as FILE.model.csv; what its column why says is in those of
+    the model, too.
 
     \b
     Examples:

@@ -547,6 +547,13 @@ def test_a_constant_of_an_energy_is_an_energy() -> None:
     assert _same(row.repaired, f"{springs} + F_L*y")
 
 
+def test_an_energy_without_a_value_is_judged_without_a_warning() -> None:
+    """As of a misprinted gap, which is 0: what is infinite equals nothing."""
+    text = "V = k_x*x**2/2 + k_y*y**2/2 + k*(x - y)**2/4 + F_L*y/(x - x)"
+    row = _judged("energy V", text, "units", COUPLING)
+    assert row.status in ("misprint", "failed")
+
+
 @pytest.mark.parametrize("lost", ["Omega**2/2", "m*Omega/2"])
 def test_a_term_of_one_reading_is_mended_and_not_taken_away(lost: str, tmp_path: Path) -> None:
     """As the centrifugal potential, which may be left out as a whole."""

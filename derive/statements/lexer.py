@@ -166,6 +166,8 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
         re.VERBOSE,
     )
     shown = re.sub(r"(\\begin\{\w+\*?\})\[[tbc]\]", r"\1   ", text.replace("−", "-"))
+    comma = r"(?<!_\{)(?<!\d)(\d+)\{,\}(\d+)"  # of a number, not between indices
+    shown = re.sub(comma, r"\1.\2  ", shown)
     columns = r"\\begin\{array\}\s*\{[^{}]*\}"
     shown = re.sub(columns, lambda found: found[0].replace("|", " "), shown)
     for opening, closing, spelled in (

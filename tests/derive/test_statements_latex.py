@@ -182,6 +182,7 @@ READ = {
     r"m\ddot x + f(x) = 0, \quad f(x) = k x \text{ for } x > 0": ["m*ax + f = 0", "f = k*x"],
     r"a = \det\left[\begin{array}{c|c} k & x \\ \hline y & m\end{array}\right]": ["a = k*m - x*y"],
     r"a = \det\mathbf I_2 = -k y \ge 0": ["a = 1", "a = -k*y"],
+    r"a = 1{,}25\,x": ["a = 1.25*x"],
     r"\begin{aligned}[t] m\ddot x &= k x \end{aligned}": ["m*ax = k*x"],
     r"\mathbf B(\mathbf q, \dot{\mathbf q}) = \begin{bmatrix} x \\ k\end{bmatrix}": [
         "mathbfB_1 = x",
@@ -297,6 +298,7 @@ def test_what_is_no_argument_is_told_so() -> None:
     [
         (r"x = a \pm 2", "a + 2, a - 2"),
         (r"x = a \mp 2", "a + 2, a - 2"),
+        (r"\lambda_{1{,}2} = a \pm 2{,}0", "a + 2, a - 2"),
         (r"0 = x - a \pm 2", "a + 2, a - 2"),
         (r"x^2 - a \pm \sqrt{a} = 0", "sqrt(a + sqrt(a)), -sqrt(a - sqrt(a))"),
         (r"x = \sqrt{a \pm \sqrt{a}}", "sqrt(a + sqrt(a)), sqrt(a - sqrt(a))"),
@@ -319,9 +321,10 @@ def test_what_is_no_argument_is_told_so() -> None:
 )
 def test_two_signs_are_both_roots(text: str, roots: str) -> None:
     """Where an equation is about all roots of a polynomial, it holds of each of these."""
-    words = Vocabulary(frozenset({"a", "x"}), (), {}, has_roots=True)
+    words = Vocabulary(frozenset({"a", "x", "lam"}), (), {r"\lambda": "lam"}, has_roots=True)
     (both,) = read_latex(text, words)
     names = {name: sp.Symbol(name, positive=True) for name in ("a", "x")}
+    names["lam"] = names["x"]
     whole = to_sympy(tree.residual(both), names)
     for root in sp.sympify(f"[{roots}]", locals=names):
         assert sp.simplify(whole.subs(names["x"], root)) == 0

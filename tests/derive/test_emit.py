@@ -65,7 +65,7 @@ def untouched(target: Path) -> bool:
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave out the steps before the check, and the shipped pages, which other tests run."""
-    monkeypatch.setattr(command, "models", lambda **_: {})
+    monkeypatch.setattr(command, "models", lambda _: {})
     for module in (
         command.elimination,
         command.catastrophe,

@@ -335,7 +335,8 @@ def following(thing: Tabular) -> dict[str, Any]:
         _MAKING.reset(token)
 
 
-# ----------------------------------------------------------------------------- the parts of tables
+# ------------------------------------------------------------------------------------------------
+# the parts of tables
 
 
 def counted(number: int, one: str, many: str) -> str:

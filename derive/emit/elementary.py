@@ -1,5 +1,5 @@
-"""Functions of an angle in double precision, with the same bits on every machine, which those of
-the languages' libraries don't have.
+"""Functions of an angle in double precision, with the same bits on every machine: those of the
+languages' libraries differ.
 
 In the small language of :mod:`.language`, emitted with a kernel that needs them.
 """
@@ -17,8 +17,7 @@ class Direction(NamedTuple):
 
 
 def cosine_and_sine(x: Real) -> Direction:
-    """cos x and sin x for 0 < x < π in double precision, within one unit in the last place, which
-    not every library's are.
+    """cos x and sin x for 0 < x < π in double precision, within one unit in the last place.
 
     x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves
     nothing to round; then the polynomials of fdlibm's k_sin.c and k_cos.c.

@@ -151,8 +151,8 @@ class Guesses(NamedTuple):
     certain: Flag
 
 
-# ------------------------------------------------------------------------------------------- the
-# balance of forces
+# ------------------------------------------------------------------------------------------------
+# the balance of forces
 
 
 def rough(x: Real) -> Real:
@@ -242,8 +242,8 @@ def representable(line: LineBalance) -> Flag:
     return (line.scale > 1e-200) & (line.scale < 1e200) & (rough(line.b) <= -1e-60)
 
 
-# -------------------------------------------------------------------------------------------- the
-# number of roots
+# ------------------------------------------------------------------------------------------------
+# the number of roots
 
 
 def depressed(r0: Real, r1: Real, r2: Real) -> Depressed:

@@ -121,7 +121,8 @@ class Comparison:
         """The expression of a printed tree in the page's symbols."""
         return to_sympy(tree, self.names)
 
-    # --------------------------------------------------------------------------------- components
+    # --------------------------------------------------------------------------------------------
+    # components
 
     def components(self, factors: bool = True) -> list[Component]:
         """The compared side of every printed equation, with its targets.
@@ -287,7 +288,8 @@ class Comparison:
         found = sorted(votes, key=lambda it: (-votes[it], sp.count_ops(it), str(it)))[:4]
         return [factor * entry for factor in found]
 
-    # ----------------------------------------------------------------------------------- equality
+    # --------------------------------------------------------------------------------------------
+    # equality
 
     @property
     def agrees(self) -> bool:

@@ -134,7 +134,8 @@ def same_but_for_constant(one: Values, other: Values) -> bool:
         return bool((np.abs(gap[::2] - gap[1::2]) <= CLOSE * size[::2]).all())
 
 
-# ---------------------------------------------------------------------------------------- values
+# ------------------------------------------------------------------------------------------------
+# values
 
 
 def multiplied(*factors: Values) -> Values:
@@ -202,7 +203,8 @@ Proposal: TypeAlias = tuple[int, Path, Edit]
 Place: TypeAlias = tuple[Path, Node, Node | None, Values, Values]
 
 
-# ------------------------------------------------------------------------- edits with few choices
+# ------------------------------------------------------------------------------------------------
+# edits with few choices
 
 
 def _choices(part: Node, above: Node | None, pool: Pool) -> list[Edit]:
@@ -337,7 +339,8 @@ class _Alternatives:
                     yield index, *self.edit(tree, int(number) - len(edits))
 
 
-# --------------------------------------------------------------- missing numbers, factors and terms
+# ------------------------------------------------------------------------------------------------
+# missing numbers, factors and terms
 
 
 def _inverted(tree: Node, parts: Sequence[Values], whole: Values, need: Values) -> Iterator[Values]:
@@ -553,7 +556,8 @@ def _powered(atom: Node, power: float) -> Node:
     return atom if power == 1 else Node("pow", (atom, _number(Fraction(power))))
 
 
-# --------------------------------------------------------------------------------------- repairs
+# ------------------------------------------------------------------------------------------------
+# repairs
 
 
 class Search:

@@ -144,7 +144,8 @@ def _row_of(statement: Statement) -> Row:
     )
 
 
-# --------------------------------------------------------------------------------------- verdicts
+# ------------------------------------------------------------------------------------------------
+# verdicts
 
 
 @dataclass(frozen=True)
@@ -466,7 +467,8 @@ def _with_lost_term(comparison: Comparison, part: Component, exact: Expr) -> Rep
     return Repair(new, (Edit("missing term", part.tree.at, part.tree, new, COST["missing term"]),))
 
 
-# ------------------------------------------------------------------------------------------ units
+# ------------------------------------------------------------------------------------------------
+# units
 
 
 def _units_problem(item: Item, parts: Iterable[Component]) -> str:

@@ -17,7 +17,8 @@ from ..core.errors import ParameterError, ParameterTypeError
 if TYPE_CHECKING:
     import pint
 
-# ------------------------------------------------------------------------------------- their words
+# ------------------------------------------------------------------------------------------------
+# their words
 
 #: Prefixes of SI.
 _PREFIXES = {
@@ -203,7 +204,8 @@ def _named(word: str, unit: str) -> str:
     return _words()[word]
 
 
-# ---------------------------------------------------------------------- numbers that carry a unit
+# ------------------------------------------------------------------------------------------------
+# numbers that carry a unit
 
 #: Libraries whose units are understood: names of the attributes that hold the unit and the numbers.
 _UNDERSTOOD = {

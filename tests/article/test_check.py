@@ -94,8 +94,8 @@ def test_rows_say_what_their_status_asks_for(rows: dict[str, LedgerRow]) -> None
     assert re.search(r"x = 1\.217\d+", rows["eq-9"].consequence), "a number at the base values"
 
 
-# -------------------------------------------------------------------------- typesetting against
-# transcription
+# ------------------------------------------------------------------------------------------------
+# typesetting against transcription
 
 _SYMBOLS = (
     *(nm.mu0, nm.mu, nm.sigma, nm.alpha, nm.beta, nm.kappa),

@@ -35,8 +35,8 @@ def value(id: str, name: str) -> Any:
     return record()[id]["values"][name]
 
 
-# ----------------------------------------------------------------- the article's balance, written
-# by hand
+# ------------------------------------------------------------------------------------------------
+# the article's balance, written by hand
 
 
 def constants(

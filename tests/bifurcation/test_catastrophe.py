@@ -36,8 +36,8 @@ def _derivatives(orders: int, *values: float) -> list[float]:
         ]
 
 
-# -------------------------------------------------------------------------------------- residuals
-# and other codes
+# ------------------------------------------------------------------------------------------------
+# residuals and other codes
 
 
 @pytest.mark.parametrize("vary", PARAMETERS)

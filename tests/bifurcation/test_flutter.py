@@ -24,8 +24,8 @@ NEXT_TO_90 = ss.Parameters.article(mu0=1.3, alpha=1.3, sigma=0.32)
 WITHOUT_ALPHA = ss.Parameters(mu0=0.75, kappa=0.0035, alpha=0, sigma=0.7, beta=0)
 
 
-# ----------------------------------------------------------------------------------- independent
-# formulation
+# ------------------------------------------------------------------------------------------------
+# independent formulation
 
 
 def _forces(

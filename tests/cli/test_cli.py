@@ -306,8 +306,8 @@ def test_help_tells_the_value_of_an_option_that_is_left_out(run: Run) -> None:
     assert "1e-10" in run("simulate", "--help")
 
 
-# ----------------------------------------------------------------------------------------- pipes,
-# colours, Ctrl-C
+# ------------------------------------------------------------------------------------------------
+# pipes, colours, Ctrl-C
 
 ONE = ["equilibria", "--theta0", "30"]
 

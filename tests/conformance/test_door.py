@@ -16,8 +16,8 @@ from spragsym.design.jumps import limit_point_passed
 from spragsym.generated.quantities import PARAMETERS
 from tests.conformance.models import MODELS, a_set, load
 
-# ------------------------------------------------------------------------------------------- sets
-# and their models
+# ------------------------------------------------------------------------------------------------
+# sets and their models
 
 
 def test_the_articles_parameters_are_those_of_its_model() -> None:

@@ -58,8 +58,8 @@ def untouched(target: Path) -> bool:
     return files_of(target) == OLD and list(target.parent.iterdir()) == [target]
 
 
-# --------------------------------------------------------------------------------------------- a
-# failed check
+# ------------------------------------------------------------------------------------------------
+# a failed check
 
 
 @pytest.fixture

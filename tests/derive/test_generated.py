@@ -287,8 +287,8 @@ def test_arrays_broadcast_constants_included(function: Generated) -> None:
                 )
 
 
-# --------------------------------------------------------------- against the un-eliminated
-# equations, by hand
+# ------------------------------------------------------------------------------------------------
+# against the un-eliminated equations, by hand
 
 
 def forces(

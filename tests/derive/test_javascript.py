@@ -38,8 +38,8 @@ SETS: tuple[dict[str, float], ...] = (
 pytestmark = pytest.mark.skipif(NODE is None, reason="node is not on this machine")
 
 
-# --------------------------------------------------------------------------------------- surface,
-# folds and cusps
+# ------------------------------------------------------------------------------------------------
+# surface, folds and cusps
 
 
 @pytest.mark.parametrize("changes", few(SETS, SETS[3]))

@@ -33,8 +33,8 @@ def section(title: str) -> str:
     return PAGE.read_text(encoding="utf-8").split(f"\n## {title}\n")[1].split("\n## ")[0]
 
 
-# -------------------------------------------------------------------------------------- languages
-# that are there
+# ------------------------------------------------------------------------------------------------
+# languages that are there
 
 
 @pytest.mark.thorough
@@ -187,8 +187,8 @@ def test_the_language_that_contributing_adds_is_printed() -> None:
     assert "f_third(cos, sin, a_f, b_f, d_f, m_f) gives f‴\n  w0 = 4*a_f\n" in text
 
 
-# ---------------------------------------------------------------------------------------- what is
-# printed
+# ------------------------------------------------------------------------------------------------
+# what is printed
 
 
 @pytest.mark.thorough

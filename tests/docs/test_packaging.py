@@ -239,8 +239,8 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_pa
     assert not wheel.name.endswith("-none-any.whl")
 
 
-# ------------------------------------------------------------------------------------------- an
-# empty environment
+# ------------------------------------------------------------------------------------------------
+# an empty environment
 
 
 def environment(home: Path, wheel: Path | None) -> Path:

@@ -106,9 +106,11 @@ def test_theta_is_off_by_four_units_at_most() -> None:
     assert emitted.COUNT_THETA == 4 * math.ulp(3.0) / 2.0**-53
 
 
-# ------------------------------------------------------------------------------------------- what
-# the counts stand on All of these take the whole derivation, in make check; the independent counts
-# above hold the emitted ones in make test.
+# ------------------------------------------------------------------------------------------------
+# what the counts stand on
+
+# All of these take the whole derivation, in make check; the independent counts above hold the
+# emitted ones in make test.
 
 
 def _kernel() -> language.Source:

@@ -254,8 +254,8 @@ def test_radius_and_error_of_a_state_hold(nbar: int, off: float, least: float) -
     assert least < max(radii)
 
 
-# ---------------------------------------------------------------------------------------- factors
-# and their means
+# ------------------------------------------------------------------------------------------------
+# factors and their means
 
 
 def test_apart_means_apart() -> None:
@@ -333,8 +333,8 @@ def test_what_underflow_may_touch_is_not_sound() -> None:
         assert kernel.sound(fine._replace(**{name: 1.01e-250}))
 
 
-# ------------------------------------------------------------------------------- each term of a
-# state's bounds, alone
+# ------------------------------------------------------------------------------------------------
+# each term of a state's bounds, alone
 
 
 def _forced(theta: Any, newton: Any) -> tuple[Any, LineBalance]:
@@ -643,8 +643,8 @@ def test_one_or_three_by_every_certificate(monkeypatch: pytest.MonkeyPatch) -> N
         assert kernel.one_or_three(FINE, u) == 0
 
 
-# ----------------------------------------------------------------------------------------- Newton
-# and Kantorovich
+# ------------------------------------------------------------------------------------------------
+# Newton and Kantorovich
 
 
 def _steep(rng: np.random.Generator, n: int) -> tuple[Array, Array, LineBalance]:

@@ -265,8 +265,8 @@ def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
         assert tuple(is_zero(root, numerator) for root in (third, rational, exact)) == zeros
 
 
-# ------------------------------------------------------------------------------------------ folds
-# at coincidences
+# ------------------------------------------------------------------------------------------------
+# folds at coincidences
 
 
 @pytest.mark.parametrize("beta", [Fraction(0), Fraction(2, 5)])

@@ -239,8 +239,8 @@ def test_a_fold_counts_twice() -> None:
     assert _contact_roots(Fraction(0), sin0, *parameters) == 3
 
 
-# ---------------------------------------------------------------------------- each part of a step
-# is needed
+# ------------------------------------------------------------------------------------------------
+# each part of a step is needed
 
 
 def _asked(part: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> list[sp.Expr]:

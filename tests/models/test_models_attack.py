@@ -56,8 +56,8 @@ def test_states_of_stiff_springs_are_known_to_all_digits(name: str) -> None:
     assert outcome["undecided"] == 0
 
 
-# ------------------------------------------------------------------------------------- a contact
-# that hardens exponentially
+# ------------------------------------------------------------------------------------------------
+# a contact that hardens exponentially
 
 
 @pytest.fixture(scope="module")

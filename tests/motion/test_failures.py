@@ -45,8 +45,8 @@ def points_of(path: Path) -> list[list[Any]]:
     return [line for line in lines if isinstance(line, list)]
 
 
-# ------------------------------------------------------------------------- what is no motion's
-# failure is no result
+# ------------------------------------------------------------------------------------------------
+# what is no motion's failure is no result
 
 
 def failing_at(monkeypatch: pytest.MonkeyPatch, number: int, failure: Callable[[], object]) -> None:

@@ -213,8 +213,8 @@ def test_signs_next_to_0() -> None:
     assert balls.sign(Ball(1, 0, -9999, 53)) == 1
 
 
-# ------------------------------------------------------------------------------------ bounds, in
-# units of the last place
+# ------------------------------------------------------------------------------------------------
+# bounds, in units of the last place
 
 
 #: Angles whose bits run out at once, all ones, next to multiples of π/2, tiny, large: (mid, exp).
@@ -275,7 +275,8 @@ def test_bounds_hold_without_guard_bits(name: str, monkeypatch: pytest.MonkeyPat
                     assert low <= getattr(mpmath, name)(end) <= high
 
 
-# -------------------------------------------------------------------------- both arithmetics
+# ------------------------------------------------------------------------------------------------
+# both arithmetics
 
 
 def test_precision_is_that_asked_for_and_then_as_before() -> None:

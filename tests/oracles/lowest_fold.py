@@ -62,8 +62,8 @@ def verdict(p: ss.Parameters) -> tuple[str, str]:
     ) + BESIDE**2 else "below"
 
 
-# ------------------------------------------------------------------------------------------ the
-# balance of forces, (14) and (15)
+# ------------------------------------------------------------------------------------------------
+# the balance of forces, (14) and (15)
 
 
 def balance(x: Any, y: Any, theta0: Any, mu0: Any, fixed: tuple[Any, ...]) -> tuple[Any, ...]:

@@ -154,8 +154,8 @@ def test_both_integrators_carry_derivatives_over_a_border(slow: ss.results.Cycle
         assert np.abs(getattr(one, name) - getattr(other, name)).max() < 1e-9
 
 
-# ----------------------------------------------------------------------------------------- other
-# models, closed forms
+# ------------------------------------------------------------------------------------------------
+# other models, closed forms
 
 
 def field_of(name: str, *forces: Any) -> Field:

@@ -309,7 +309,8 @@ def test_a_wrong_correlation(value: str, part: str, tmp_path: Path) -> None:
     assert ", line 13" in text
 
 
-# ------------------------------------------------------------------------------ friction curves
+# ------------------------------------------------------------------------------------------------
+# friction curves
 
 
 @pytest.mark.parametrize(

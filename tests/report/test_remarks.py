@@ -174,7 +174,8 @@ def test_a_model_in_which_nothing_rises_is_asked_for_its_state(
     )
 
 
-# ----------------------------------------------------------------------------- captions of a page
+# ------------------------------------------------------------------------------------------------
+# captions of a page
 
 
 @pytest.fixture

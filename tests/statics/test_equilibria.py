@@ -13,8 +13,8 @@ from spragsym.generated.equilibrium import f_coefficients
 from tests.oracles.families import FAMILIES
 from tests.oracles.true_errors import worst_errors, wrong_counts
 
-# ------------------------------------------------------------------------------------------ counts
-# and digits
+# ------------------------------------------------------------------------------------------------
+# counts and digits
 
 
 @pytest.mark.parametrize("name", FAMILIES)

@@ -107,8 +107,8 @@ def test_states_are_those_of_the_closed_forms(name, given, more, contact):
         assert "alpha" not in given or (known.undamped == ss.EquilibriumType.FLUTTER).any()
 
 
-# ------------------------------------------------------------------------------- other pages, by
-# other formulations
+# ------------------------------------------------------------------------------------------------
+# other pages, by other formulations
 
 
 @pytest.mark.thorough
@@ -137,8 +137,8 @@ def test_linear_models_in_closed_form():
     assert onset.kind.tolist() == ["flutter"]
 
 
-# ----------------------------------------------------------------------------------------- folds,
-# cusps, flutter
+# ------------------------------------------------------------------------------------------------
+# folds, cusps, flutter
 
 
 @pytest.mark.parametrize(
@@ -321,8 +321,8 @@ def test_a_range_that_ends_where_a_parameter_divides():
     assert len(found) == 1
 
 
-# ------------------------------------------------------------------------------------- the plane,
-# and paths in it
+# ------------------------------------------------------------------------------------------------
+# the plane, and paths in it
 
 
 def same_path(vary, values, start, **changes):

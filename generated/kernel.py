@@ -176,8 +176,8 @@ class Guesses(NamedTuple):
     certain: Flag
 
 
-# ------------------------------------------------------------------------------------------- the
-# balance of forces
+# ------------------------------------------------------------------------------------------------
+# the balance of forces
 
 
 def rough(x: Real) -> Real:
@@ -267,8 +267,8 @@ def representable(line: LineBalance) -> Flag:
     return (line.scale > 1e-200) & (line.scale < 1e200) & (rough(line.b) <= -1e-60)
 
 
-# -------------------------------------------------------------------------------------------- the
-# number of roots
+# ------------------------------------------------------------------------------------------------
+# the number of roots
 
 
 def depressed(r0: Real, r1: Real, r2: Real) -> Depressed:
@@ -657,8 +657,7 @@ class Direction(NamedTuple):
 
 
 def cosine_and_sine(x: Real) -> Direction:
-    """cos x and sin x for 0 < x < π in double precision, within one unit in the last place, which
-    not every library's are.
+    """cos x and sin x for 0 < x < π in double precision, within one unit in the last place.
 
     x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves
     nothing to round; then the polynomials of fdlibm's k_sin.c and k_cos.c.

@@ -1201,7 +1201,7 @@ INLINE int apart(double low, double low_radius, double high, double high_radius)
     return 2.0 * (high - low) > (low_radius + high_radius) * (1.0 + larger(low_square, high_square));
 }
 
-/* cos x and sin x for 0 < x < pi in double precision, within one unit in the last place, which not every library's are.
+/* cos x and sin x for 0 < x < pi in double precision, within one unit in the last place.
  *
  * x = k pi/2 + (r + tail) with r at most pi/4, by pi/2 in two parts, of which the first leaves nothing to round; then the
  * polynomials of fdlibm's k_sin.c and k_cos.c. */

@@ -21,7 +21,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "9f9916f98cb4dcc2"
+#define SPRAGSYM_SOURCE "e54684cdac2f51e8"
 
 /** What became of a call. */
 typedef enum {

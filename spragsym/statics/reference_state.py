@@ -36,6 +36,7 @@ from ..results import Equilibria, EquilibriumType
 from . import stability
 from .balance import Balance
 from .equilibria import equilibria
+from .forces import as_intervals
 from .namespaces import XP
 
 #: A strain energy is convex at the origin if the least eigenvalue of its stiffness there exceeds
@@ -43,6 +44,9 @@ from .namespaces import XP
 LEAST_CONVEXITY = 1e-6
 #: Strain energies that differ by less than this share of the largest are equal.
 SAME_ENERGY = 1e-9
+#: A contact touches at the origin if its gap there is at most this, in the page's own length: a gap
+#: that is 0 has rounding errors.
+TOUCHES = 1e-12
 
 
 def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> IndexArray:
@@ -54,9 +58,10 @@ def reference_state(eq: Equilibria, near: Mapping[str, float] | None = None) -> 
 
     Strain energy is that of springs, torsion springs, contact and the page's potentials, without
     applied forces. Where it is convex at the origin of the coordinates, its second-order expansion
-    there is used. A spring that has flipped, as in a truss that snapped through, then counts as
-    deformed even if it is relaxed again. Of states of equal energy, as mirror images, the one with
-    the smaller |first coordinate| is taken, then the one with larger coordinates.
+    there is used, of several contacts with those that touch there. A spring that has flipped, as in
+    a truss that snapped through, then counts as deformed even if it is relaxed again. Of states of
+    equal energy, as mirror images, the one with the smaller |first coordinate| is taken, then the
+    one with larger coordinates.
     """
     q = list(eq.coordinates.values())
     stable = eq.undamped == EquilibriumType.STABLE
@@ -135,7 +140,9 @@ def chosen_state(
     with quiet():  # empty slots are NaN
         strain = energy(*q, *given, *_pushing(model, p, q), xp=np)
         state = np.array(q)
-        arguments = [*map(Intervals.point, given), *[1] * len(model.contacts)]
+        pushing = _pushing(model, p, np.zeros((len(q), *shape)), TOUCHES)
+        touching = [one if isinstance(one, int) else Intervals.point(one) for one in pushing]
+        arguments = [*map(Intervals.point, given), *touching]
         expansion = _at_origin(lambda q: energy(*q, *arguments, xp=XP), len(q), shape)
         at_origin, slope, stiffness = (part.middle for part in expansion)
         at_origin = np.nan_to_num(np.abs(at_origin))
@@ -225,10 +232,14 @@ def _one_at_most(balance: Balance, parameters: Intervals, box: FloatArray) -> Bo
     return residual.magnitude.sum(axis=1).max(axis=0) < 1 - 1e-9
 
 
-def _strain_energy(balance: Balance, parameters: Intervals) -> Callable[[Sequence[Any]], Any]:
-    """The strain energy as a function of coordinates, for boxes of prepared parameters."""
+def _strain_energy(
+    balance: Balance, parameters: Intervals, pushing: Sequence[Any]
+) -> Callable[[Sequence[Any]], Any]:
+    """The strain energy as a function of coordinates, for boxes of prepared parameters; ``pushing``
+    is 1 for each contact that stores energy, else 0.
+    """
     values, shape = balance.arguments(parameters), parameters.shape[1:]
-    return lambda q: balance.at(q, values, shape).call("strain_energy", q, *balance.indicators)
+    return lambda q: balance.at(q, values, shape).call("strain_energy", q, *pushing)
 
 
 def _little_strained(
@@ -240,7 +251,9 @@ def _little_strained(
     is proved to be positive definite.
     """
     n, shape = balance.n, parameters.shape[1:]
-    value, slope, stiffness = _at_origin(_strain_energy(balance, parameters), n, shape)
+    pushing = _pushing_at_origin(balance, parameters)
+    energy = _strain_energy(balance, parameters, pushing)
+    value, slope, stiffness = _at_origin(energy, n, shape)
 
     def strain(q: Intervals) -> FloatArray:
         rows = [sum(map(mul, row, q), 2 * one) for one, row in zip(slope, stiffness, strict=True)]
@@ -273,8 +286,8 @@ def _less_strained(
     every, parameters = found.every.ends.take(row, axis=2), balance.prepared(bounds)
     own_parameters = parameters[:, point]
     codes, proved = stability.types_over(balance, own_parameters, every)
-    strain = _strain_energy(balance, own_parameters)(list(Intervals(every)))
-    own = _strain_energy(balance, parameters)(list(Intervals(ends))).high
+    strain = _strain_energy(balance, own_parameters, balance.indicators)(list(Intervals(every)))
+    own = _strain_energy(balance, parameters, balance.indicators)(list(Intervals(ends))).high
     largest = np.zeros(own.shape)
     np.maximum.at(largest, point, strain.magnitude)
     more = strain.low > (own + 2 * SAME_ENERGY * largest)[point]
@@ -282,18 +295,37 @@ def _less_strained(
     return np.maximum(ends, hulls_of(every[:, :, rivals], point[rivals], ends.shape[2]))
 
 
-def _pushing(model: Model, p: ParameterSet, q: Sequence[FloatArray]) -> list[Any]:
-    """For each contact, whether it touches in the states; 1 in all of them if the model has no
-    regimes.
+def _pushing(
+    model: Model, p: ParameterSet, q: Sequence[FloatArray] | FloatArray, largest: float = 0.0
+) -> list[Any]:
+    """For each contact 1 where it touches in the states, its gap being at most ``largest``, else 0;
+    1 in all of them if the model has no regimes.
     """
     if not model.has_regimes:
         return [1]
     statics = [value[..., None] for value in model.arguments(p)]
     return [
-        np.less_equal(getattr(model.algebra, named("contact_gap", entry["name"]))(*q, *statics), 0)
+        1.0 * (getattr(model.algebra, named("contact_gap", entry["name"]))(*q, *statics) <= largest)
         if entry["border"]
         else 1
         for entry in model.contacts
+    ]
+
+
+def _pushing_at_origin(balance: Balance, parameters: Intervals) -> list[Any]:
+    """For each contact, enclosures of whether it touches where all coordinates are 0, over boxes of
+    prepared parameters.
+    """
+    if not balance.model.has_regimes:
+        return [1]
+    values, shape = balance.arguments(parameters), parameters.shape[1:]
+    at = balance.at([Intervals.point(np.zeros(shape))] * balance.n, values, shape)
+    gaps = {k: as_intervals(at.gap(k), shape) for k in balance.opens}
+    return [
+        Intervals.between(1.0 * (gaps[k].high <= TOUCHES), 1.0 * (gaps[k].low <= TOUCHES))
+        if k in gaps
+        else 1
+        for k in range(len(balance.contacts))
     ]
 
 

@@ -177,3 +177,33 @@ def test_the_sign_of_a_determinant_is_sure_where_no_error_of_the_state_turns_it(
     # An interval of x encloses K a little wider than it is.
     assert not sure[share[known] > 1.0].any()
     assert sure[share[known] < 0.3].all()
+
+
+STOPPED = '''r"""A detent with a far stop."""
+from spragsym.derive.model import Page, cos, tanh
+page = Page("A slider on a guide, held by a spring and a detent, with a stop far away.")
+m, k = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "stiffness")
+L = page.unit("L", "m", "length")
+P = page.parameter("P", "N", "push", "real", 0.0)
+B = page.parameter("B", "N m", "detent", ">= 0", 1.0)
+s = page.parameter("s", "m", "place of the stop", "real", 2.5)
+mu = page.parameter("mu", "1", "friction of the guide", ">= 0", 0.0)
+V = page.parameter("V", "m/s", "speed of the guide", "> 0", 1.0)
+x = page.coordinate("x", "m", "displacement")
+page.kinetic(m * page.rate(x)**2 / 2)
+page.spring(k, along=x)
+page.potential(B * (1 - cos(3 * x / L)))
+page.force(P, along=x)
+guide = page.normal_force(k * L, name="guide")
+stop = page.contact(s - x, lambda depth: 100 * k * depth, name="stop")
+page.friction(x, V, lambda v: mu * tanh(v / V), at_rest=mu, on=guide)
+'''
+
+
+def test_a_stop_that_does_not_touch_at_the_origin_stores_nothing() -> None:
+    """x = 0 has no strain energy; the well near 2π/3 has, however near to the stop it is."""
+    p = model_of(STOPPED, "stopped").Parameters()
+    states = ss.equilibria(p)
+    assert (states.x[: states.count] > 1.0).any()
+    path = ss.quasi_static_path(p, "P", [0.0, 0.1])
+    assert abs(path.x[0]) < 1e-12

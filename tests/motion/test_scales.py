@@ -10,8 +10,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
+from spragsym.models.field import field_of
 from spragsym.motion.regimes import Outcome, Regime, same_limit
-from spragsym.motion.scales import scales_of
+from spragsym.motion.scales import MotionScales, scaled, scales_of
 from spragsym.orbits.finding import Attractor, followed
 from spragsym.orbits.system import System
 from tests.oracles import dry_friction
@@ -409,3 +410,18 @@ def test_what_a_law_would_be_on_its_other_side_is_no_size(
 
     end = solve_ivp(field, (0.0, 8.0), (start[0], start[2]), "DOP853", rtol=1e-10, atol=1e-11)
     assert found.state[[0, 2], -1] == pytest.approx(end.y[:, -1], abs=1e-6)
+
+
+def test_whether_a_mass_stays_above_the_belt_is_asked_in_its_own_units() -> None:
+    """The article's mass in a well above the belt, at rest and fast enough to leave it."""
+    p = ss.Parameters(theta0=np.pi / 3, mu0=0.3, kappa=0.01, alpha=10.0, sigma=10.0, beta=0.0)
+    field = field_of(p.model, 42.0)
+    units = MotionScales((0.25, 4.0), 16.0, (1.0,) * len(field.borders))
+    there = scaled(field, units)
+    assert field.airborne is not None
+    assert there.airborne is not None
+    constants = tuple(float(value) for value in p.model.arguments(p, "motion"))
+    for rate, stays in ((0.0, True), (10.0, False)):
+        state = np.array([0.0, 2 * np.sin(p.theta0), rate, 0.0])
+        assert field.airborne(constants, state) == stays
+        assert there.airborne(constants, state / units.states) == stays

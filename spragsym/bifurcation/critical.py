@@ -383,7 +383,7 @@ def carried(
     for value in values[1:].tolist():
         tubes, here = followed_across(tubes, here, np.array([value]))
         if not here.proved[0] or here.v[0] != value:
-            text = "the state that is followed from {} is not to {}: it goes on to {} at least"
+            text = "the state can't be followed from {} to {}: it is lost beyond {}"
             ends = [float(values[0]), float(values[-1]), float(here.v[0])]
             for end in border_arrivals(tubes, here, np.array([value])):  # none that passes is left
                 text = "the state that is followed from {} does not reach {}: it ends at {}"

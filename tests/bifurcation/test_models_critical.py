@@ -228,6 +228,17 @@ def test_where_the_state_is_lost_over_the_range_is_said() -> None:
     assert f"it ends at theta0 = {at:.6g} rad, where a contact is lost" in remark
 
 
+@pytest.mark.thorough
+def test_how_far_the_state_was_followed_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where no border explains its end, which is that of the test before."""
+    monkeypatch.setattr(critical, "border_arrivals", lambda *_: [])
+    (remark,) = ss.critical_friction(model_of(DOOR, "door").Parameters()).remarks
+    text, lost = remark.split(" rad: it is lost beyond theta0 = ")
+    assert text.startswith("the state can't be followed from theta0 = ")
+    at = math.acos(0.95) - 0.01 * 0.95 / 0.05
+    assert float(lost.split(" rad")[0]) == pytest.approx(at, abs=0.02)
+
+
 CONE = '''r"""A cone in a hole, with Hertz's law."""
 from spragsym.derive.model import Page, cos, sin, tanh
 page = Page("A cone that is pressed into a hole and drawn along, with Hertz's law.")

@@ -61,9 +61,8 @@ class Object:
     factor: str = "none"
     names: frozenset[str] = frozenset()  #: names of a value; empty for a residual
     steady: bool = False  #: friction is that at steady sliding
-    side: str = (
-        "contact"  #: key of ``Derivation.sides``; any other word, as "both", for all of these
-    )
+    #: key of ``Derivation.sides``; any other word, as "both", for all of these
+    side: str = "contact"
     ahead: bool = False  #: every belt is faster than what slides on it
     unit: Dimension | None = None
     #: all values that the name may have where authors differ, the entry first
@@ -139,13 +138,10 @@ class Derivation:
             for touching in itertools.combinations(opening, count):
                 sides[f"contact of {', '.join(touching)} alone"] = never | {*touching}
         sides["contact"] = never | {*opening}
-        gaps = {
-            it.name: self.expanded(self.spelled(it.gap or S.Zero)) for it in self.model.contacts
-        }
         apart = [
             {*pair}
             for pair in itertools.combinations(opening, 2)
-            if sp.expand(sp.Add(*map(gaps.get, pair))).is_positive
+            if sp.expand(sp.Add(*(self.gaps.get(it, S.Zero) for it in pair))).is_positive
         ]
         return {it: side for it, side in sides.items() if not any(map(side.issuperset, apart))}
 

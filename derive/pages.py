@@ -17,6 +17,8 @@ from .model import Page, PageError
 
 #: Where the shipped pages stand.
 SHIPPED = Path(__file__).parent / "models"
+#: Folders of pages that belong to the source of this package.
+OWN = (SHIPPED, SHIPPED.resolve().parents[1] / "validation" / "papers")
 
 
 @dataclass(frozen=True)

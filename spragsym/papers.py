@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 from .core.errors import MissingExtraError, ParameterError, require_kind
 from .display import Table, as_html
-from .models.load import load, page_of
+from .files.storage import resolved
+from .models.load import load, page_of, require_trust, shipped
 
 if TYPE_CHECKING:
     from .derive.pages import PageModel as Page
@@ -177,7 +178,12 @@ def fields(row: Row) -> Mapping[str, str]:
     return {title: text for title, text in said.items() if text}
 
 
-def check(paper: str | os.PathLike[str], model: str | os.PathLike[str] | None = None) -> PaperCheck:
+def check(
+    paper: str | os.PathLike[str],
+    model: str | os.PathLike[str] | None = None,
+    *,
+    trust: bool = False,
+) -> PaperCheck:
     """Verdicts on the printed equations of a paper, held against a page.
 
     Parameters
@@ -186,6 +192,8 @@ def check(paper: str | os.PathLike[str], model: str | os.PathLike[str] | None = 
         A file of statements, in TOML.
     model : str or path, optional
         A page, the folder of a model or a shipped model's name; left out, the file names it.
+    trust : bool
+        True if the code of a page or a folder that the file names may run; that of ``model`` may.
 
     Returns
     -------
@@ -195,7 +203,8 @@ def check(paper: str | os.PathLike[str], model: str | os.PathLike[str] | None = 
     Raises
     ------
     ParameterError
-        If the file of statements can't be read: its line, its key, and the remedy.
+        If the file of statements can't be read: its line, its key, and the remedy; or if it names
+        code without ``trust``.
     MissingExtraError
         If SymPy is not installed.
 
@@ -235,9 +244,27 @@ def check(paper: str | os.PathLike[str], model: str | os.PathLike[str] | None = 
         raise ParameterError(
             f'{path.name} names no model; add model = "page.py" to it, or give model'
         )
-    chosen = Path(model) if model is not None else path.parent / read.model
+    chosen = Path(model) if model is not None else _named(path, read.model, trust)
     found = verdicts.check(read, _page(chosen))
     return PaperCheck(**vars(found))
+
+
+def _named(paper: Path, name: str, trust: bool) -> Path:
+    """The page, folder or shipped model that a paper names, if its code may run.
+
+    That of pages in the source of this package may: they are part of it.
+    """
+    from .derive.pages import OWN
+
+    if name in shipped():
+        return Path(name)
+    page = paper.parent / name
+    if not any(resolved(page).is_relative_to(folder.resolve()) for folder in OWN):
+        try:
+            require_trust(name, page, trust)
+        except ParameterError as error:
+            raise ParameterError(f"{paper.name}: model = {error}") from error
+    return page
 
 
 def _page(chosen: Path) -> Page:
@@ -249,5 +276,5 @@ def _page(chosen: Path) -> Page:
             return pages.read(chosen)
         except PageError as error:
             raise ParameterError(str(error)) from error
-    loaded = load(chosen if chosen.exists() else chosen.name)
+    loaded = load(chosen)
     return pages.read(page_of(loaded, pages.SHIPPED), loaded.name)

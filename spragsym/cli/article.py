@@ -22,7 +22,7 @@ from ..core.type_variables import T
 from ..display import aligned
 from ..models.load import load, page_of
 from . import options as o
-from .output import print_json, refuse, wrapped, write
+from .output import is_typed, print_json, refuse, wrapped, write
 
 
 @o.command()
@@ -51,6 +51,7 @@ from .output import print_json, refuse, wrapped, write
     help=f"{o.TEXT} What holds of the article for it; the page of PAPER.",
 )
 @o.file("--out", folder=True, help="Folder for LEDGER.md and ledger.html of PAPER.")
+@o.trust
 @o.force
 def check(
     paper: Path | None,
@@ -64,7 +65,8 @@ def check(
     """Show how every printed equation of the article, or of PAPER, compares with the derivation.
 
     With --claims every statement of the article's text compares with computation. PAPER is a file
-    of statements (TOML), held against its page: each is confirmed, or the misprint is found.
+    of statements (TOML), held against its page: each is confirmed, or the misprint is found. A page
+    is a program: one that PAPER names runs with --trust, one that you name with --model.
 
     Rows come from the committed ledger at once; with --again each is derived or computed anew, and
     compared with it.
@@ -218,7 +220,7 @@ def _check_paper(paper: Path, model: str | None, only: tuple[str, ...], out: Pat
     from ..papers import fields
 
     with show_progress("deriving what the paper is held against"):
-        found = check_statements(paper, model)
+        found = check_statements(paper, model, trust=is_typed("trust"))
     rows = _chosen(only, {row.id: row for row in found.rows}, "the paper")
     if out is not None:
         files = {out / "LEDGER.md": found.to_markdown(), out / "ledger.html": found.to_html()}

@@ -83,7 +83,7 @@ class Command(click.Command):
 command = partial(click.command, cls=Command)
 
 TEXT = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote."
-TRUST = "Run the code of the folder that the file of --data names as its model."
+TRUST = "Run the code of the page or the folder that a file names as its model."
 
 
 # ParamType is generic in newer versions of click only.

@@ -12,6 +12,7 @@ import importlib.util
 import json
 import os
 import re
+import shlex
 import sys
 import threading
 import warnings
@@ -132,6 +133,25 @@ def load(name: str | os.PathLike[str]) -> Model:
         if known_model is None or known_model.about != about:
             _LOADED[where] = _loaded(where, about, files)
         return _LOADED[where]
+
+
+def require_trust(name: str, code: str | os.PathLike[str], trust: bool | str) -> None:
+    """Raise if a file names code, a model page or the folder of a model, that may not run.
+
+    ``trust`` is True if it may, or the name of the only code that may.
+
+    Raises
+    ------
+    ParameterError
+        With what says that it may.
+    """
+    if trust is True or trust == name or not os.path.exists(code):
+        return
+    kind = "folder" if os.path.isdir(code) else "file"
+    raise ParameterError(
+        f"{name!r} is a {kind}, whose code runs; if you trust it, give --trust or --model "
+        f"{shlex.quote(os.fspath(code))}, in Python trust=True"
+    )
 
 
 def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:

@@ -17,7 +17,7 @@ from ..core.errors import ParameterError, SpragsymError, hint
 from ..core.type_variables import T
 from ..design.sampling import Correlation, dependence
 from ..files.text import FilePath, brake_text, path_text, printed
-from ..models.load import USUAL, WITH_DAMPERS, shipped
+from ..models.load import USUAL, WITH_DAMPERS, require_trust, shipped
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
 from .damping import RATIO, modal_dampers
@@ -221,14 +221,9 @@ def _trusted(name: object, trust: bool | str) -> Quantities:
     """The quantities of a model; raises for a folder whose code is not trusted."""
     if not isinstance(name, str):
         raise ParameterError(f'{name!r} is no name; write model = "kang_nam"')
-    if (
-        name not in shipped()
-        and trust is not True
-        and trust != name
-        and os.path.isdir(name[:4096].replace("\0", ""))
-    ):
-        cure = f"if you trust it, give --trust or --model {name}, in Python trust=True"
-        raise ParameterError(f"{name!r} is a folder, whose code runs; {cure}")
+    code = name[:4096].replace("\0", "")
+    if name not in shipped() and os.path.isdir(code):
+        require_trust(name, code, trust)
     return quantities(name)
 
 

@@ -19,7 +19,7 @@ SOURCES := pyproject.toml constraints.txt Makefile
 unexport PYTHONDONTWRITEBYTECODE
 
 # Compiled code is made of these.
-COMPILED := spragsym/kang_nam/quartic/_compiled.c spragsym/motion/_carried.c spragsym/numerics/_contractors.c spragsym/numerics/_search.c spragsym/numerics/_tape.c spragsym/numerics/_affine.h spragsym/numerics/_arrays.h spragsym/numerics/_newton.h spragsym/numerics/_operations.h spragsym/numerics/_rounding.h generated/c/spragsym.c generated/c/spragsym.h
+COMPILED := setup.py spragsym/kang_nam/quartic/_compiled.c spragsym/motion/_carried.c spragsym/numerics/_contractors.c spragsym/numerics/_search.c spragsym/numerics/_tape.c spragsym/numerics/_affine.h spragsym/numerics/_arrays.h spragsym/numerics/_newton.h spragsym/numerics/_operations.h spragsym/numerics/_rounding.h generated/c/spragsym.c generated/c/spragsym.h
 
 # A source distribution comes without symbolic links.
 LINKS := spragsym/derive spragsym/generated

@@ -15,7 +15,6 @@ import re
 import shlex
 import sys
 import threading
-import warnings
 from collections.abc import Mapping
 from functools import cache, partial
 from pathlib import Path
@@ -24,7 +23,6 @@ from typing import Any
 
 from ..core.errors import ParameterError, ParameterTypeError, StoreError, hint
 from ..files.text import contents, printed
-from ..generated import C_SOURCE
 from .model import Model, parameter_class
 
 #: The default model.
@@ -243,22 +241,3 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
             del sys.modules[whole]
             raise
     return sys.modules[f"{package}.algebra"]
-
-
-@cache
-def fits(name: str) -> bool:
-    """Whether an extension module exists and was compiled from the current generated C library.
-
-    Warns if it was compiled from another one.
-    """
-    try:
-        source = importlib.import_module(name).SOURCE
-    except ImportError:
-        return False
-    if source != C_SOURCE:
-        warnings.warn(
-            f"{name} was compiled from another derivation and is not used: many points and "
-            "motions take several times longer; install spragsym again",
-            stacklevel=3,
-        )
-    return bool(source == C_SOURCE)

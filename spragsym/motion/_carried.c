@@ -15,8 +15,7 @@
  *
  * The outcome is one of those below, `border` the index of the border that was passed, `steps` the
  * number of steps, and `kept` that of the steps with samples. */
-#define PY_SSIZE_T_CLEAN
-#include <Python.h>
+#include "_arrays.h"
 
 #include "spragsym.c"
 
@@ -359,63 +358,52 @@ static int carry_on(job *it) {
 #define ARGUMENTS 9
 
 static PyObject *carry(PyObject *module, PyObject *arguments) {
-    static const Py_ssize_t sizes[ARGUMENTS] = {9, 6, 5, 0, 0, 4, 2, 0, 0};
     const Py_ssize_t table =
         STAGES * STAGES + 2 * STAGES + 2 * (STAGES + 1) + 3 * EXTENDED + 3 + 4 * EXTENDED;
     Py_buffer view[ARGUMENTS];
     PyObject *given[ARGUMENTS];
     PyObject *result = NULL;
-    int held = 0;
     (void)module;
     if (!PyArg_ParseTuple(arguments, "OOOOOOOOO", &given[0], &given[1], &given[2], &given[3],
-            &given[4], &given[5], &given[6], &given[7], &given[8])) {
+            &given[4], &given[5], &given[6], &given[7], &given[8]) ||
+        !hold(given, view, "dddddDDDD")) {
         return NULL;
     }
-    while (held < ARGUMENTS &&
-        PyObject_GetBuffer(given[held], &view[held], (held > 4) ? PyBUF_WRITABLE : PyBUF_SIMPLE) ==
-            0) {
-        held++;
-    }
-    if (held == ARGUMENTS) {
-        job it;
+    const Py_ssize_t points = items_of(&view[4]);
+    const Py_ssize_t room = points ? items_of(&view[7]) / points : 0;
+    const Py_ssize_t sizes[ARGUMENTS] = {
+        9, 6, 5, table, points, 4, 2, room * points, 4 * room * points};
+    if (!points) {
+        PyErr_SetString(PyExc_ValueError, "unit is empty; a step is sampled at one point at least");
+    } else if (sizes_fit(view, sizes, ARGUMENTS)) {
         const double *at = (const double *)view[3].buf;
-        int fits = view[3].len == table * (Py_ssize_t)sizeof(double) &&
-            view[8].len == 4 * view[7].len && view[4].len > 0;
-        for (int i = 0; i < ARGUMENTS; i++) {
-            fits = fits && (sizes[i] == 0 || view[i].len == sizes[i] * (Py_ssize_t)sizeof(double));
-        }
-        if (fits) {
-            int outcome;
-            memset(&it, 0, sizeof it);
-            it.in.constants = (const double *)view[0].buf;
-            it.in.mode = (const double *)view[1].buf;
-            it.limits = (const double *)view[2].buf;
-            it.method.A = at;
-            it.method.B = it.method.A + STAGES * STAGES;
-            it.method.C = it.method.B + STAGES;
-            it.method.E3 = it.method.C + STAGES;
-            it.method.E5 = it.method.E3 + STAGES + 1;
-            it.method.A_extra = it.method.E5 + STAGES + 1;
-            it.method.C_extra = it.method.A_extra + 3 * EXTENDED;
-            it.method.D = it.method.C_extra + 3;
-            it.unit = (const double *)view[4].buf;
-            it.points = view[4].len / (Py_ssize_t)sizeof(double);
-            it.state = (double *)view[5].buf;
-            it.clock = (double *)view[6].buf;
-            it.times = (double *)view[7].buf;
-            it.states = (double *)view[8].buf;
-            it.room = view[7].len / (it.points * (Py_ssize_t)sizeof(double));
-            Py_BEGIN_ALLOW_THREADS;
-            outcome = carry_on(&it);
-            Py_END_ALLOW_THREADS;
-            result = Py_BuildValue("iinn", outcome, it.border, it.steps, it.kept);
-        } else {
-            PyErr_SetString(PyExc_ValueError, "a buffer has the wrong length");
-        }
+        job it;
+        int outcome;
+        memset(&it, 0, sizeof it);
+        it.in.constants = (const double *)view[0].buf;
+        it.in.mode = (const double *)view[1].buf;
+        it.limits = (const double *)view[2].buf;
+        it.method.A = at;
+        it.method.B = it.method.A + STAGES * STAGES;
+        it.method.C = it.method.B + STAGES;
+        it.method.E3 = it.method.C + STAGES;
+        it.method.E5 = it.method.E3 + STAGES + 1;
+        it.method.A_extra = it.method.E5 + STAGES + 1;
+        it.method.C_extra = it.method.A_extra + 3 * EXTENDED;
+        it.method.D = it.method.C_extra + 3;
+        it.unit = (const double *)view[4].buf;
+        it.points = points;
+        it.state = (double *)view[5].buf;
+        it.clock = (double *)view[6].buf;
+        it.times = (double *)view[7].buf;
+        it.states = (double *)view[8].buf;
+        it.room = room;
+        Py_BEGIN_ALLOW_THREADS;
+        outcome = carry_on(&it);
+        Py_END_ALLOW_THREADS;
+        result = Py_BuildValue("iinn", outcome, it.border, it.steps, it.kept);
     }
-    while (held > 0) {
-        PyBuffer_Release(&view[--held]);
-    }
+    release(view, ARGUMENTS);
     return result;
 }
 
@@ -426,11 +414,4 @@ static PyMethodDef methods[] = {
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_carried",
     "The generated motion, compiled.", -1, methods, NULL, NULL, NULL, NULL};
 
-PyMODINIT_FUNC PyInit__carried(void) {
-    PyObject *const module = PyModule_Create(&definition);
-    if (module && PyModule_AddStringConstant(module, "SOURCE", SPRAGSYM_SOURCE) < 0) {
-        Py_DECREF(module);
-        return NULL;
-    }
-    return module;
-}
+PyMODINIT_FUNC PyInit__carried(void) { return new_module(&definition); }

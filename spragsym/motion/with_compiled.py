@@ -11,9 +11,9 @@ from importlib import metadata
 import numpy as np
 
 from ..core.errors import ConvergenceError
+from ..core.extensions import extension
 from ..generated import C_SOURCE
 from ..models.field import HYSTERESIS, OVERSHOOT
-from ..models.load import fits
 from ..models.parameters import FloatArray
 from .lobatto import unit_points
 from .problem import BURST, MAX_STEPS, Problem, check_stiffness, out_of_range, too_many_steps
@@ -32,8 +32,8 @@ class Stop(IntEnum):
 
 
 def available() -> bool:
-    """True if the extension module was built from the present generated C library."""
-    return fits(f"{__package__}._carried")
+    """Whether the extension module was built, from the present sources."""
+    return extension("motion._carried") is not None
 
 
 def version() -> str:

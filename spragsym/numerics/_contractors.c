@@ -9,12 +9,8 @@
  *
  * The rounding of ends is explained in _rounding.h. NaN is an end that is not known: every
  * comparison that proves something is false with it. */
-#define PY_SSIZE_T_CLEAN
-#include <Python.h>
-
-#include <stdint.h>
-
 #include "_arrays.h"
+
 #include "_newton.h"
 
 static void load_box(const double *from, int n, Py_ssize_t N, Py_ssize_t i, box *to) {
@@ -49,31 +45,30 @@ static void store_box(const box *from, int n, Py_ssize_t N, Py_ssize_t i, double
     }
 }
 
-/* Whether buffers are of as many bytes as they should be; releases them if not. */
-static int sizes_fit(Py_buffer *given, const Py_ssize_t *sizes, int count, int n) {
-    int good = n >= 1 && n <= MAX_UNKNOWNS;
-    for (int k = 0; k < count; k++) {
-        good &= given[k].len == sizes[k];
+/* Whether compiled code takes n unknowns; an exception if not. */
+static int takes(int n) {
+    if (n >= 1 && n <= MAX_UNKNOWNS) {
+        return 1;
     }
-    if (!good) {
-        PyErr_SetString(PyExc_ValueError, "arrays of boxes do not have the shapes of one another");
-    }
-    return good;
+    PyErr_Format(PyExc_ValueError, "n = %d unknowns; allowed are 1 to %d", n, MAX_UNKNOWNS);
+    return 0;
 }
 
 static PyObject *newton(PyObject *module, PyObject *arguments) {
     (void)module;
+    PyObject *given[7];
     Py_buffer of[7];
     int n;
     int rows;
-    if (!PyArg_ParseTuple(arguments, "y*y*y*y*iiw*w*w*", of, of + 1, of + 2, of + 3, &n, &rows,
-            of + 4, of + 5, of + 6)) {
+    if (!PyArg_ParseTuple(arguments, "OOOOiiOOO", given, given + 1, given + 2, given + 3, &n, &rows,
+            given + 4, given + 5, given + 6) ||
+        !takes(n) || !hold(given, of, "ddddDDB")) {
         return NULL;
     }
     const Py_ssize_t N = of[6].len;
-    const Py_ssize_t one = (Py_ssize_t)sizeof(double) * N * n;
+    const Py_ssize_t one = N * n;
     const Py_ssize_t sizes[] = {2 * one, 2 * one * n, one, one, 2 * one, one, N};
-    if (!sizes_fit(of, sizes, 7, n)) {
+    if (!sizes_fit(of, sizes, 7)) {
         release(of, 7);
         return NULL;
     }
@@ -105,15 +100,17 @@ static PyObject *newton(PyObject *module, PyObject *arguments) {
 
 static PyObject *inverses(PyObject *module, PyObject *arguments) {
     (void)module;
+    PyObject *given[2];
     Py_buffer of[2];
     int n;
-    if (!PyArg_ParseTuple(arguments, "y*iw*", of, &n, of + 1)) {
+    if (!PyArg_ParseTuple(arguments, "OiO", given, &n, given + 1) || !takes(n) ||
+        !hold(given, of, "dD")) {
         return NULL;
     }
-    const Py_ssize_t one = (Py_ssize_t)sizeof(double) * n * n;
-    const Py_ssize_t N = one > 0 ? of[0].len / one : 0;
+    const Py_ssize_t one = (Py_ssize_t)n * n;
+    const Py_ssize_t N = items_of(of) / one;
     const Py_ssize_t sizes[] = {N * one, N * one};
-    if (!sizes_fit(of, sizes, 2, n)) {
+    if (!sizes_fit(of, sizes, 2)) {
         release(of, 2);
         return NULL;
     }
@@ -146,7 +143,7 @@ static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, "_contractors", NULL, -1, methods, NULL, NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__contractors(void) {
-    PyObject *module = PyModule_Create(&definition);
+    PyObject *module = new_module(&definition);
     return module != NULL && PyModule_AddIntConstant(module, "MOST", MAX_UNKNOWNS) < 0 ? NULL :
                                                                                          module;
 }

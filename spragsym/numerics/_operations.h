@@ -454,6 +454,14 @@ WIDER static void block(const program *tape, const operand *inputs, slot *slots,
     }
 }
 
+/* A tape of the bytes of its code and of its constants. */
+static inline program program_of(const char *code, ptrdiff_t codes, const char *numbers,
+    ptrdiff_t constants, ptrdiff_t outputs, ptrdiff_t slots) {
+    return (program){(const int32_t *)(const void *)code,
+        codes / (ptrdiff_t)(4 * sizeof(int32_t)), (const double *)(const void *)numbers,
+        constants / (ptrdiff_t)sizeof(double), outputs, slots};
+}
+
 /* Number of slots that an operation reads. */
 static int reads(int32_t operation) {
     if (operation == LOAD || operation == CONSTANT) {
@@ -465,9 +473,14 @@ static int reads(int32_t operation) {
 
 static int within(int32_t index, ptrdiff_t size) { return index >= 0 && index < size; }
 
-/* Whether all indices of a tape are within their arrays; `given` is the number of inputs. */
+/* Whether all indices of a tape are within their arrays; `given` is the number of inputs. Each slot
+ * and each result is that of an operation: no product of their number and a size overflows. */
 static int sound(const program *tape, const operand *inputs, ptrdiff_t given) {
     const int32_t *code = tape->code;
+    const ptrdiff_t most = tape->operations;
+    if (tape->slots < 1 || tape->slots > most + 1 || tape->outputs < 0 || tape->outputs > most) {
+        return 0;
+    }
     for (ptrdiff_t k = 0; k < tape->operations; k++, code += 4) {
         const int32_t which = code[0];
         const int32_t a = code[2];

@@ -32,14 +32,10 @@
  *
  * Rounding: see _rounding.h. NaN bounds nothing: every comparison by which a box is removed is
  * false with it. */
-#define PY_SSIZE_T_CLEAN
-#include <Python.h>
+#include "_arrays.h"
 
 #include <math.h>
-#include <stdint.h>
-#include <string.h>
 
-#include "_arrays.h"
 #include "_newton.h"
 #include "_operations.h"
 
@@ -1042,10 +1038,7 @@ static int parse_tape(PyObject *from, program *to) {
             from, "y#y#nn", &code, &codes, &numbers, &constants, &to->outputs, &to->slots)) {
         return 0;
     }
-    to->code = (const int32_t *)(const void *)code;
-    to->operations = codes / (Py_ssize_t)(4 * sizeof(int32_t));
-    to->numbers = (const double *)(const void *)numbers;
-    to->constants = constants / (Py_ssize_t)sizeof(double);
+    *to = program_of(code, codes, numbers, constants, to->outputs, to->slots);
     return 1;
 }
 
@@ -1055,13 +1048,12 @@ static int tape_fits(
     plan *by, const program *tape, Py_ssize_t results, int inputs, Py_ssize_t between) {
     const operand two[2] = {{.rows = by->n}, {.rows = by->parameters}};
     const operand three[3] = {{.rows = by->n}, {.rows = between}, {.rows = by->parameters}};
-    by->slots = tape->slots > by->slots ? tape->slots : by->slots;
-    by->results = tape->outputs > by->results ? tape->outputs : by->results;
     if (!tape->operations) {
         return !tape->outputs;
     }
-    return tape->outputs == results && tape->slots > 0 &&
-        sound(tape, inputs == 2 ? two : three, inputs);
+    by->slots = tape->slots > by->slots ? tape->slots : by->slots;
+    by->results = tape->outputs > by->results ? tape->outputs : by->results;
+    return tape->outputs == results && sound(tape, inputs == 2 ? two : three, inputs);
 }
 
 static int plan_fits(plan *by) {
@@ -1231,34 +1223,24 @@ static void close_workspace(workspace *at, Py_buffer *parameters) {
     PyBuffer_Release(parameters);
 }
 
-/* Whether buffers have the sizes that they should have, in bytes; sets the error if not. */
-static int sizes_fit(const Py_buffer *given, const Py_ssize_t *sizes, int count) {
-    for (int k = 0; k < count; k++) {
-        if (given[k].len != sizes[k]) {
-            PyErr_SetString(
-                PyExc_ValueError, "arrays of boxes do not have the shapes of one another");
-            return 0;
-        }
-    }
-    return 1;
-}
-
 static PyObject *kept(PyObject *module, PyObject *arguments) {
     (void)module;
     PyObject *capsule;
     PyObject *given_parameters;
+    PyObject *given[3];
     Py_buffer of[3];
     Py_buffer parameters;
     double margin;
-    if (!PyArg_ParseTuple(
-            arguments, "Oy*Odw*w*", &capsule, of, &given_parameters, &margin, of + 1, of + 2)) {
+    if (!PyArg_ParseTuple(arguments, "OOOdOO", &capsule, given, &given_parameters, &margin,
+            given + 1, given + 2) ||
+        !hold(given, of, "dDB")) {
         return NULL;
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
     workspace *at = NULL;
     if (by != NULL) {
         const Py_ssize_t N = of[2].len;
-        const Py_ssize_t size = (Py_ssize_t)sizeof(double) * 2 * by->n * N;
+        const Py_ssize_t size = 2 * by->n * N;
         const Py_ssize_t sizes[] = {size, size, N};
         at = sizes_fit(of, sizes, 3) ? open_workspace(by, given_parameters, &parameters, N) : NULL;
         if (at != NULL) {
@@ -1283,21 +1265,23 @@ static PyObject *decided(PyObject *module, PyObject *arguments) {
     (void)module;
     PyObject *capsule;
     PyObject *given_parameters;
+    PyObject *given[10];
     Py_buffer of[10];
     Py_buffer parameters;
     judgement to;
-    if (!PyArg_ParseTuple(arguments, "Oy*y*Oy*y*y*i" RULES "w*w*w*w*w*", &capsule, of, of + 1,
-            &given_parameters, of + 2, of + 3, of + 4, &to.sharp, INTO_RULES(to.by), of + 5, of + 6,
-            of + 7, of + 8, of + 9)) {
+    if (!PyArg_ParseTuple(arguments, "OOOOOOOi" RULES "OOOOO", &capsule, given, given + 1,
+            &given_parameters, given + 2, given + 3, given + 4, &to.sharp, INTO_RULES(to.by),
+            given + 5, given + 6, given + 7, given + 8, given + 9) ||
+        !hold(given, of, "dddbbDDDBL")) {
         return NULL;
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
     workspace *at = NULL;
     if (by != NULL) {
         const Py_ssize_t N = of[8].len;
-        const Py_ssize_t one = (Py_ssize_t)sizeof(double) * 2 * by->n;
-        const Py_ssize_t sizes[] = {one * N, one * N, one, N, N, one * N, one * N, one * N, N,
-            N * (Py_ssize_t)sizeof(int64_t)};
+        const Py_ssize_t one = 2 * by->n;
+        const Py_ssize_t sizes[] = {
+            one * N, one * N, one, N, N, one * N, one * N, one * N, N, N};
         at = sizes_fit(of, sizes, 10) ? open_workspace(by, given_parameters, &parameters, N) : NULL;
         if (at != NULL) {
             to.given = of[0].buf;
@@ -1331,28 +1315,31 @@ static PyObject *tubes(PyObject *module, PyObject *arguments) {
     PyObject *tapes[3];
     PyObject *borders;
     PyObject *given_parameters;
+    PyObject *given[9];
     Py_buffer of[9];
     Py_buffer parameters;
     tube to;
     workspace *at = NULL;
     memset(&to, 0, sizeof to);
     plan *by = &to.by;
-    if (!PyArg_ParseTuple(arguments, "(OOO)O!Oidiy*y*y*y*y*y*w*w*w*", tapes, tapes + 1, tapes + 2,
-            &PyTuple_Type, &borders, &given_parameters, &to.pivot, &to.more, &to.times, of, of + 1,
-            of + 2, of + 3, of + 4, of + 5, of + 6, of + 7, of + 8)) {
+    if (!PyArg_ParseTuple(arguments, "(OOO)O!OidiOOOOOOOOO", tapes, tapes + 1, tapes + 2,
+            &PyTuple_Type, &borders, &given_parameters, &to.pivot, &to.more, &to.times, given,
+            given + 1, given + 2, given + 3, given + 4, given + 5, given + 6, given + 7,
+            given + 8) ||
+        !hold(given, of, "ddddddDDB")) {
         return NULL;
     }
     const Py_ssize_t N = to.N = of[8].len;
-    const Py_ssize_t row = N * (Py_ssize_t)sizeof(double);
     if (!N) {
         release(of, 9);
         Py_RETURN_NONE;
     }
-    by->n = (int)(of[0].len / row);
+    const Py_ssize_t unknowns = items_of(of) / N;
+    by->n = unknowns <= MAX_UNKNOWNS ? (int)unknowns : 0;
     const int n = by->n - 1;
-    const Py_ssize_t every = row * by->n;
-    const Py_ssize_t sizes[] = {every, every, every, row, every, row * n, every, row * n, N};
-    int whole = n >= 1 && by->n <= MAX_UNKNOWNS && to.pivot >= 0 && to.pivot <= n;
+    const Py_ssize_t every = N * by->n;
+    const Py_ssize_t sizes[] = {every, every, every, N, every, N * n, every, N * n, N};
+    int whole = n >= 1 && to.pivot >= 0 && to.pivot <= n;
     whole = whole && parse_tape(tapes[0], &by->values) && parse_tape(tapes[1], &by->slopes) &&
         parse_tape(tapes[2], &by->gaps) && parse_borders(borders, by);
     if (whole && interval_buffer(given_parameters, &parameters, PyBUF_STRIDED_RO) == 0) {
@@ -1400,6 +1387,7 @@ static PyObject *rounds(PyObject *module, PyObject *arguments) {
     (void)module;
     PyObject *capsule;
     PyObject *given_parameters;
+    PyObject *given[2];
     Py_buffer of[2];
     Py_buffer parameters;
     Py_ssize_t budget;
@@ -1407,8 +1395,9 @@ static PyObject *rounds(PyObject *module, PyObject *arguments) {
     judgement to;
     outcome found;
     memset(&found, 0, sizeof found);
-    if (!PyArg_ParseTuple(arguments, "Oy*Oy*i" RULES "nn", &capsule, of, &given_parameters, of + 1,
-            &to.sharp, INTO_RULES(to.by), &budget, &limit)) {
+    if (!PyArg_ParseTuple(arguments, "OOOOi" RULES "nn", &capsule, given, &given_parameters,
+            given + 1, &to.sharp, INTO_RULES(to.by), &budget, &limit) ||
+        !hold(given, of, "dd")) {
         return NULL;
     }
     const plan *by = PyCapsule_GetPointer(capsule, CAPSULE);
@@ -1416,8 +1405,8 @@ static PyObject *rounds(PyObject *module, PyObject *arguments) {
     workspace *at = NULL;
     Py_ssize_t looks = -1;
     if (by != NULL) {
-        const Py_ssize_t one = 2 * by->n * (Py_ssize_t)sizeof(double);
-        const Py_ssize_t N = of[0].len / one;
+        const Py_ssize_t one = 2 * by->n;
+        const Py_ssize_t N = items_of(of) / one;
         const Py_ssize_t sizes[] = {N * one, one};
         at = sizes_fit(of, sizes, 2) ? open_workspace(by, given_parameters, &parameters, 1) : NULL;
         int whole = at != NULL;
@@ -1464,10 +1453,10 @@ static workspace *open_at_points(PyObject *const tapes[2], PyObject *given_param
     *N = parameters->shape[2];
     PyBuffer_Release(parameters);
     const Py_ssize_t n = by->values.outputs;
-    by->n = (int)n + 1;
+    by->n = n < MAX_UNKNOWNS ? (int)n + 1 : 0;
     const Py_ssize_t columns = n > 0 ? by->slopes.outputs / n : 0;
-    if (n < 1 || by->n > MAX_UNKNOWNS || pivot < 0 || pivot > n || columns <= n ||
-        z->len != by->n * *N * (Py_ssize_t)sizeof(double) || !by->values.operations ||
+    if (by->n < 2 || pivot < 0 || pivot > n || columns <= n ||
+        items_of(z) != by->n * *N || !by->values.operations ||
         !by->slopes.operations || !tape_fits(by, &by->values, n, 2, 0) ||
         !tape_fits(by, &by->slopes, n * columns, 2, 0)) {
         PyErr_SetString(PyExc_ValueError, "tapes of points are not as their system is");
@@ -1488,14 +1477,16 @@ static PyObject *corrected(PyObject *module, PyObject *arguments) {
     (void)module;
     PyObject *tapes[2];
     PyObject *given_parameters;
+    PyObject *given;
     Py_buffer z;
     Py_buffer parameters;
     Py_ssize_t N;
     plan by;
     int pivot;
     int steps;
-    if (!PyArg_ParseTuple(
-            arguments, "(OO)Oiiw*", tapes, tapes + 1, &given_parameters, &pivot, &steps, &z)) {
+    if (!PyArg_ParseTuple(arguments, "(OO)OiiO", tapes, tapes + 1, &given_parameters, &pivot,
+            &steps, &given) ||
+        !hold(&given, &z, "D")) {
         return NULL;
     }
     workspace *at = open_at_points(tapes, given_parameters, pivot, &z, &by, &parameters, &N);
@@ -1519,19 +1510,22 @@ static PyObject *tangents(PyObject *module, PyObject *arguments) {
     (void)module;
     PyObject *tapes[2];
     PyObject *given_parameters;
+    PyObject *given[3];
     Py_buffer of[3];
     Py_buffer parameters;
     Py_ssize_t N;
     plan by;
     int pivot;
-    if (!PyArg_ParseTuple(arguments, "(OO)Oiy*w*w*", tapes, tapes + 1, &given_parameters, &pivot,
-            of, of + 1, of + 2)) {
+    if (!PyArg_ParseTuple(arguments, "(OO)OiOOO", tapes, tapes + 1, &given_parameters, &pivot,
+            given, given + 1, given + 2) ||
+        !hold(given, of, "dDD")) {
         return NULL;
     }
     workspace *at = open_at_points(tapes, given_parameters, pivot, of, &by, &parameters, &N);
     if (at != NULL) {
         const Py_ssize_t more = by.slopes.outputs / (by.n - 1) - by.n;
-        const Py_ssize_t sizes[] = {of->len, of->len, of->len * more};
+        const Py_ssize_t size = items_of(of);
+        const Py_ssize_t sizes[] = {size, size, size * more};
         if (!sizes_fit(of, sizes, 3)) {
             close_workspace(at, &parameters);
             at = NULL;
@@ -1566,4 +1560,4 @@ static PyMethodDef methods[] = {
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, "_search", NULL, -1, methods, NULL, NULL, NULL, NULL};
 
-PyMODINIT_FUNC PyInit__search(void) { return PyModule_Create(&definition); }
+PyMODINIT_FUNC PyInit__search(void) { return new_module(&definition); }

@@ -2,7 +2,7 @@
  * in affine arithmetic, see _affine.h.
  *
  * run(code, numbers, inputs, out, slots)
- *     code: int32, four for each operation; numbers: doubles, the constants.
+ *     code: bytes of int32, four for each operation; numbers: bytes of doubles, the constants.
  *     inputs: a tuple of buffers of doubles of shape (2, rows, N), −low and high, with any strides.
  *     out: doubles of shape (2, outputs, N), contiguous.
  *     slots: the number of intermediate results that are needed at once.
@@ -11,24 +11,24 @@
  *     values, errors: doubles of shape (rows, N) of the first input; terms of shape (symbols, rows,
  *     N). Those of the results have outputs in place of rows. All are contiguous.
  *     intervals: the second input, as those of `run`. */
-#define PY_SSIZE_T_CLEAN
-#include <Python.h>
+#include "_arrays.h"
 
 #include "_affine.h"
-#include "_arrays.h"
 #include "_operations.h"
 
 #define MOST_INPUTS 8
 
 static PyObject *run(PyObject *module, PyObject *arguments) {
     (void)module;
-    Py_buffer code;
-    Py_buffer numbers;
+    const char *code;
+    const char *numbers;
+    Py_ssize_t codes;
+    Py_ssize_t constants;
     PyObject *given;
     PyObject *result;
     Py_ssize_t count;
-    if (!PyArg_ParseTuple(
-            arguments, "y*y*O!On", &code, &numbers, &PyTuple_Type, &given, &result, &count)) {
+    if (!PyArg_ParseTuple(arguments, "y#y#O!On", &code, &codes, &numbers, &constants, &PyTuple_Type,
+            &given, &result, &count)) {
         return NULL;
     }
     Py_buffer of[MOST_INPUTS];
@@ -39,7 +39,7 @@ static PyObject *run(PyObject *module, PyObject *arguments) {
     slot *slots = NULL;
     const Py_ssize_t wanted = PyTuple_GET_SIZE(given);
     if (interval_buffer(result, &out, PyBUF_C_CONTIGUOUS | PyBUF_WRITABLE) < 0) {
-        goto end;
+        return NULL;
     }
     int as_many = wanted <= MOST_INPUTS;
     while (held < wanted && held < MOST_INPUTS &&
@@ -52,9 +52,8 @@ static PyObject *run(PyObject *module, PyObject *arguments) {
     if (PyErr_Occurred()) {
         goto release;
     }
-    const program tape = {code.buf, code.len / (Py_ssize_t)(4 * sizeof(int32_t)), numbers.buf,
-        numbers.len / (Py_ssize_t)sizeof(double), out.shape[1], count};
-    if (!as_many || count < 1 || !sound(&tape, inputs, held)) {
+    const program tape = program_of(code, codes, numbers, constants, out.shape[1], count);
+    if (!as_many || !sound(&tape, inputs, held)) {
         PyErr_SetString(PyExc_ValueError, "an operation of the tape is beyond its arrays");
         goto release;
     }
@@ -76,10 +75,7 @@ release:
         PyBuffer_Release(of + --held);
     }
     PyBuffer_Release(&out);
-end:
     PyMem_RawFree(slots);
-    PyBuffer_Release(&code);
-    PyBuffer_Release(&numbers);
     if (!whole) {
         return NULL;
     }
@@ -109,45 +105,53 @@ static int affine_of_all(
 
 static PyObject *affine(PyObject *module, PyObject *arguments) {
     (void)module;
-    Py_buffer of[8];
+    const char *code;
+    const char *numbers;
+    Py_ssize_t codes;
+    Py_ssize_t constants;
+    PyObject *arrays[6];
+    Py_buffer of[6];
     Py_buffer intervals;
     PyObject *given;
     Py_ssize_t slots;
     int whole = 0;
-    if (!PyArg_ParseTuple(arguments, "y*y*y*y*y*Ow*w*w*n", of, of + 1, of + 2, of + 3, of + 4,
-            &given, of + 5, of + 6, of + 7, &slots)) {
+    if (!PyArg_ParseTuple(arguments, "y#y#OOOOOOOn", &code, &codes, &numbers, &constants, arrays,
+            arrays + 1, arrays + 2, &given, arrays + 3, arrays + 4, arrays + 5, &slots) ||
+        interval_buffer(given, &intervals, PyBUF_STRIDED_RO) < 0) {
         return NULL;
     }
-    if (interval_buffer(given, &intervals, PyBUF_STRIDED_RO) < 0) {
-        release(of, 8);
+    if (!hold(arrays, of, "dddDDD")) {
+        PyBuffer_Release(&intervals);
         return NULL;
     }
     const Py_ssize_t N = intervals.shape[2];
-    const Py_ssize_t row = N * (Py_ssize_t)sizeof(double);
-    const Py_ssize_t rows = N ? of[2].len / row : 0;
-    const Py_ssize_t outputs = N ? of[5].len / row : 0;
-    const Py_ssize_t symbols = rows ? of[3].len / of[2].len : 0;
-    const affine_inputs inputs = {of[2].buf, of[4].buf, of[3].buf, rows, N,
+    const Py_ssize_t entries = items_of(of);
+    const Py_ssize_t results = items_of(of + 3);
+    const Py_ssize_t rows = N ? entries / N : 0;
+    const Py_ssize_t outputs = N ? results / N : 0;
+    const Py_ssize_t symbols = rows ? items_of(of + 1) / entries : 0;
+    const affine_inputs inputs = {of[0].buf, of[2].buf, of[1].buf, rows, N,
         {intervals.buf, {intervals.strides[0], intervals.strides[1], intervals.strides[2]},
             intervals.shape[1], NULL}};
-    const program tape = {of[0].buf, of[0].len / (Py_ssize_t)(4 * sizeof(int32_t)), of[1].buf,
-        of[1].len / (Py_ssize_t)sizeof(double), outputs, slots};
+    const program tape = program_of(code, codes, numbers, constants, outputs, slots);
     const operand both[2] = {{.rows = rows}, {.rows = intervals.shape[1]}};
-    const int fits = slots > 0 && symbols > 0 && of[2].len == rows * row &&
-        of[4].len == of[2].len && of[3].len == symbols * of[2].len && of[5].len == outputs * row &&
-        of[7].len == of[5].len && of[6].len == symbols * of[5].len;
-    if (!fits || !sound(&tape, both, 2) || !affine_throughout(&tape)) {
+    const Py_ssize_t sizes[] = {rows * N, symbols * entries, entries, outputs * N,
+        outputs * N * symbols, outputs * N};
+    if (!sizes_fit(of, sizes, 6)) {
+        whole = 0;
+    } else if (symbols < 1 || symbols > INT16_MAX || !sound(&tape, both, 2) ||
+        !affine_throughout(&tape)) {
         PyErr_SetString(PyExc_ValueError,
             "an operation of the tape is beyond its arrays, or none of affine numbers");
     } else {
-        const affine_results out = {of[5].buf, of[7].buf, of[6].buf};
+        const affine_results out = {of[3].buf, of[5].buf, of[4].buf};
         whole = affine_of_all(&tape, &inputs, &out, (int)symbols);
         if (!whole) {
             PyErr_NoMemory();
         }
     }
     PyBuffer_Release(&intervals);
-    release(of, 8);
+    release(of, 6);
     if (!whole) {
         return NULL;
     }
@@ -162,7 +166,7 @@ static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, "_tape", NULL, -1, methods, NULL, NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__tape(void) {
-    PyObject *module = PyModule_Create(&definition);
+    PyObject *module = new_module(&definition);
     PyObject *names = PyTuple_New(COUNT);
     if (module == NULL || names == NULL) {
         return NULL;

@@ -21,6 +21,7 @@ from types import ModuleType
 
 import numpy as np
 
+from ..core.extensions import extension
 from .interval_arrays import (
     EPS,
     TINY,
@@ -34,10 +35,7 @@ from .interval_arrays import (
     width_of,
 )
 
-try:
-    from . import _contractors as compiled
-except ImportError:  # there was no compiler
-    compiled = None  # type: ignore[assignment]  # a module or nothing
+compiled = extension("numerics._contractors")
 #: Maximum number of unknowns of compiled code, 0 without it.
 MOST = 0 if compiled is None else compiled.MOST
 

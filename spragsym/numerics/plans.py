@@ -16,23 +16,13 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..core.errors import BackendError
+from ..core.extensions import extension
 from . import contractors, tape
 from .interval_arrays import BoolArray, FloatArray, Intervals
 from .tape import Tape
 from .verdicts import Judged, Rules
 
-try:
-    from . import _search as compiled
-except ImportError:  # there was no compiler
-    compiled = None  # type: ignore[assignment]  # a module or nothing
-else:
-    needed = {"plan", "kept", "decided", "rounds", "tubes", "corrected", "tangents"}
-    if lacking := needed - set(dir(compiled)):
-        raise BackendError(
-            f"{compiled.__file__} was compiled from older sources and has no "
-            f"{' and no '.join(sorted(lacking))}; rebuild it: install spragsym again"
-        )
+compiled: Any = extension("numerics._search")  # or None
 
 #: A border of a contact: a :class:`Side`, and how far beyond the border states are accepted.
 Border: TypeAlias = tuple[int, float]

@@ -21,13 +21,11 @@ from typing import Any, NoReturn, TypeAlias
 
 import numpy as np
 
+from ..core.extensions import extension
 from .arithmetic import Number
 from .interval_arrays import FloatArray, Intervals, Shape, exactly, stacked
 
-try:
-    from . import _tape as compiled
-except ImportError:  # there was no compiler
-    compiled = None  # type: ignore[assignment]  # a module or nothing
+compiled: Any = extension("numerics._tape")  # or None
 
 #: Name of an operation and its two arguments: indices of results that it reads, then constants.
 Operation: TypeAlias = tuple[str, int, int]

@@ -138,7 +138,7 @@ def test_what_is_no_operation_of_affine_numbers_is_refused() -> None:
         (whole, (*numbers[:2], np.ones((1, 5)))),
         (whole, (numbers[0][:1], numbers[1][:, :1], numbers[2][:1])),
     ):
-        with pytest.raises(ValueError, match="beyond its arrays"):
+        with pytest.raises(ValueError, match="arrays"):
             made.affine(*parts, given)
 
 

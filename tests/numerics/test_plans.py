@@ -6,15 +6,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from importlib.util import find_spec, module_from_spec
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym import numerics
 from spragsym.bifurcation.defining_systems import (
     FOLD,
     NO_SLOPE,
@@ -180,17 +177,3 @@ def test_tapes_of_other_systems_are_refused() -> None:
         plan.kept(np.zeros((2, 3, 5)), Intervals(np.zeros((2, len(column), 5))), 0.05)
     with pytest.raises(ValueError, match="do not have the shape"):
         plan.kept(np.zeros((2, 2, 5)), Intervals(np.zeros((2, 1, 5))), 0.05)
-
-
-def test_an_extension_of_older_sources_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    older = ModuleType("_search")
-    older.__file__ = "_search.so"
-    vars(older).update(
-        dict.fromkeys(("plan", "kept", "decided", "rounds", "corrected", "tangents"))
-    )
-    monkeypatch.setattr(numerics, "_search", older)
-    spec = find_spec(plans.__name__)
-    assert spec is not None
-    assert spec.loader is not None
-    with pytest.raises(ss.errors.BackendError, match="has no tubes; rebuild it"):
-        spec.loader.exec_module(module_from_spec(spec))

@@ -95,13 +95,3 @@ def test_import_loads_nothing_heavy() -> None:
         " & set(sys.modules); assert not heavy, heavy"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
-
-
-def test_a_solver_of_another_derivation_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    extensions = sys.modules[compiled.fits.__module__]
-    monkeypatch.setattr(extensions, "C_SOURCE", "another")
-    extensions.fits.cache_clear()
-    with pytest.warns(UserWarning, match="compiled from another derivation"):
-        assert not compiled.available()
-    assert not compiled.available()  # once
-    extensions.fits.cache_clear()

@@ -14,8 +14,7 @@
  *
  * count(theta0, mu0, kappa, alpha, sigma, beta, counts): number of equilibria in contact, 0 if it
  * is not decided. */
-#define PY_SSIZE_T_CLEAN
-#include <Python.h>
+#include "_arrays.h"
 
 #include "spragsym.c"
 
@@ -41,24 +40,21 @@ static Py_buffer *buffer_at(buffers *all, int place) {
     return in_order[place];
 }
 
-static void release(buffers *all) {
+static void release_all(buffers *all) {
     for (int i = 0; i < all->held; i++) {
         PyBuffer_Release(buffer_at(all, i));
     }
 }
 
-/* The next buffer, with room for `items` of a size, or for one if `or_one`. */
-static int hold(buffers *all, PyObject *object, Py_ssize_t size, Py_ssize_t items, int writable) {
+/* The next buffer, of items of a kind and as many of them; one that is read may have a single one. */
+static int hold_next(buffers *all, PyObject *object, char kind, Py_ssize_t items, int written) {
     Py_buffer *const view = buffer_at(all, all->held);
-    if (PyObject_GetBuffer(object, view, writable ? PyBUF_WRITABLE : PyBUF_SIMPLE) != 0) {
+    if (buffer_of_kind(object, view, kind, PyBUF_C_CONTIGUOUS | (written ? PyBUF_WRITABLE : 0)) <
+        0) {
         return 0;
     }
     all->held++;
-    if (items >= 0 && view->len != size * items && (writable || view->len != size)) {
-        PyErr_SetString(PyExc_ValueError, "a buffer has the wrong length");
-        return 0;
-    }
-    return 1;
+    return (!written && items_of(view) == 1) || sizes_fit(view, &items, 1);
 }
 
 static double entry(const Py_buffer *view, Py_ssize_t place) {
@@ -248,8 +244,8 @@ static Py_ssize_t solve_all(buffers *all, double nbar, Py_ssize_t points) {
 
 static int hold_columns(buffers *all, PyObject *tuple, int offset, Py_ssize_t items) {
     for (int i = 0; i < COLUMNS; i++) {
-        const Py_ssize_t size = (i < COLUMNS - 1) ? (Py_ssize_t)sizeof(double) : 1;
-        if (!hold(all, PyTuple_GET_ITEM(tuple, i + offset), size, items, 1)) {
+        const char kind = (i < COLUMNS - 1) ? 'd' : 'b';
+        if (!hold_next(all, PyTuple_GET_ITEM(tuple, i + offset), kind, items, 1)) {
             return 0;
         }
     }
@@ -268,13 +264,13 @@ static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact
         return 0;
     }
     for (int i = 0; i < PARAMETERS; i++) {
-        if (!hold(all, given[i], (Py_ssize_t)sizeof(double), points, 0)) {
+        if (!hold_next(all, given[i], 'd', points, 0)) {
             return 0;
         }
     }
-    return hold(all, settled, 1, points, 1) && hold(all, count, 1, points, 1) &&
+    return hold_next(all, settled, 'b', points, 1) && hold_next(all, count, 'b', points, 1) &&
         hold_columns(all, first, 0, points) &&
-        hold(all, PyTuple_GET_ITEM(further, 0), (Py_ssize_t)sizeof(int64_t), points, 1) &&
+        hold_next(all, PyTuple_GET_ITEM(further, 0), 'l', points, 1) &&
         hold_columns(all, further, 1, points * (contact ? 2 : 3));
 }
 
@@ -300,7 +296,7 @@ static PyObject *solve_by(method solver, PyObject *arguments) {
         used = solver(&all, contact ? 1.0 : 0.0, points);
         Py_END_ALLOW_THREADS;
     }
-    release(&all);
+    release_all(&all);
     return (used < 0) ? NULL : PyLong_FromSsize_t(used);
 }
 
@@ -367,15 +363,15 @@ static PyObject *count_points(PyObject *module, PyObject *arguments) {
     const Py_ssize_t points = PyObject_Length(result);
     int held = points >= 0;
     for (int i = 0; held && i < PARAMETERS; i++) {
-        held = hold(&all, given[i], (Py_ssize_t)sizeof(double), points, 0);
+        held = hold_next(&all, given[i], 'd', points, 0);
     }
-    held = held && hold(&all, result, 1, points, 1);
+    held = held && hold_next(&all, result, 'b', points, 1);
     if (held) {
         Py_BEGIN_ALLOW_THREADS;
         count_all(all.given, points, (signed char *)all.settled.buf);
         Py_END_ALLOW_THREADS;
     }
-    release(&all);
+    release_all(&all);
     if (!held) {
         return NULL;
     }
@@ -392,11 +388,4 @@ static PyMethodDef methods[] = {
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled",
     "The generated C solver.", -1, methods, NULL, NULL, NULL, NULL};
 
-PyMODINIT_FUNC PyInit__compiled(void) {
-    PyObject *const module = PyModule_Create(&definition);
-    if (module && PyModule_AddStringConstant(module, "SOURCE", SPRAGSYM_SOURCE) < 0) {
-        Py_DECREF(module);
-        return NULL;
-    }
-    return module;
-}
+PyMODINIT_FUNC PyInit__compiled(void) { return new_module(&definition); }

@@ -6,16 +6,14 @@ from typing import Literal
 
 import numpy as np
 
-from ...models.load import fits
+from ...core.extensions import extension
 from ...numerics.interval_arrays import FloatArray, Int8Array, IntArray
 from .block import COLUMNS, Slots
 
 
 def available() -> bool:
-    """Whether the extension module was built, and from the C library that was generated with the
-    rest.
-    """
-    return fits(f"{__package__}._compiled")
+    """Whether the extension module was built, from the present sources."""
+    return extension("kang_nam.quartic._compiled") is not None
 
 
 def solve(

@@ -82,9 +82,9 @@ def test_inverses_are_those_of_elimination_by_lapack(n: int) -> None:
 def test_arrays_that_do_not_fit_are_refused() -> None:
     compiled, numbers = contractors.compiled, np.zeros(8)
     for n in (0, 1, 9):
-        with pytest.raises(ValueError, match="shapes of one another|allowed are 1 to 8"):
+        with pytest.raises(ValueError, match=r"shapes of one another|allowed are 1 to 8"):
             compiled.newton(*[numbers] * 4, n, False, np.zeros(4), np.zeros(2), np.zeros(2, bool))
-        with pytest.raises(ValueError, match="shapes of one another|allowed are 1 to 8"):
+        with pytest.raises(ValueError, match=r"shapes of one another|allowed are 1 to 8"):
             compiled.inverse(numbers, n, np.zeros(7))
 
 

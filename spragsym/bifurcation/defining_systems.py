@@ -348,9 +348,12 @@ def within_block(condition: Condition, block: Block) -> Condition:
     """The condition with M, C + G and K restricted to a block of :func:`blocks_of`."""
     if block is None:
         return condition
-    return replace(
-        condition, equations=lambda at: condition.equations(replace(at, part=block)), block=block
-    )
+
+    def within(rows: Callable[[Evaluation], Any]) -> Callable[[Evaluation], Any]:
+        return lambda at: rows(replace(at, part=block))
+
+    excluded = condition.excluded and within(condition.excluded)
+    return replace(condition, equations=within(condition.equations), excluded=excluded, block=block)
 
 
 @cache
@@ -396,6 +399,21 @@ def _discriminant(at: Evaluation) -> Sequence[Any]:
 #: Undamped flutter: two roots κ = −λ² of det(K − κ M) meet, or, with G and a symmetric K, of
 #: det(λ² M + λ G + K). The discriminant of that polynomial is 0.
 FLUTTER = Condition(_discriminant)
+
+
+@cache
+def paired(row: int) -> Condition:
+    """All λ without damping come in pairs ± λ: number ``row`` of the odd coefficients of det(λ² M +
+    λ G + K) is 0, and no other is proved not to be.
+    """
+
+    def others(at: Evaluation) -> BoolArray:
+        rest = [constant(one) for k, one in enumerate(at.unpaired()) if k != row]
+        return ~stacked([0, *rest], at.shape).holds_zero().all(axis=0)
+
+    return Condition(lambda at: at.unpaired()[row : row + 1], excluded=others)
+
+
 #: Hopf point: two roots λ of det(λ² M + λ (C + G) + K) have the sum 0, so that the last but one of
 #: Hurwitz's determinants is 0.
 HOPF = Condition(lambda at: (hurwitz(_characteristic(None, at)),), pairs=True)

@@ -1,8 +1,10 @@
 """Onsets of flutter of a model along one parameter, each proved, with or without damping.
 
 With damping an onset is a Hopf point of det(λ² M + λ (C + G) + K) = 0. Without, it is a point where
-two frequencies meet. Where the search for them is incomplete, floats follow the states over samples
-of the parameter, and report crossings that are not proved as ``"detected"``.
+two frequencies meet, or, where gyroscopic terms act beside a force without a potential, one at
+which the odd coefficients of that polynomial are 0: at any other state some λ grows. Where the
+search is incomplete, floats follow the states over samples of the parameter, and report crossings
+that are not proved as ``"detected"``.
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.questions import Method, question
+from ..core.remarks import At, Remark
 from ..display import Column, own_name
 from ..models.parameters import ParameterSet, Ranges
 from ..numerics.balls import UndecidedSign
@@ -40,12 +43,12 @@ from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_contact_side, refined
 from ..statics.search import balances_of, float_candidates, number_of
 from ..statics.stability import (
-    comes_in_pairs,
     damped_by_friction_alone,
     damped_entries,
     is_conservative,
     is_damped,
     slope_over,
+    unpaired,
 )
 from .defining_systems import (
     FLUTTER,
@@ -57,6 +60,7 @@ from .defining_systems import (
     Family,
     blocks_of,
     no_damping,
+    paired,
     undamped_mode,
     within_block,
 )
@@ -114,7 +118,8 @@ def flutter_onsets(
     -------
     Onsets
         The kind is ``"hopf"`` where a pair ± i ω crosses the imaginary axis, ``"flutter"`` where
-        two frequencies meet, and ``"detected"`` where floats see a crossing that is not proved,
+        two frequencies meet, or where without damping all λ come in pairs ± λ and at no state
+        nearby, and ``"detected"`` where floats see a crossing that is not proved,
         because the search was incomplete. ``omega`` is the frequency; ``criticality`` says whether
         an onset is super- or subcritical. Where all damping changes its sign at once, as by a
         falling friction law against a damper, every pair of a state crosses, and each has a row.
@@ -132,10 +137,11 @@ def flutter_onsets(
     Notes
     -----
     Source: F = 0 with Hurwitz's determinant of order 2 n − 1, or with the discriminant of
-    det(K − κ M) in κ. If only one coordinate is damped, its entry of C (or the slope of the
-    friction law) is a factor of Hurwitz's determinant; this factor and the other are then searched
-    separately. An end of the range at which C vanishes is no onset. Points where a real pair ± λ
-    has the sum 0, or two real λ meet, are roots too and are left out.
+    det(K − κ M) in κ, or with an odd coefficient of det(λ² M + λ G + K). If only one coordinate is
+    damped, its entry of C (or the slope of the friction law) is a factor of Hurwitz's determinant;
+    this factor and the other are then searched separately. An end of the range at which C, or the
+    odd coefficient, vanishes is no onset. Points where a real pair ± λ has the sum 0, or two real λ
+    meet, are roots too and are left out.
 
     Examples
     --------
@@ -167,6 +173,11 @@ class Sought:
     block: Block
 
     @property
+    def leaves_pairs(self) -> bool:
+        """Whether λ come in pairs ± λ at an onset alone: on both sides of it some λ grows."""
+        return self.kind == "flutter" and self.frequencies is every
+
+    @property
     def has_simple_pair(self) -> bool:
         """Whether a single pair of eigenvalues is imaginary at an onset, as a normal form needs."""
         return self.kind != "flutter" and self.frequencies is not every
@@ -183,15 +194,13 @@ class Sought:
 class OnsetSystems:
     """The conditions to search for onsets of a family, with or without damping.
 
-    ``only`` is the one coordinate that is damped, if there is just one; ``said`` are remarks if no
-    onset is possible.
+    ``only`` is the one coordinate that is damped, if there is just one.
     """
 
     damping: bool
     only: int | None
     blocks: list[tuple[int, ...]]
     sought: list[Sought]
-    said: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, family: Family, damping: bool | None) -> Self:
@@ -210,14 +219,6 @@ class OnsetSystems:
             damping = bool(slope.magnitude.max() > NEGLIGIBLE)
         elif damping is None:
             damping = is_damped(balance, over)
-        in_pairs = comes_in_pairs(balance, over)
-        if not damping and not in_pairs:
-            never = (
-                "without damping no state is stable where gyroscopic terms act beside friction, "
-                "or another force without a potential, so that no flutter sets in; ask for the "
-                "onsets of the damped model, damping=True"
-            )
-            return cls(damping, only, [], [], (never,))
         blocks = blocks_of(family, Evaluation.by_rates if damping else Evaluation.gyroscopic)
         damped = frozenset[int]()
         if damping:  # beside friction that damps alone, entries of C are negligible
@@ -226,7 +227,11 @@ class OnsetSystems:
         sought = list[Sought]()
         for block in blocks:
             own = None if len(blocks) == 1 else block
-            if in_pairs and not damped & {*block}:
+            odd = unpaired(balance, over, block)
+            if odd and not damping:
+                condition = within_block(paired(odd[0]), own)
+                sought.append(Sought(condition, every, "flutter", own))
+            elif not odd and not damped & {*block}:
                 # With a symmetric K all κ are real, and two that meet pass each other.
                 if not conservative and len(block) > 1:
                     sought.append(Sought(within_block(FLUTTER, own), meeting, "flutter", own))
@@ -250,12 +255,11 @@ class OnsetSystems:
 def _in_combination(family: Family, damping: bool | None) -> Points:
     """Onsets of one combination of touching contacts."""
     systems = OnsetSystems.of(family, damping)
-    if systems.said:
-        unknown = replace(nothing(family), whole=np.zeros(1, dtype=bool))
-        return _joined(family, [(unknown, [], [])], flat=False, said=systems.said)
-    parts = list[_Part]()
+    parts, said = list[_Part](), list[str]()
     for one in systems.sought:
         out = search(family, one.condition)
+        if one.leaves_pairs:
+            said.append(_growing(family, one))
         if out.roots.undecided.shape[2]:
             out, unproved, omega = with_seen(Augmented(family, one.condition), out)
             detected = replace(out, roots=unproved)
@@ -267,7 +271,24 @@ def _in_combination(family: Family, damping: bool | None) -> Points:
         parts.append(_part(family, out, one, systems.damping))
     parts = parts or [(nothing(family), [], [])]
     flat = bool(systems.sought) and systems.sought[-1].condition is NO_SLOPE
-    return _joined(family, parts, flat=flat)
+    return _joined(family, parts, flat=flat, said=tuple(said))
+
+
+def _growing(family: Family, sought: Sought) -> Remark:
+    """The remark on a family in which some λ grows without damping at almost every state."""
+    (name,), ends = family.vary, sorted({*family.spans[0].tolist()})
+    paired = [
+        At(name, (end,), "g")
+        for end in ends
+        if not unpaired(family.balance, Intervals.point(family.at(np.array([[end]]))), sought.block)
+    ]
+    return Remark(
+        "without damping some λ grows in every state that is not listed, since gyroscopic terms "
+        "act beside friction or another force without a potential"
+        + "".join("; but not at {}, where all λ come in pairs ± λ" for _ in paired)
+        + "; damping=True asks for the onsets of the damped model",
+        *paired,
+    )
 
 
 # ------------------------------------------------------------------------------------------------
@@ -647,8 +668,8 @@ class Onsets(Points):
             return "floats see it, and it is not proved: nothing bounds a coefficient there"
         if self.kind[row] != "hopf":
             return (
-                "without damping two frequencies meet there, and all eigenvalues stay on the "
-                "imaginary axis up to it: no generic Hopf point; ask for the onsets of the "
+                "without damping eigenvalues come in pairs ± λ there, and several pairs leave the "
+                "imaginary axis at once: no generic Hopf point; ask for the onsets of the "
                 "damped model, damping=True, or give what oscillates a damper"
             )
         state = self.state(row)

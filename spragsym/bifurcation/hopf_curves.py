@@ -223,6 +223,13 @@ def _joined(first: OnsetCurves, others: Sequence[OnsetCurves]) -> OnsetCurves:
     )
 
 
+_GROWING = (
+    "without damping some λ grows at almost every state, since gyroscopic terms act beside "
+    "friction or another force without a potential: flutter_onsets tells where none does; "
+    "damping=True asks for the curves of the damped model"
+)
+
+
 @dataclass(frozen=True)
 class _Plane(Family):
     """The plane of two parameters; states there have the shape (n + 2, N): coordinates, then
@@ -232,14 +239,17 @@ class _Plane(Family):
     def curves(self, n: int, damping: bool | None, options: ContinuationOptions) -> OnsetCurves:
         """Curves of Hopf points or, without damping, curves on which two modes meet."""
         systems = OnsetSystems.of(self, damping)
-        damping, said = systems.damping, systems.said
+        damping, said = systems.damping, tuple[str, ...]()
         points, ends = self.points(systems)
-        whole, lines = not said, dict[str, FloatArray]()
+        whole, lines = True, dict[str, FloatArray]()
         undecided = np.empty((0, self.balance.n + 2, 2))
         curves, changes = list[Curve](), list[list[float]]()
         for sought, own_ends in zip(systems.sought, ends, strict=True):
             if sought.condition is NO_SLOPE:
                 said, whole = (*said, *self.of_slope()), False
+                continue
+            if sought.leaves_pairs:
+                said, whole = (*said, _GROWING), False
                 continue
             alike = self.alike if sought.has_simple_pair else any_pair
             found = on_lines(self, sought.condition, n, own_ends, options=options, alike=alike)

@@ -136,6 +136,31 @@ def characteristic(*matrices: Matrix) -> list[Any]:
     return determinant(pencil(*matrices)).padded(degree + 1)
 
 
+def odd_coefficients(K: Matrix, G: Matrix, M: Matrix, N: Matrix) -> list[Any]:
+    """Coefficients of λ, λ³, …, λ²ⁿ⁻³ of det(2 (K + λ G + λ² M)), where N = K − Kᵀ, G is
+    skew-symmetric and M symmetric.
+
+    Transposition turns λ into −λ and N into −N, so that only products with an odd number of entries
+    of N remain. The others are left out, and with them that of λ²ⁿ⁻¹, which is 0.
+    """
+
+    def by_skewness(*entries: Any) -> Any:
+        return 0 if all(map(is_zero, entries)) else Polynomial(entries)
+
+    def of(A: Matrix) -> Matrix:
+        return [[by_skewness(0 if is_zero(entry) else 2 * entry) for entry in row] for row in A]
+
+    parts = [
+        [
+            by_skewness(0 if is_zero(k) and is_zero(s) else 2 * k - s, s)
+            for k, s in zip(*rows, strict=True)
+        ]
+        for rows in zip(K, N, strict=True)
+    ]
+    every = characteristic(parts, of(G), of(M))[1:-2:2]
+    return [0 if is_zero(one) else sum(one.coefficients[1::2]) for one in every]
+
+
 def hurwitz(coefficients: Sequence[Any], size: int | None = None) -> Number:
     """Hurwitz determinant of a polynomial, the lowest coefficient first.
 

@@ -19,7 +19,7 @@ import numpy as np
 from ..models.forces import named, undecorated
 from ..models.model import Model, Touching, label_of
 from ..numerics import jets
-from ..numerics.arithmetic import Matrix, Number, is_zero, part_of
+from ..numerics.arithmetic import Matrix, Number, is_zero, odd_coefficients, part_of
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
@@ -268,7 +268,7 @@ class Evaluation:
     #: from the coordinates.
     fixed: Sequence[Any] | None = None
     turnings: Sequence[Any] | None = None
-    #: Coordinates to which M, C + G, G and K are restricted; None for all.
+    #: Coordinates to which M, C + G, G, K and K − Kᵀ are restricted; None for all.
     part: Sequence[int] | None = None
 
     @cached_property
@@ -441,8 +441,15 @@ class Evaluation:
     def circulatory(self) -> Matrix:
         """K − Kᵀ of a gyroscopic model. Other models do not need it and get 0."""
         if self.balance.gyroscopic:
-            return self.rows("circulatory")
+            return self._parted(self.rows("circulatory"))
         return self.gyroscopic()
+
+    def unpaired(self, block: Sequence[int] | None = None) -> list[Any]:
+        """Numbers that are all 0 exactly if the λ of det(λ² M + λ G + K), or of a block of it, come
+        in pairs ± λ: its odd coefficients.
+        """
+        every = (self.stiffness(), self.gyroscopic(), self.mass(), self.circulatory())
+        return odd_coefficients(*(A if block is None else part_of(A, block) for A in every))
 
     def by_rates(self) -> Matrix:
         """C + G, the derivative of the forces by the rates."""

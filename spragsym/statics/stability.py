@@ -6,10 +6,10 @@ Without damping, the type follows from the roots κ = −λ² of det(K − κ M)
   some κ is not real if a minor is negative (Hermite). With a symmetric K all κ are real.
 - If all κ are real, one is negative exactly if one of their elementary symmetric functions is.
 
-With gyroscopic forces the λ are the roots of det(λ² M + λ G + K). With a symmetric K that is a
-polynomial in κ too. Otherwise every state grows: by flutter, or by divergence where all λ with a
-positive real part are real. Routh's array counts the λ with a positive real part, and Sturm's chain
-counts the positive ones.
+With gyroscopic forces the λ are the roots of det(λ² M + λ G + K). Where its odd coefficients are 0,
+as with a symmetric K, that is a polynomial in κ too. Elsewhere some λ grows, since their sum is 0:
+by flutter, or by divergence where all λ with a positive real part are real. Routh's array counts
+the λ with a positive real part, and Sturm's chain counts the positive ones.
 
 With damping, whether some λ has a positive real part follows from Hurwitz's determinants.
 
@@ -301,8 +301,9 @@ def _in_pairs(
     """Masks by block of :func:`_blocks`, shape (blocks, …), of what follows from symmetry.
 
     The first marks blocks whose κ are all real: K is symmetric and G vanishes. The second marks
-    blocks whose λ come in pairs ± λ: K is symmetric or G vanishes. ``symmetric`` says where K is
-    symmetric at every state. Whether it is at this state alone is asked only for a model with G.
+    blocks whose λ come in pairs ± λ: K is symmetric, G vanishes, or the odd coefficients do.
+    ``symmetric`` says where K is symmetric at every state. Whether it is at this state alone is
+    asked only for a model with G.
     """
     real, even = list[BoolArray](), list[BoolArray]()
     for block in _blocks(at):
@@ -310,7 +311,8 @@ def _in_pairs(
         same = vanishes(part_of(at.circulatory(), block)) & at.balance.gyroscopic
         alike = symmetric | (len(block) == 1) | same
         real.append(alike & without_G)
-        even.append(alike | without_G)
+        paired = alike | without_G
+        even.append(paired if np.all(paired) else paired | vanishes([at.unpaired(block)]))
     return np.array(real), np.array(even)
 
 
@@ -582,13 +584,19 @@ def damped_entries(balance: Balance, over: Intervals) -> list[tuple[int, int]]:
     return [(i, j) for i, row in enumerate(C) for j, entry in enumerate(row) if not is_zero(entry)]
 
 
+def _anywhere(balance: Balance, over: Intervals) -> Evaluation:
+    """The evaluation over states in [−1, 1]ⁿ, with any directions of springs: what is 0 there is 0
+    at every state.
+    """
+    any_number = Intervals(np.ones((2, 1)))
+    at = balance.at([any_number] * balance.n, balance.over(over), (1,))
+    return replace(at, fixed=[any_number] * (3 * balance.springs + len(balance.torsions)))
+
+
 def _damping(balance: Balance, over: Intervals, indicators: Indicators | None = None) -> Matrix:
-    """Enclosure of C over states in [−1, 1]ⁿ, with spring directions of any kind."""
-    at = balance.at([Intervals(np.ones((2, 1)))] * balance.n, balance.over(over), (1,))
+    """Enclosure of C at every state."""
     with quiet():
-        return replace(at, fixed=[Intervals(np.ones((2, 1)))] * 3 * balance.springs).damping(
-            indicators
-        )
+        return _anywhere(balance, over).damping(indicators)
 
 
 def is_damped(balance: Balance, over: Intervals) -> bool:
@@ -635,10 +643,15 @@ def is_conservative(balance: Balance, over: Intervals) -> bool:
     return bool(symmetric and not balance.gyroscopic)
 
 
-def comes_in_pairs(balance: Balance, over: Intervals) -> bool:
-    """Whether the λ without damping are proved to come in pairs ± λ over the ranges.
+def unpaired(balance: Balance, over: Intervals, block: Sequence[int] | None = None) -> list[int]:
+    """Numbers of the odd coefficients without damping, of all or of a block of coordinates, that
+    may differ from 0 at some state over the ranges.
 
-    With gyroscopic forces and an unsymmetric K they do not, and every state has a growing solution.
+    Without any, the λ come in pairs ± λ at every state. Where one differs from 0, some λ grows.
     """
     with quiet():
-        return not balance.gyroscopic or bool(_symmetric(balance, balance.prepared(over)).all())
+        if not balance.gyroscopic or _symmetric(balance, balance.prepared(over)).all():
+            return []
+        odd = _anywhere(balance, over).unpaired(block)
+        zero = stacked(odd, (1,)).magnitude[:, 0] <= NEGLIGIBLE
+        return np.flatnonzero(~zero).tolist()

@@ -409,7 +409,8 @@ def paired(row: int) -> Condition:
 
     def others(at: Evaluation) -> BoolArray:
         rest = [constant(one) for k, one in enumerate(at.unpaired()) if k != row]
-        return ~stacked([0, *rest], at.shape).holds_zero().all(axis=0)
+        differ: BoolArray = np.logical_or.reduce(~stacked([0, *rest], at.shape).holds_zero())
+        return differ
 
     return Condition(lambda at: at.unpaired()[row : row + 1], excluded=others)
 

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from .core.options import Options
 from .numerics.interval_arrays import IntArray
 
 if TYPE_CHECKING:
@@ -315,6 +316,45 @@ def sorted_out(
     return columns, single, values
 
 
+def facts(values: Mapping[str, Any], said: Schema) -> dict[str, Any]:
+    """Numbers and words that hold for all rows of a dataclass, as files have them: several numbers
+    by their positions, a set of parameters by their names, codes as words, remarks in one line.
+    """
+    found: dict[str, Any] = {}
+    for key, value in values.items():
+        match value:
+            case bool() | int() | float() | str():
+                found[key] = said.word(key, value)
+            case np.generic() | np.ndarray() if not value.ndim:
+                found[key] = said.word(key, value.item())
+            case tuple() if value and all(isinstance(part, str) for part in value):
+                found[key] = "; ".join(value)
+            case tuple() if value and all(isinstance(part, int | float) for part in value):
+                found |= {f"{key}_{number}": part for number, part in enumerate(value, 1)}
+            case Tabular(in_a_line=True):
+                found |= {
+                    f"{key}_{name}" if name in values else name: one
+                    for name, one in value._shown().items()
+                    if not np.ndim(one)
+                }
+    return found
+
+
+def parts(values: Mapping[str, Any], said: Schema) -> dict[str, dict[str, NDArray[Any]]]:
+    """Columns of the tables of several parts of one kind, a row for each, by what they are of."""
+    found = {}
+    for key, value in values.items():
+        if not (isinstance(value, tuple | list) and value and is_dataclass(value[0])):
+            continue
+        schema = schema_of(value[0], said)
+        rows = [facts(_extents(named_fields(one)), schema) for one in value]
+        names = [name for name in rows[0] if all(name in row for row in rows)]
+        found[key] = {
+            name.replace(" ", "_"): np.array([row[name] for row in rows]) for name in names
+        }
+    return found
+
+
 #: Results whose columns are being made from others of them, by identity.
 _MAKING: ContextVar[frozenset[int]] = ContextVar("_MAKING", default=frozenset())
 
@@ -389,12 +429,16 @@ def named_fields(thing: Any) -> dict[str, Any]:
     ours = {each.name for each in fields(thing)}
     for each in fields(thing):
         value = getattr(thing, each.name)
-        # Private attributes are not shown, columns that are held in a mapping are.
-        if not each.repr and each.name != getattr(thing, "_held", ""):
+        # Private attributes are not shown, columns that are held in a mapping are; how a result was
+        # computed stands in its fields, what was found in its table.
+        if (not each.repr and each.name != getattr(thing, "_held", "")) or isinstance(
+            value, Options
+        ):
             continue
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
-            end = f"_{each.name}" if each.name in ("before", "after") else ""
+            ends = ("before", "after", "change", "jump")
+            end = f"_{each.name}" if each.name in ends else ""
             items = {
                 f"{key}{end}": np.broadcast_to(part, shape) if np.size(part) > 1 else part
                 for key, part in value.items()

@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
 from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
 from ..results import Curve, Points, Result
+from ..results.points import joined_curves
 from ..statics import stability
 from ..statics.stability import slope_over
 from .bifurcation_sets import FoldCurves, any_pair, on_lines
@@ -119,6 +120,28 @@ class OnsetCurves(Result):
     @property
     def _of_model(self) -> Model | None:
         return self.points.parameters.model
+
+    def data(self) -> dict[str, NDArray[Any]]:
+        """The points of all curves, one curve after the other, and of each the number of its
+        ``curve``.
+
+        Returns
+        -------
+        dict of str to array
+            Columns of one length, angles in radians; empty without curves.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> p = ss.load("stick_slip").Parameters()
+        >>> found = ss.onset_curves(p, ("V", "zeta"), between={"V": (0, 1), "zeta": (0, 2)})
+        >>> len(found.data()["V"]) == sum(map(len, found.curves))
+        True
+        """
+        return joined_curves(self.curves)
+
+    def _parts(self) -> dict[str, dict[str, NDArray[Any]]]:
+        return {**super()._parts(), "changes": dict(self.changes)}
 
     def __len__(self) -> int:
         return len(self.curves)

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..core.errors import ParameterError, require_kind
 from ..core.questions import Method, model_of, question
+from ..display import Column
 from ..models.parameters import FloatArray, ParameterSet, as_number
 from ..models.quantities import QuantityValues
 from ..numerics.interval_arrays import BoolArray
@@ -40,6 +41,8 @@ class JumpMargin(Result):
     remarks : tuple of str
         Where nearer designs were met of which it is not known whether they jump.
     """
+
+    schema = (Column("{a}_change", "{a}", "change of {a}"),)
 
     distance: float
     proved: float
@@ -198,6 +201,11 @@ class Redesign(Result):
     jump : dict of str to float
         Jump values of the new design, computed again; NaN where it never jumps.
     """
+
+    schema = (
+        Column("{a}_change", "{a}", "change of {a}"),
+        Column("{a}_jump", "{a}", "jump value of {a} in the new design"),
+    )
 
     distance: float
     change: Mapping[str, float]

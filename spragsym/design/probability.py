@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import partial
 from typing import Any, Protocol, TypeAlias, get_args
 
@@ -91,6 +91,14 @@ class JumpProbability(Result):
     first_error: Mapping[str, float]
     total_error: Mapping[str, float]
     proved: tuple[float, float] = (0.0, 1.0)
+
+    def _shown(self) -> dict[str, Any]:
+        indices = ("first", "first_error", "total", "total_error")
+        ends = dict(zip(("proved_low", "proved_high"), self.proved, strict=True))
+        held = {each.name: getattr(self, each.name) for each in fields(self)}
+        numbers = {name: one for name, one in held.items() if name not in (*indices, "proved")}
+        by_name = {f"{index}_{name}": one for index in indices for name, one in held[index].items()}
+        return numbers | ends | by_name
 
     @property
     def sobol(self) -> dict[str, tuple[float, float, float]]:

@@ -43,6 +43,7 @@ from .style import (
     denser_at_ends,
     in_letters,
     label,
+    once,
     own_axes,
     own_unit,
     panels,
@@ -289,7 +290,8 @@ def draw_branches(
     if isinstance(curves, Branches):
         shade(ax, curves.model, curves.vary, curves.undecided)
     for curve in curves:
-        style = {"color": color, "linestyle": LINES[curve.kind], **options}
+        named = {"label": once(ax, curve.kind.name.lower())}
+        style = {"color": color, "linestyle": LINES[curve.kind], **named, **options}
         lines += ax.plot(curve.shown(curve.vary), curve.shown(quantity), **style)
     return lines
 
@@ -298,7 +300,14 @@ def shade(ax: Axes, model: Model, vary: str, spans: FloatArray) -> None:
     """Hatch undecided ranges of a parameter, including those of a single value."""
     for low, high in (model.column(vary).size * spans).tolist():
         ax.axvspan(
-            low, high, facecolor="none", edgecolor=GREY, hatch="////", linewidth=0.8, zorder=0
+            low,
+            high,
+            facecolor="none",
+            edgecolor=GREY,
+            hatch="////",
+            linewidth=0.8,
+            zorder=0,
+            label=once(ax, "undecided"),
         )
 
 
@@ -316,15 +325,17 @@ def mark_folds(
     vary = turns.vary[0]
     if between:
         turns = turns.between(np.array([varied_range(vary, between, FINITE)]))
+    ax, kinds = own_axes(ax), dict.fromkeys(turns["kind"].tolist())
     style = {
         "linestyle": "none",
         "marker": "o",
         "markersize": 3.4,
         "color": BLACK,
         "zorder": 3,
+        "label": once(ax, ", ".join(kinds) or "points"),
         **options,
     }
-    return own_axes(ax).plot(*places(turns.parameters.model, (vary, quantity), turns), **style)
+    return ax.plot(*places(turns.parameters.model, (vary, quantity), turns), **style)
 
 
 def plot_equilibria(
@@ -452,11 +463,12 @@ def draw_path(
     pieces = path_pieces(path, quantity)
     style = {"color": color, "linewidth": 1.1, "zorder": 2.2, **options}
     for value, state in pieces:
-        artists += ax.plot(value, state, **style)
+        artists += ax.plot(value, state, **{"label": once(ax, "state"), **style})
         artists += [_head(ax, value, state, share, color) for share in arrows]
     for (value, state), (_, landed) in itertools.pairwise(pieces):
         jump = value[[-1, -1]], np.array([state[-1], landed[0]])
-        artists += ax.plot(*jump, color=color, linewidth=1.1, linestyle=":")
+        name = once(ax, "jump")
+        artists += ax.plot(*jump, color=color, linewidth=1.1, linestyle=":", label=name)
         artists.append(_head(ax, *jump, 1.0, color))
     return artists
 

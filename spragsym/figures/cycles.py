@@ -14,8 +14,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap, LogNorm
-from matplotlib.patches import Patch
+from matplotlib.colors import LogNorm
 from matplotlib.transforms import Affine2D
 
 import spragsym as ss
@@ -43,8 +42,10 @@ from .style import (
     Sheet,
     Table,
     angle_axis,
+    cells,
     label,
     line_at,
+    once,
     panels,
     runs,
     say,
@@ -148,7 +149,9 @@ def draw_stretches(
     """Draw a branch, solid where stable and dashed where not, without gaps between the parts."""
     for part in runs(stable):
         style = "-" if stable[part][0] else (0, (3, 1.5))
-        ax.plot(values[part], heights[part], color=colour, linestyle=style, linewidth=width)
+        name = once(ax, "stable" if stable[part][0] else "unstable")
+        (line,) = ax.plot(values[part], heights[part], color=colour, linestyle=style, label=name)
+        line.set_linewidth(width)
 
 
 def draw_cycles(
@@ -209,7 +212,8 @@ def draw_branch(branch: CycleBranch, ax: Axes, quantity: str = "rms") -> None:
     ax.set(xlabel=label(varied), ylabel=title)
     for kind, marker in {**MARKERS, **dict.fromkeys(("grazing", *SLIDING), "|")}.items():
         for event in branch.of(kind):
-            _mark(ax, (unit * event.value, size * height_of(event.cycle)), marker)
+            place = unit * event.value, size * height_of(event.cycle)
+            _mark(ax, place, marker, label=once(ax, kind.replace("_", " ")))
 
 
 #: Bifurcations of the cycle of period 34, on its branches over the friction at 42 degrees and over
@@ -326,10 +330,7 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
         model.column(name).size * np.broadcast_to(found.inputs[name], shape).ravel()
         for name in varied
     )
-    across, up = np.unique(x), np.unique(y)
-    order = np.lexsort([x, y]).reshape(up.size, across.size)
-    kind, period = found.kind.ravel()[order], found.period.ravel()[order]
-    patches = []
+    kind = found.kind.ravel()
     # Colour and name of each fate except cycles.
     plain = {
         FateKind.REST: ("#d9d9d9", "rest"),
@@ -338,22 +339,21 @@ def draw_fate_map(found: FateMap, ax: Axes) -> dict[str, FloatArray]:
         FateKind.UNDECIDED: ("white", "undecided"),
     }
     for code, (colour, name) in plain.items():
-        if (kind == code).any():
-            patches.append(Patch(facecolor=colour, edgecolor=GREY, label=name))
-        cells = np.where(kind == code, 1.0, np.nan)
-        ax.pcolormesh(across, up, cells, cmap=ListedColormap([colour]))
-    cells = np.where(kind == FateKind.CYCLE, period, np.nan)
-    image = ax.pcolormesh(across, up, cells, cmap="viridis", norm=LogNorm())
-    undecided = (found.kind == FateKind.UNDECIDED).ravel()
+        cells(ax, (x, y), kind == code, colour, name)
+    (image,) = cells(ax, (x, y), np.where(kind == FateKind.CYCLE, found.period.ravel(), np.nan))
+    image.set_norm(LogNorm())
+    undecided = kind == FateKind.UNDECIDED
     irregular = (found.exponent > found.exponent_error).ravel()
-    for marker, colour, size, mask in (
-        ("x", GREY, 3, undecided & ~irregular),
-        ("+", VERMILION, 5, undecided & irregular),
+    for marker, colour, size, mask, name in (
+        ("x", GREY, 3, undecided & ~irregular, "undecided so far"),
+        ("+", VERMILION, 5, undecided & irregular, "irregular so far"),
     ):
-        ax.plot(x[mask], y[mask], marker, color=colour, markersize=size)
+        if mask.any():
+            ax.plot(x[mask], y[mask], marker, color=colour, markersize=size, label=name)
     if (kind == FateKind.CYCLE).any():
         ax.figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
-    ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches))
+    if ax.get_legend_handles_labels()[1]:
+        ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4)
     ax.set(xlabel=label(model.column(varied[0])), ylabel=label(model.column(varied[1])))
     return dict(zip(varied, (x, y), strict=True))
 
@@ -432,7 +432,7 @@ def _draw_labels(ax: Axes, labels: Iterable[Label], units: tuple[float, float]) 
         name, at = one.label, (units[0] * one.value, units[1] * one.height)
         if name not in markers:
             continue
-        _mark(ax, at, markers[name], zorder=4)
+        _mark(ax, at, markers[name], zorder=4, label=once(ax, name))
         x, y = to_axes.transform(at)
         same_kind = written.setdefault(name, [])
         # Distance as a share of the axes.

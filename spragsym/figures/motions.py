@@ -19,7 +19,7 @@ import spragsym as ss
 
 from ..article.assumed import MU0_RANGE, D, Parameters, V
 from ..bifurcation.shares import belt_speeds
-from ..core.errors import require_kind
+from ..core.errors import ParameterError, require_kind
 from ..generated import laws
 from ..models import Model
 from ..models.forces import contact_force
@@ -27,7 +27,7 @@ from ..models.parameters import FloatArray, ParameterSet
 from ..models.quantities import Scales
 from ..motion import Trajectory, simulate
 from ..motion.simulation import row_of
-from ..motion.sweeps import Workers, rms_sweep, sensitivity
+from ..motion.sweeps import Basin, Sweep, Workers, rms_sweep, sensitivity
 from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle
 from .curves import first_fold
@@ -38,12 +38,14 @@ from .style import (
     BLUE,
     DOUBLE,
     GREY,
+    PALETTE,
     SINGLE,
     VERMILION,
     Sheet,
     Shown,
     Table,
     angle_axis,
+    cells,
     in_letters,
     label,
     line_at,
@@ -150,7 +152,7 @@ def _frequency(model: Model) -> Shown:
 def _line(ax: Axes, x: FloatArray, y: FloatArray, shown: _Pair, width: float = 0.8) -> Line2D:
     """Draw a line in the units of the axes, and name these."""
     (x_title, x_unit), (y_title, y_unit) = shown
-    (line,) = ax.plot(x_unit * x, y_unit * y, color=BLUE, linewidth=width)
+    (line,) = ax.plot(x_unit * x, y_unit * y, color=BLUE, linewidth=width, label=y_title)
     ax.set(xlabel=x_title, ylabel=y_title)
     return line
 
@@ -197,8 +199,83 @@ def draw_phase(
     shown = shown or (_own(motion, names[row]), _own(motion, model.rates[row]))
     line = _line(ax, states[row], states[len(names) + row], shown)
     for speed in steady_belts(motion.p, names[row]):
-        ax.axhline(shown[1][1] * speed, color=GREY, linewidth=0.6, linestyle=":")
+        ax.axhline(
+            shown[1][1] * speed,
+            color=GREY,
+            linewidth=0.6,
+            linestyle=":",
+            label="speed of the belt",
+        )
     return line
+
+
+@styled
+def draw_sweep(sweep: Sweep, ax: Axes | None = None, *, of: str = "rms") -> list[Any]:
+    """Draw a quantity of a sweep: dots over the input that varies, or cells in the plane of the two
+    that do; returns the artists.
+
+    Parameters
+    ----------
+    sweep : Sweep
+        Over one input or two.
+    ax : Axes, optional
+    of : str
+        A column of numbers, by default the root mean square of the first coordinate.
+
+    Raises
+    ------
+    ParameterError
+        If none or more than two inputs vary.
+    """
+    require_kind("sweep", sweep, Sweep, "one of ss.rms_sweep(...)")
+    ax, schema, height = own_axes(ax), sweep._schema, sweep[of]
+    varied = [name for name, values in sweep.inputs.items() if values.size > 1]
+    if not 0 < len(varied) <= 2:
+        raise ParameterError(
+            f"{', '.join(varied) or 'no input'} varied in this sweep; one or two can be drawn: "
+            "draw columns of to_dataframe() otherwise"
+        )
+    columns = [schema.column(name) for name in varied]
+    places = [
+        column.size * np.broadcast_to(sweep.inputs[name], height.shape).ravel()
+        for column, name in zip(columns, varied, strict=True)
+    ]
+    title = schema.columns[of].meaning or of
+    if len(varied) == 1:
+        ax.set(xlabel=label(columns[0]), ylabel=title)
+        return ax.plot(
+            places[0], schema.column(of).size * height.ravel(), ".", color=BLUE, label=of
+        )
+    ax.set(xlabel=label(columns[0]), ylabel=label(columns[1]))
+    return cells(ax, places, height.ravel())
+
+
+@styled
+def draw_basin(found: Basin, ax: Axes | None = None) -> list[Any]:
+    """Draw basins of attraction as cells, each sampled at its middle, with one colour an attractor;
+    returns the artists, which a legend names.
+    """
+    require_kind("found", found, Basin, "one of ss.basin(...)")
+    ax, model = own_axes(ax), found.sweep.model
+    x_column, y_column = map(model.column, found.plane)
+    x, y = (
+        column.size * values.ravel()
+        for column, values in zip(
+            (x_column, y_column), np.meshgrid(*found.starts, indexing="ij"), strict=True
+        )
+    )
+    named = [
+        f"{regime.name.lower().replace('_', ' ')}{f' {number}' if number >= 0 else ''}"
+        for regime, number, *_ in found.attractors
+    ]
+    artists: list[Any] = []
+    for code, name in enumerate(named):
+        mask = found.attractor.ravel() == code
+        artists += cells(ax, (x, y), mask, PALETTE[code % len(PALETTE)], name)
+    artists += cells(ax, (x, y), found.attractor.ravel() < 0, "white", "failed")
+    ax.set(xlabel=label(x_column), ylabel=label(y_column))
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
+    return artists
 
 
 def steady_belts(p: ParameterSet, along: str | None = None) -> list[float]:

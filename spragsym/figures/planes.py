@@ -33,6 +33,7 @@ from .style import (
     Sheet,
     Table,
     label,
+    once,
     own_axes,
     places,
     runs,
@@ -71,9 +72,10 @@ def draw_bifurcation_set(
     artists = [
         line
         for curve in found.curves
-        for line in ax.plot(*places(model, found.vary, curve), color=color)
+        for line in ax.plot(*places(model, found.vary, curve), color=color, label=once(ax, "folds"))
     ]
-    artists += ax.plot(*places(model, found.vary, found.cusps), "o", color=BLACK, markersize=3.5)
+    x, y = places(model, found.vary, found.cusps)
+    artists += ax.plot(x, y, "o", color=BLACK, markersize=3.5, label=once(ax, "cusps"))
     return [*artists, *_plane(ax, model, found)]
 
 
@@ -105,14 +107,16 @@ def draw_onset_curves(
     for curve in found.curves:
         x, y = places(model, found.vary, curve)
         for part in runs(curve.criticality):
-            style = styles[str(curve.criticality[part][0])]
-            artists += ax.plot(x[part], y[part], style, color=color)
-    for labels, points, marker, offset in (
-        (itertools.repeat("GH"), found.changes, "o", (3, 3)),
-        (found.points.kind, found.points, "s", (3, -9)),
+            kind = str(curve.criticality[part][0])
+            artists += ax.plot(
+                x[part], y[part], styles[kind], color=color, label=once(ax, f"{kind} onsets")
+            )
+    for labels, points, marker, offset, name in (
+        (itertools.repeat("GH"), found.changes, "o", (3, 3), "generalized Hopf points"),
+        (found.points.kind, found.points, "s", (3, -9), "points of codimension two"),
     ):
         positions = places(model, found.vary, points)
-        artists += ax.plot(*positions, marker, color=BLACK, markersize=3.5)
+        artists += ax.plot(*positions, marker, color=BLACK, markersize=3.5, label=once(ax, name))
         artists += [
             ax.annotate(text, (x, y), offset, textcoords="offset points", fontsize="x-small")
             for x, y, text in zip(*positions, labels, strict=False)
@@ -220,7 +224,10 @@ def _plane(ax: Axes, model: Model, found: BifurcationSet | OnsetCurves) -> list[
     # Closed forms search no lines.
     ends = zip((x_column, y_column), found.undecided.swapaxes(0, 1)[-2:], strict=False)
     places = (column.size * spans.T for column, spans in ends)
-    return ax.plot(*places, color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
+    lines = ax.plot(*places, color=VERMILION, linewidth=3, alpha=0.4, solid_capstyle="round")
+    for line in lines:
+        line.set_label(once(ax, "undecided"))
+    return lines
 
 
 def _span(ax: Axes, model: Model, vary: Sequence[str], between: Ranges) -> None:

@@ -14,7 +14,9 @@ import spragsym as ss
 from ..article.drawn import DRAWN
 from ..bifurcation.hopf_curves import OnsetCurves
 from ..core.errors import ParameterError, require_kind
-from ..orbits import CycleBranch, FateMap
+from ..design.probability import JumpProbability
+from ..motion.sweeps import Basin, Sweep
+from ..orbits import Cycle, CycleBranch, CycleEvent, Fate, FateMap, Lyapunov
 from ..orbits.diagram import Diagram
 from ..results import BifurcationSet, Equilibria, Path, Points, Result, Trajectory
 from .curves import draw_path, mark_folds, name_axes, shade
@@ -26,8 +28,9 @@ from .cycles import (
     draw_fate_map,
     fate_map_figure,
 )
-from .motions import draw_motion
+from .motions import draw_basin, draw_motion, draw_phase, draw_sweep
 from .planes import draw_bifurcation_set, draw_onset_curves
+from .report_pages import draw_shares
 from .style import BLACK, Sheet, own_axes, places, styled
 
 if TYPE_CHECKING:
@@ -89,22 +92,23 @@ def _drawn(result: Result, ax: Axes | None, **options: Any) -> object:
     """Draw a result on axes. This is the fallback for types without a function of their own: the
     second column of numbers over the first, or the only one over the row.
     """
+    kind, schema = type(result).__name__, result._schema
     columns = [
         (name, np.ravel(column))
         for name, column in result.data().items()
-        if column.dtype.kind in "fiu"
+        if column.dtype.kind in "fiu" and column.ndim
     ]
     if not columns:
         raise ParameterError(
-            f"{type(result).__name__} has no columns of numbers, so that there is nothing to "
-            "draw; print it"
+            f"{kind} is one row of numbers and words, which no picture shows; print it"
         )
     if len(columns) == 1:
         columns.insert(0, ("row", np.arange(columns[0][1].size)))
     (x_name, x), (y_name, y), *_ = columns
-    ax = own_axes(ax)
-    ax.set(xlabel=x_name, ylabel=y_name)
-    return ax.plot(x, y, ".", **options)
+    ax, (x_column, y_column) = own_axes(ax), map(schema.column, (x_name, y_name))
+    ax.set(xlabel=schema.heading(x_name), ylabel=schema.heading(y_name))
+    style = {"label": schema.heading(y_name), **options}
+    return ax.plot(x_column.size * x, y_column.size * y, ".", **style)
 
 
 @_drawn.register(Points)
@@ -157,7 +161,52 @@ def _motion(
     return draw_motion(motion.after(transient), ax=ax, **options)
 
 
+@_drawn.register(Cycle)
+def _cycle(cycle: Cycle, ax: Axes | None, **options: Any) -> Line2D:
+    """Draw a cycle in the phase plane of its first coordinate."""
+    return draw_phase(cycle.trajectory(), ax=ax, **options)
+
+
+@_drawn.register(CycleEvent)
+def _event(event: CycleEvent, ax: Axes | None, **options: Any) -> Line2D:
+    """Draw the cycle of an event."""
+    return draw_phase(event.cycle.trajectory(), ax=ax, **options)
+
+
+@_drawn.register(Lyapunov)
+def _exponents(found: Lyapunov, ax: Axes | None, **options: Any) -> list[Line2D]:
+    """Draw the convergence of the exponents over time."""
+    ax = own_axes(ax)
+    ax.set(xlabel="t", ylabel="mean since the middle of the motion")
+    names = [f"exponent {number}" for number in range(1, found.running.shape[1] + 1)]
+    return ax.plot(found.t, found.running, label=names, **options)
+
+
+@_drawn.register(Fate)
+def _fate(fate: Fate, ax: Axes | None, **options: Any) -> object:
+    """Refuse: a fate is one row, beside the exponents that decide it."""
+    raise ParameterError(
+        "a fate is a verdict; draw the motion, ss.simulate(p).plot(), the cycle that it comes to, "
+        "ss.cycle(p).plot(), or fates over parameters, ss.fate_map(p).plot()"
+    )
+
+
+@_drawn.register(JumpProbability)
+def _shares(found: JumpProbability, ax: Axes | None, **options: Any) -> object:
+    """Draw the shares of the quantities in the variance."""
+    if not found.sobol:
+        raise ParameterError(
+            "this probability has no Sobol' indices, whose bars would be drawn; ask for them with "
+            "sobol=True"
+        )
+    ax = own_axes(ax)
+    draw_shares(found.sobol, ax, **options)
+    return ax
+
+
 for _type, _draw in (
+    (Sweep, draw_sweep),
+    (Basin, draw_basin),
     (Path, draw_path),
     (BifurcationSet, draw_bifurcation_set),
     (OnsetCurves, draw_onset_curves),

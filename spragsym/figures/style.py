@@ -19,6 +19,7 @@ import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.style import context
 from matplotlib.ticker import AutoLocator, FixedLocator
@@ -190,6 +191,28 @@ def write_along(
     return ax.text(
         x, y, text, **{"color": color, "fontsize": 8, "ha": "left", "va": "center", **options}
     )
+
+
+def once(ax: Axes, name: str) -> str:
+    """A label for an artist: the name, or hidden from the legend if another artist has it."""
+    return f"_{name}" if name in ax.get_legend_handles_labels()[1] else name
+
+
+def cells(
+    ax: Axes, places: Sequence[FloatArray], values: NDArray[Any], colour: str = "", name: str = ""
+) -> list[Any]:
+    """Draw a value for each point of a grid as a cell, sampled at its middle; where ``values`` is
+    true in one colour, which a legend names.
+    """
+    across, up = map(np.unique, places)
+    shown = values[np.lexsort(places)].reshape(up.size, across.size)
+    if not colour:
+        return [ax.pcolormesh(across, up, shown, cmap="viridis")]
+    if not values.any():
+        return []
+    mesh = ax.pcolormesh(across, up, np.where(shown, 1.0, np.nan), cmap=ListedColormap([colour]))
+    (entry,) = ax.plot([], [], "s", color=colour, markeredgecolor=GREY, label=name)
+    return [mesh, entry]
 
 
 def say(ax: Axes, text: str) -> None:

@@ -78,7 +78,11 @@ def dataset(
         name: (dims, values.astype(object) if values.dtype.kind == "U" else values)
         for name, (dims, values) in data.items()
     }
-    made = xarray().Dataset(variables, coords=coords, attrs=attributes)
+    # netCDF has no truth values.
+    attrs = {
+        name: int(value) if isinstance(value, bool) else value for name, value in attributes.items()
+    }
+    made = xarray().Dataset(variables, coords=coords, attrs=attrs)
     for name in made.variables:
         column = columns.get(name, Column(name, ""))
         described = {"units": column.dimension, "long_name": column.meaning}

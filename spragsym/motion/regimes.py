@@ -135,7 +135,7 @@ class Outcome(Named):
 
     @property
     def _items(self) -> dict[str, float]:
-        return self.places()
+        return {**super()._items, **self.places()}
 
     def places(self) -> dict[str, float]:
         """The numbers of ``rest`` and ``cycle`` by their names.

@@ -829,7 +829,7 @@ class Trajectory(Named):
         slope, _ = np.polyfit(middles - middles[0], np.log(swings), 1)
         return -float(slope)
 
-    def to_dataset(self) -> Dataset:
+    def to_xarray(self) -> Dataset:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
 
         Returns
@@ -840,7 +840,7 @@ class Trajectory(Named):
         --------
         >>> import spragsym as ss
         >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
-        >>> list(tr.to_dataset().dims)
+        >>> list(tr.to_xarray().dims)
         ['t', 'event_t']
         """
         t, at, error, event, contact = map(
@@ -855,7 +855,7 @@ class Trajectory(Named):
             data[event] = (at, self.events.which.astype(np.int8))
             if self.events.contact:
                 data[contact] = (at, np.array(self.events.contact))
-        return storage.dataset(data, coords, self._attributes(), self._in_model_units)
+        return storage.dataset(data, coords, self._attributes() | self._facts, self._in_model_units)
 
     def _values(self, of: str | None) -> FloatArray:
         return self.state[row_of(of, self.components)]

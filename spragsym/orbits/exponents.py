@@ -80,6 +80,10 @@ class Lyapunov(Result):
     limit: FloatArray
     end: FloatArray
 
+    @property
+    def _over(self) -> dict[str, FloatArray]:
+        return {"t": self.t[:, None]}
+
 
 @in_usual_state
 def lyapunov(

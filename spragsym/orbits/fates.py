@@ -33,10 +33,10 @@ from ..motion.options import MotionOptions
 from ..motion.regimes import Outcome, Regime
 from ..motion.scales import scales_of
 from ..motion.simulation import initial_state, state_of
-from ..motion.sweeps.many import fingerprint, with_degrees
+from ..motion.sweeps.many import fingerprint
 from ..motion.sweeps.workers import Computation, Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
-from ..results.result import Result
+from ..results.result import Result, with_degrees
 from .exponents import rates_along
 from .finding import attractor_exponents, cycle_near, repeats, stands_still
 from .orbit import distance
@@ -334,6 +334,10 @@ class FateMap(Result):
     why: NDArray[np.str_]
     model: Any = field(repr=False)
     options: MotionOptions = field(default_factory=MotionOptions)
+
+    @property
+    def _over(self) -> dict[str, FloatArray]:
+        return self.inputs
 
     def count(self) -> dict[str, int]:
         """Number of points of each kind.

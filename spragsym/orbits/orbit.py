@@ -233,7 +233,7 @@ class Cycle(Result):
         chosen = {"rtol": 1e-13, "backend": self.backend} | options
         return motion_of(self.field, self.values, self.state, periods * self.period, **chosen)
 
-    def to_dataset(self) -> Dataset:
+    def to_xarray(self) -> Dataset:
         """An ``xarray.Dataset`` of the samples of one period, with all other results as attributes
         (extra ``sweep``).
 
@@ -245,10 +245,10 @@ class Cycle(Result):
         --------
         >>> import spragsym as ss
         >>> cycle = ss.cycle(ss.load("stick_slip").Parameters(V=0.2))
-        >>> cycle.to_dataset().sizes["t"] > 10
+        >>> cycle.to_xarray().sizes["t"] > 10
         True
         """
-        dataset = self.trajectory().to_dataset()
+        dataset = self.trajectory().to_xarray()
         dataset.attrs |= {
             "cycle_period": self.period,
             "cycle_stable": int(self.stable),
@@ -265,7 +265,7 @@ class Cycle(Result):
         """Write one period to ``*.nc`` (extra ``sweep``), or its samples alone to ``*.csv``."""
         motion = self.trajectory()
         storage.write(
-            path, self.to_dataset, motion.data(), motion._attributes(), motion._in_model_units
+            path, self.to_xarray, motion.data(), motion._attributes(), motion._in_model_units
         )
 
     def __repr__(self) -> str:

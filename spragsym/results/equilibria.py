@@ -329,7 +329,7 @@ class Equilibria(OfStates):
         variables = {name: ((*axes, state), self[name]) for name in names}
         variables[self._own("count")] = (axes, self.count)
         coords = along_axes(inputs, axes, shape)
-        return storage.dataset(variables, coords, {}, self._in_model_units)
+        return storage.dataset(variables, coords, self._facts, self._in_model_units)
 
     def row_columns(self, *rows: str) -> tuple[str, ...]:
         """Names of the columns of the schema that stand in these parts of a row of states.

@@ -4,7 +4,7 @@ model and method.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, ClassVar, Self
@@ -13,7 +13,15 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
-from ..display import Column, Table, Tabular, counted, following, in_rows, not_all
+from ..display import (
+    Column,
+    Table,
+    counted,
+    following,
+    in_rows,
+    named_fields,
+    not_all,
+)
 from ..models.forces import derived_of_states
 from ..models.model import Model
 from ..models.parameters import FloatArray
@@ -373,6 +381,20 @@ class Curve(Named, Rows):
     values: Mapping[str, NDArray[Any]] = field(repr=False)
 
 
+def joined_curves(curves: Sequence[Curve]) -> dict[str, NDArray[Any]]:
+    """Columns of curves, one curve after the other, and of each point the number of its
+    ``curve``; empty without curves.
+    """
+    if not curves:
+        return {}
+    sizes = [len(curve) for curve in curves]
+    names = (name for name in curves[0].values if name in curves[-1].values)
+    return {
+        "curve": np.repeat(np.arange(len(sizes)), sizes),
+        **{name: np.concatenate([one.values[name] for one in curves]) for name in names},
+    }
+
+
 @dataclass(frozen=True, eq=False)
 class BifurcationSet(Result):
     """Curves of folds in the plane of two parameters, and the cusps on them; ``complete`` says
@@ -435,14 +457,7 @@ class BifurcationSet(Result):
         >>> sorted(columns)[:3], len(set(columns["curve"])) == len(found.curves)
         (['curve', 'mu0', 'theta'], True)
         """
-        if not self.curves:
-            return {}
-        sizes = [len(curve) for curve in self.curves]
-        names = (name for name in self.curves[0].values if name in self.curves[-1].values)
-        return {
-            "curve": np.repeat(np.arange(len(sizes)), sizes),
-            **{name: np.concatenate([one.values[name] for one in self.curves]) for name in names},
-        }
+        return joined_curves(self.curves)
 
 
 @dataclass(frozen=True)
@@ -503,6 +518,10 @@ class Path(OfStates, Rows):
     _along: Equilibria = field(repr=False)
 
     @property
+    def _over(self) -> dict[str, FloatArray]:
+        return {self.vary: self.values}
+
+    @property
     def _items(self) -> Items:
         # Columns of the full linearization are those of the equilibria along the path.
         ours = {self._own(name): name for name in ("stability", "growth", "growth_sign")}
@@ -515,7 +534,7 @@ class Path(OfStates, Rows):
 
 
 @dataclass(frozen=True, eq=False)
-class CriticalLoad(Tabular, NDArrayOperatorsMixin):
+class CriticalLoad(Result, NDArrayOperatorsMixin):
     """First end of the state that is followed over a range of another parameter; a number, or an
     array, as ``value``.
 
@@ -548,6 +567,11 @@ class CriticalLoad(Tabular, NDArrayOperatorsMixin):
     error: Any
     complete: bool = True
     remarks: tuple[str, ...] = ()
+
+    def _shown(self) -> dict[str, Any]:
+        values = named_fields(self)
+        named = {values.pop("vary"): values.pop("value"), values.pop("over"): values.pop("where")}
+        return named | values
 
     @property
     def shape(self) -> Shape:
@@ -584,7 +608,10 @@ class CriticalLoad(Tabular, NDArrayOperatorsMixin):
     def __len__(self) -> int:
         return len(self.value)
 
-    def __getitem__(self, index: int | slice | tuple[()] | NDArray[Any]) -> CriticalLoad:
+    def __getitem__(self, index: Any) -> Any:
+        """A column by its name, or the answers of some points by their index."""
+        if isinstance(index, str):
+            return super().__getitem__(index)
         selected = {
             name: getattr(self, name)[index] for name in ("value", "where", "kind", "error")
         }

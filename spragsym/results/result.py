@@ -20,7 +20,9 @@ from ..display import (
     Column,
     Schema,
     Tabular,
+    facts,
     own_name,
+    parts,
     schema_of,
     sorted_out,
     tables,
@@ -28,7 +30,7 @@ from ..display import (
 )
 from ..files import storage
 from ..models.load import USUAL, load
-from ..models.parameters import FloatArray
+from ..models.parameters import FloatArray, degrees
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -127,7 +129,8 @@ class Result(Tabular):
         return True
 
     def data(self) -> dict[str, NDArray[Any]]:
-        """The columns by name: arrays of one shape, angles in radians; empty without rows.
+        """The columns by name: arrays of one shape, angles in radians; of a result without rows its
+        numbers and words, arrays without axes.
 
         Returns
         -------
@@ -139,11 +142,42 @@ class Result(Tabular):
         >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
         >>> sorted(found.data())
         ['L', 'error', 'kind', 'theta', 'theta0', 'x', 'y']
+        >>> ss.certify(ss.Parameters.article(theta0=0.5)).data()["outcome"].item()
+        'proved'
         """
-        return sorted_out(self, self._schema)[0]
+        schema = self._schema
+        columns, _, values = sorted_out(self, schema)
+        if not columns:
+            return {name: np.asarray(value) for name, value in facts(values, schema).items()}
+        shape = next(iter(columns.values())).shape
+        over = {
+            name: np.broadcast_to(values, shape)
+            for name, values in self._over.items()
+            if values.size > 1
+        }
+        return over | columns
+
+    @property
+    def _over(self) -> Mapping[str, FloatArray]:
+        """Arrays that broadcast to the shape of the columns, whose values the result is over, by
+        name.
+        """
+        return {}
+
+    @property
+    def _facts(self) -> dict[str, Any]:
+        """Numbers and words that hold for all rows, by name; none where they are the one row."""
+        columns, _, values = sorted_out(self, self._schema)
+        return facts(values, self._schema) if columns else {}
+
+    def _parts(self) -> dict[str, dict[str, NDArray[Any]]]:
+        """Columns of the tables below the first one, by what they are of."""
+        return parts(sorted_out(self, self._schema)[2], self._schema)
 
     def to_dataframe(self) -> DataFrame:
         """A ``pandas.DataFrame`` of :meth:`data`, one row a point; pandas must be installed.
+
+        Numbers and words that hold for all rows are its ``attrs``.
 
         Returns
         -------
@@ -165,10 +199,17 @@ class Result(Tabular):
             from pandas import DataFrame
         except ModuleNotFoundError as error:
             raise MissingExtraError("a data frame", "pandas", "sweep") from error
-        return DataFrame({name: column.ravel() for name, column in self.data().items()})
+        frame = DataFrame({name: column.ravel() for name, column in self.data().items()})
+        frame.attrs = self._facts
+        return frame
 
     def to_xarray(self) -> Dataset:
-        """An ``xarray.Dataset`` of :meth:`data`, with unit, meaning and codes (extra ``sweep``).
+        """An ``xarray.Dataset`` of all tables, with unit, meaning and codes (extra ``sweep``).
+
+        An axis along which only one input varies has its name; others are ``row``, or ``axis_0``,
+        ``axis_1``, …, with numbers from 0. Angles of inputs are given in radians and, as
+        ``theta0_deg``, in degrees. What stands in a table below the first one has its own axis, and
+        names that begin with that of the table. What holds for all rows are attributes.
 
         Returns
         -------
@@ -186,11 +227,56 @@ class Result(Tabular):
         >>> dict(found.to_xarray().sizes)
         {'row': 2}
         """
-        variables = {}
-        for name, column in self.data().items():
-            axes = [f"axis_{index}" for index in range(column.ndim)]
-            variables[name] = (axes if column.ndim != 1 else ["row"], column)
-        return storage.dataset(variables, {}, {}, self._in_model_units)
+        columns, over = self.data(), self._over
+        shape = next(iter(columns.values())).shape if columns else ()
+        axes = axes_of(over, shape) if over or len(shape) != 1 else ("row",)
+        coords = along_axes(with_degrees(self._schema.model, over), axes, shape)
+        coords |= {
+            axis: (axis, np.arange(size))
+            for axis, size in zip(axes, shape, strict=True)
+            if axis not in coords
+        }
+        data: dict[str, tuple[Any, NDArray[Any]]] = {
+            name: (axes, column) for name, column in columns.items() if name not in coords
+        }
+        described = dict(self._in_model_units)
+        for table, rows in self._parts().items():
+            coords[table] = table, np.arange(len(next(iter(rows.values()), ())))
+            data |= {f"{table}_{name}": (table, column) for name, column in rows.items()}
+            described |= {f"{table}_{name}": described[name] for name in rows if name in described}
+        values = sorted_out(self, self._schema)[2]
+        for name, value in values.items():
+            if isinstance(value, np.ndarray) and value.ndim and name not in (*data, *coords):
+                others = [f"{name}_axis_{number}" for number in range(value.ndim)]
+                data[name] = others, value
+                coords |= {
+                    axis: (axis, np.arange(size))
+                    for axis, size in zip(others, value.shape, strict=True)
+                }
+        made = storage.dataset(data, coords, self._attributes() | self._facts, described)
+        for table, part in values.items():
+            if isinstance(part, Result):
+                other = part.to_xarray()
+                made = made.merge(
+                    other.rename({name: f"{table}_{name}" for name in other.variables})
+                )
+        return made
+
+    def to_dataset(self) -> Dataset:
+        """The same as :meth:`to_xarray`.
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
+        >>> list(tr.to_dataset().dims)
+        ['t', 'event_t']
+        """
+        return self.to_xarray()
 
     def to_units(self, units: Units) -> InUnits:
         """The columns in units of data: of a file, or of any consistent system.
@@ -266,8 +352,8 @@ class Result(Tabular):
 
     def _save_columns(self, path: Path) -> None:
         """Write a dataset to ``*.nc`` (extra ``sweep``), or columns to ``*.csv``."""
-        made = getattr(self, "to_dataset", self.to_xarray)
-        storage.write(path, made, self._columns(), self._attributes(), self._in_model_units)
+        attributes = self._attributes() | self._facts
+        storage.write(path, self.to_xarray, self._columns(), attributes, self._in_model_units)
 
     def _columns(self) -> Mapping[str, NDArray[Any]]:
         """Columns of a ``*.csv``."""
@@ -384,6 +470,16 @@ def along_axes(
         else:
             found[name] = axes, np.broadcast_to(values, shape).copy()
     return found
+
+
+def with_degrees(model: Model, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
+    """The inputs, with each angle in degrees added after that in radians."""
+    columns = {}
+    for name, values in inputs.items():
+        columns[name] = values
+        if name in model.about["angles"]:
+            columns[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
+    return columns
 
 
 def _short(result: Any) -> str:

@@ -243,7 +243,7 @@ def test_a_result_shows_itself(result: Any) -> None:
     columns = result.data()
     assert set(columns) <= set(result.columns)
     assert all(np.shape(result[name]) is not None for name in result.columns)
-    assert isinstance(result == copy.deepcopy(result), bool)
+    assert isinstance(result == copy.deepcopy(result), bool | np.bool_ | np.ndarray)
     if isinstance(result, Named):
         assert set(result.columns) <= set(dir(result))
         first = next((name for name in result.columns if name in columns), None)
@@ -331,28 +331,56 @@ def test_a_cell_says_what_an_event_is() -> None:
     assert all(f"{event.kind} at {event.value:.6g}" in str(found) for event in events)
 
 
-def test_frame_and_dataset_hold_the_columns(result: Any) -> None:
-    pytest.importorskip("xarray")
-    columns = result.data()
-    dataset = result.to_xarray()
-    if isinstance(result, ss.results.Equilibria):  # over axes and slots
-        there = {name: one for name, one in columns.items() if name in dataset.data_vars}
-        assert {*dataset.data_vars, *dataset.coords} >= set(columns)
-        assert list(dataset["x"].dims)[-1] == "state"
-        columns = {name: dataset[name].values[result.states] for name in there}
-        for name, column in columns.items():
-            assert np.array_equal(column, there[name], equal_nan=column.dtype.kind == "f")
-        return
-    assert list(dataset.data_vars) == list(columns)
+def _same(one: Any, other: Any) -> bool:
+    one, other = np.ravel(one), np.ravel(other)
+    return np.array_equal(one.astype(other.dtype), other, equal_nan=other.dtype.kind == "f")
+
+
+def test_every_table_reaches_files_and_frames(result: Any, tmp_path: Path) -> None:
+    xarray, pandas = pytest.importorskip("xarray"), pytest.importorskip("pandas")
+    if isinstance(result, ss.results.Report):
+        pytest.skip("a report is a text; its numbers are those of its parts")
+    columns, dataset = result.data(), result.to_xarray()
+    frame = result.to_dataframe()
+    assert columns
+    assert list(frame.columns) == list(columns)
+    result.save(tmp_path / "a.nc")
+    result.save(tmp_path / "a.csv")
+    read = pandas.read_csv(tmp_path / "a.csv", comment="#", keep_default_na=False, na_values="nan")
+    assert len(read)
+    with xarray.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as file:
+        assert {*file.variables} == {*dataset.variables}
+        # Every axis has values that say where on it one is.
+        assert {*file.dims} - {*dataset.coords} <= {"state", "mode"}
+        for name in dataset.variables:
+            assert _same(file[name].values, dataset[name].values.astype(file[name].dtype)), name
     for name, column in result.columns.items():
         if name in dataset:
             assert dataset[name].attrs.get("long_name", "") == column.meaning
+    if isinstance(result, ss.results.Cycle):  # its samples; a frame has its state
+        return
+    whole = next((one for one in dataset.data_vars.values() if one.ndim), None)
     for name, column in columns.items():
-        assert np.array_equal(
-            dataset[name].values.astype(column.dtype), column, equal_nan=column.dtype.kind == "f"
-        )
-    pytest.importorskip("pandas")
-    assert list(result.to_dataframe().columns) == list(columns)
+        if name in read and column.dtype.kind == "f":
+            assert _same(read[name].to_numpy(), column), name
+        if isinstance(result, ss.results.Equilibria):
+            if name in dataset.data_vars:
+                assert _same(dataset[name].values[result.states], column), name
+        elif name in dataset:
+            full = dataset[name].broadcast_like(whole) if column.ndim else dataset[name]
+            assert _same(full.values, column), name
+    named = {*dataset.variables, *dataset.attrs}
+    assert {*columns} <= named
+    # What stands above a table or below it is there, too.
+    for fact in frame.attrs:
+        assert fact in named, fact
+    for title in (line.split(":")[0] for line in str(result).splitlines() if line.endswith(":")):
+        assert any(name.startswith(title) for name in named), title
+
+
+def test_what_is_printed_last_was_found(result: Any) -> None:
+    options = {"budget", "same_state", "same_range", "moves", "newton_steps"}
+    assert not options & {line.split(" ")[0] for line in str(result).splitlines()}
 
 
 def test_a_result_is_drawn(result: Any) -> None:
@@ -360,12 +388,19 @@ def test_a_result_is_drawn(result: Any) -> None:
     from matplotlib.figure import Figure
 
     ax = Figure().add_subplot()
-    try:
-        found = result.plot(ax=ax)
-    except ss.errors.ParameterError:
-        if any(column.dtype.kind in "fiu" for column in result.data().values()):
-            raise
+    one_row = all(not column.ndim for column in result.data().values())
+    if isinstance(result, ss.results.Fate) or (
+        one_row and not isinstance(result, ss.results.JumpProbability | ss.results.CycleEvent)
+    ):
+        with pytest.raises(ss.errors.ParameterError, match=r"print it|\.plot\(\)"):
+            result.plot(ax=ax)
         return
+    found = result.plot(ax=ax)
     axes = [ax, *found.axes] if isinstance(found, Figure) else [ax]
     drawn = [line for one in axes for line in one.lines if np.size(line.get_xdata())]
-    assert drawn or any(one.collections for one in axes)
+    assert drawn or any(one.collections or one.patches for one in axes)
+    # A legend names whatever is drawn; what has the name of another is hidden behind it.
+    names = ax.get_legend_handles_labels()[1]
+    assert len({*names}) == len(names)
+    for line in drawn:
+        assert line.get_label().removeprefix("_") in names

@@ -12,7 +12,7 @@ import numpy as np
 from ...core.error_states import in_usual_state
 from ...core.errors import ParameterTypeError
 from ...core.questions import model_of
-from ...display import named_fields
+from ...display import Column, named_fields
 from ...models.parameters import FloatArray, ParameterSet, as_numbers
 from ...numerics.interval_arrays import IntArray
 from ...results.result import Named
@@ -44,6 +44,11 @@ class Basin(Named):
         connected.
     """
 
+    schema = (
+        Column("attractor", "1", "number of the attractor that is reached; -1 where it failed"),
+        Column("regime", "1", "kind of that attractor", Regime, of=lambda basin: basin.regimes),
+    )
+
     plane: tuple[str, str]
     starts: tuple[FloatArray, FloatArray]
     attractor: IntArray
@@ -56,9 +61,22 @@ class Basin(Named):
         return dict(zip(values.pop("plane"), values.pop("starts"), strict=True)) | values
 
     @property
+    def _over(self) -> dict[str, FloatArray]:
+        (one, first), (other, second) = zip(self.plane, self.starts, strict=True)
+        return {one: first[:, None], other: second}
+
+    @property
     def _items(self) -> dict[str, Any]:
         axes = dict(zip(self.plane, self.starts, strict=True))
-        return axes | {self._own("attractor"): self.attractor}
+        return {**super()._items, **axes}
+
+    @property
+    def regimes(self) -> IntArray:
+        """Code of the :class:`spragsym.Regime` of each start's attractor; UNSETTLED where the
+        motion failed.
+        """
+        codes = [int(regime) for regime, *_ in self.attractors]
+        return np.array([*codes, int(Regime.UNSETTLED)])[self.attractor]
 
 
 @in_usual_state

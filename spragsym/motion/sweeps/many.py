@@ -29,10 +29,9 @@ from ...models.parameters import (
     ParameterSet,
     as_count,
     as_number,
-    degrees,
 )
 from ...numerics.interval_arrays import Int8Array
-from ...results.result import Named, along_axes, axes_of
+from ...results.result import Named, with_degrees
 from ...statics.search import rest_index
 from .. import integrators
 from ..classify import classify
@@ -46,8 +45,6 @@ from ..with_heyoka import LANES
 from .workers import Computation, Workers, made_or_loaded
 
 if TYPE_CHECKING:
-    from xarray import Dataset
-
     from ...models.model import Model
 
 
@@ -295,30 +292,9 @@ class Sweep(Named):
             **{name: measures[name] for name in numbers},
         )
 
-    def to_dataset(self) -> Dataset:
-        """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
-
-        An axis along which only one input varies has its name; others are ``axis_0``, ``axis_1``,
-        …. Angles are given in radians and, as ``theta0_deg``, in degrees.
-
-        Returns
-        -------
-        xarray.Dataset
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> import spragsym as ss
-        >>> p = ss.load("stick_slip").Parameters(V=np.array([0.2, 2.5]))
-        >>> sweep = ss.rms_sweep(p, t_end=300.0)
-        >>> dict(sweep.to_dataset().sizes)
-        {'V': 2}
-        """
-        shape = self.rms.shape
-        dims = axes_of(self.inputs, shape)
-        inputs = along_axes(with_degrees(self.model, self.inputs), dims, shape)
-        results = {name: (dims, values) for name, values in self._words_and_measures().items()}
-        return storage.dataset(results, inputs, self._attributes(), self._in_model_units)
+    @property
+    def _over(self) -> dict[str, FloatArray]:
+        return self.inputs
 
     def _words_and_measures(self) -> dict[str, NDArray[Any]]:
         ours = {"regime": self.regime, "equilibrium": self.equilibrium, "reason": self.reason}
@@ -441,16 +417,6 @@ def _made_of(
         reason=reason,
         model=model,
     )
-
-
-def with_degrees(model: Model, inputs: Mapping[str, FloatArray]) -> dict[str, FloatArray]:
-    """The inputs, with each angle in degrees added after that in radians."""
-    columns = {}
-    for name, values in inputs.items():
-        columns[name] = values
-        if name in model.about["angles"]:
-            columns[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
-    return columns
 
 
 def fingerprint(model: Model, inputs: Mapping[str, FloatArray], settings: Mapping[str, Any]) -> str:

@@ -25,9 +25,11 @@ from .equilibrium_curves import figure_8 as figure_8
 from .equilibrium_curves import figure_9 as figure_9
 from .equilibrium_curves import figure_10 as figure_10
 from .equilibrium_curves import figure_13 as figure_13
+from .motions import draw_basin as draw_basin
 from .motions import draw_motion as draw_motion
 from .motions import draw_phase as draw_phase
 from .motions import draw_spectrum as draw_spectrum
+from .motions import draw_sweep as draw_sweep
 from .motions import figure_3 as figure_3
 from .motions import figure_7 as figure_7
 from .motions import figure_rms_map as figure_rms_map

@@ -222,10 +222,10 @@ class Result(Tabular):
 
         Examples
         --------
-        >>> import numpy as np, spragsym as ss
-        >>> found = ss.folds(ss.Parameters.article(mu0=0.5))
-        >>> dict(found.to_xarray().sizes)
-        {'row': 2}
+        >>> import spragsym as ss
+        >>> path = ss.quasi_static_path(ss.Parameters.article(theta0=1.0), "mu0", [0.0, 0.1, 0.2])
+        >>> dict(path.to_xarray().sizes)
+        {'mu0': 3}
         """
         columns, over = self.data(), self._over
         shape = next(iter(columns.values())).shape if columns else ()
@@ -524,7 +524,8 @@ class Named(Result):
 
     @property
     def _items(self) -> Mapping[str, Any]:
-        return {**self.__dict__.get(self._held, {}), **self.data()}
+        held = self.__dict__.get(self._held, {})
+        return {**held, **self.data(), **held}
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self._items})

@@ -202,12 +202,13 @@ def test_undecided_motions_that_are_irregular_stand_out() -> None:
     found = replace(
         found, exponent=np.array([[1.0, 0.0], [0.0, 0.0]]), exponent_error=np.full((2, 2), 0.5)
     )
-    marks = {line.get_marker(): line.get_xydata() for line in fate_map_figure(found).axes[0].lines}
+    lines = fate_map_figure(found).axes[0].lines
+    marks = {line.get_marker(): line.get_xydata() for line in lines if line.get_xydata().size}
     assert marks["+"] == pytest.approx(np.array([[np.degrees(0.5), 0.4]]))
     assert len(marks["x"]) == 3
     ax = Figure().add_subplot()
     found.plot(ax=ax)
-    assert {line.get_marker() for line in ax.lines} == {"x", "+"}
+    assert {line.get_marker() for line in ax.lines if line.get_xydata().size} == {"x", "+"}
 
 
 # ------------------------------------------------------------------------------------------------

@@ -240,14 +240,14 @@ def draw_sweep(sweep: Sweep, ax: Axes | None = None, *, of: str = "rms") -> list
         column.size * np.broadcast_to(sweep.inputs[name], height.shape).ravel()
         for column, name in zip(columns, varied, strict=True)
     ]
-    title = schema.columns[of].meaning or of
+    size, title = schema.column(of).size, schema.heading(of)
     if len(varied) == 1:
         ax.set(xlabel=label(columns[0]), ylabel=title)
-        return ax.plot(
-            places[0], schema.column(of).size * height.ravel(), ".", color=BLUE, label=of
-        )
+        return ax.plot(places[0], size * height.ravel(), ".", color=BLUE, label=title)
     ax.set(xlabel=label(columns[0]), ylabel=label(columns[1]))
-    return cells(ax, places, height.ravel())
+    (image,) = artists = cells(ax, places, size * height.ravel())
+    ax.figure.colorbar(image, ax=ax, label=title, pad=0.02)
+    return artists
 
 
 @styled

@@ -79,6 +79,23 @@ def draw_bifurcation_set(
     return [*artists, *_plane(ax, model, found)]
 
 
+def draw_shown_set(
+    found: BifurcationSet, ax: Axes | None = None, *, color: str = BLACK
+) -> list[Any]:
+    """Draw :func:`draw_bifurcation_set` on axes that end where those of other figures of the model
+    do; curves may run on to values that no machine has.
+    """
+    ax = own_axes(ax)
+    artists = draw_bifurcation_set(found, ax, color=color)
+    p = found.cusps.parameters
+    for (name, (low, high)), direction in zip(
+        window(p, found.vary, {}, lambda: found.cusps).items(), "xy", strict=True
+    ):
+        size, (least, most) = p.model.column(name).size, getattr(ax, f"get_{direction}lim")()
+        ax.set(**{f"{direction}lim": (max(least, size * low), min(most, size * high))})
+    return artists
+
+
 def draw_onset_curves(
     found: OnsetCurves, ax: Axes | None = None, *, shown: Ranges | None = None
 ) -> list[Any]:
@@ -116,6 +133,8 @@ def draw_onset_curves(
         (found.points.kind, found.points, "s", (3, -9), "points of codimension two"),
     ):
         positions = places(model, found.vary, points)
+        if not positions[0].size:
+            continue
         artists += ax.plot(*positions, marker, color=BLACK, markersize=3.5, label=once(ax, name))
         artists += [
             ax.annotate(text, (x, y), offset, textcoords="offset points", fontsize="x-small")

@@ -29,7 +29,7 @@ from .cycles import (
     fate_map_figure,
 )
 from .motions import draw_basin, draw_motion, draw_phase, draw_sweep
-from .planes import draw_bifurcation_set, draw_onset_curves
+from .planes import draw_onset_curves, draw_shown_set
 from .report_pages import draw_shares
 from .style import BLACK, Sheet, own_axes, places, styled
 
@@ -208,7 +208,7 @@ for _type, _draw in (
     (Sweep, draw_sweep),
     (Basin, draw_basin),
     (Path, draw_path),
-    (BifurcationSet, draw_bifurcation_set),
+    (BifurcationSet, draw_shown_set),
     (OnsetCurves, draw_onset_curves),
     (Diagram, draw_diagram),
     (CycleBranch, draw_branch),

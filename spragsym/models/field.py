@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ..core.errors import ConvergenceError, ParameterError
+from ..core.errors import ParameterError
 from ..core.remarks import At, Remark
 from ..display import Column
 from ..numerics.arithmetic import Number
@@ -248,6 +248,14 @@ class Field:
     def stays(self, mode: Mode) -> tuple[Border, ...]:
         """Borders on which a state stays in this mode."""
         return tuple(border for border in self.sticking_borders if not border.sign(mode))
+
+    def entered(self, slot: int, mode: Mode, after: Mode) -> int:
+        """Index of the border at which a friction, number ``slot`` of a mode, comes to another:
+        its sliding speed, or the limit of its force in the direction of its slip.
+        """
+        rows = [row for row, border in enumerate(self.borders) if border.place == slot]
+        slip, *limits = rows
+        return slip if mode[slot] else limits[after[slot] < 0]
 
     def check(self, name: str, value: float) -> None:
         """Raise ParameterError if a parameter may not have this value."""
@@ -498,10 +506,19 @@ class _Motion:
         slips = levels[self.side :]
         return [index for index in self.holding if abs(slips[index]) <= self.still[index]]
 
-    def held(self, mode: Mode, state: Vector, constants: Vector, come: Sequence[int] = ()) -> Mode:
-        """The mode after frictions have ``come`` to a border.
+    def held(
+        self,
+        mode: Mode,
+        state: Vector,
+        constants: Vector,
+        come: Sequence[int] = (),
+        before: Mode | None = None,
+    ) -> Mode:
+        """The mode after frictions have ``come`` to a border, or after forces have jumped.
 
-        Frictions that stick or hardly slide may start or stop sticking together with them.
+        ``mode`` has the new numbers of all else; ``before`` is the mode until then, by default
+        this one. Frictions that stick or hardly slide may start or stop sticking together with
+        those that came.
         """
         slips = undecorated(self.model.algebra.borders)(*state, *constants)[self.side :]
         chosen = [
@@ -511,44 +528,77 @@ class _Motion:
             or not mode[self.side + index]
             or abs(slips[index]) <= self.still[index]
         ]
-        return self._settled(mode, state, constants, chosen)
+        return self._settled(mode, state, constants, chosen, before or mode)
 
-    def _settled(self, mode: Mode, state: Vector, constants: Vector, chosen: Sequence[int]) -> Mode:
+    def _settled(
+        self,
+        mode: Mode,
+        state: Vector,
+        constants: Vector,
+        chosen: Sequence[int],
+        before: Mode | None = None,
+    ) -> Mode:
         """The mode consistent with its own accelerations, among all sides of the chosen frictions.
 
-        If several are consistent, the one with the most sticking frictions is taken. Raises
-        ConvergenceError if there is none, or if none of them includes all others (Painlevé's
-        paradox).
+        Where a static coefficient is above the kinetic one, several may be. The rule: as many
+        frictions stick as can; among these the accelerations change least from those of the mode
+        ``before``, or at the start of a motion from 0, by the kinetic energy of the change as a
+        rate (ties within 1e-9 of it); then those first on the page stick.
+
+        The mobility of frictions along independent displacements is positive definite, so that
+        some mode is consistent. Where rounding leaves none, the one is taken in which least of a
+        limit is missing.
         """
-        found: list[tuple[set[int], Mode]] = []
+        if not chosen:
+            return mode
+        found: list[Mode] = []
+        missing: list[tuple[float, Mode]] = []
         every = itertools.product((0, 1, -1), repeat=len(chosen))
-        for sides in sorted(every, key=lambda sides: sum(map(abs, sides))):
-            own = dict(zip(chosen, sides, strict=True))
-            stuck = {index for index in chosen if not own[index]}
-            after = tuple(
-                own.get(index - self.side, number) if self.side <= index < self.near else number
-                for index, number in enumerate(mode)
-            )
-            if any(stuck < others for others, _ in found):
-                continue
-            if self._agrees(after, state, constants, chosen):
-                found.append((stuck, after))
-        if len(found) == 1:
-            return found[0][1]
-        names = ", ".join(self.model.frictions[index]["name"] for index in chosen)
-        several = f"{len(found)} ways to go on" if found else "no way to go on"
-        raise ConvergenceError(
-            f"where the frictions {names} stick or slip at one instant, dry friction leaves "
-            f"{several} (Painlevé's paradox); change a parameter or the start by some thousandths"
+        ordered = sorted(every, key=lambda sides: sum(map(abs, sides)))
+        for _, group in itertools.groupby(ordered, key=lambda sides: sum(map(abs, sides))):
+            for sides in group:
+                after = list(mode)
+                for index, side in zip(chosen, sides, strict=True):
+                    after[self.side + index] = side
+                missing.append(
+                    (self._lacking(tuple(after), state, constants, chosen), tuple(after))
+                )
+                if not missing[-1][0]:
+                    found.append(tuple(after))
+            if found:
+                break
+        if not found:
+            return min(missing, key=lambda each: each[0])[1]
+        changes = [0.0]
+        if len(found) > 1:
+            changes = [self._change(after, before, state, constants) for after in found]
+        return next(
+            after
+            for after, change in zip(found, changes, strict=True)
+            if change <= min(changes) * (1 + 1e-9)
         )
 
-    def _agrees(self, mode: Mode, state: Vector, constants: Vector, chosen: Sequence[int]) -> bool:
-        """Whether a mode is consistent for each chosen friction.
+    def _change(self, mode: Mode, before: Mode | None, state: Vector, constants: Vector) -> float:
+        """ΔᵀM Δ of the change Δ of the accelerations from one mode to another."""
+        rates = self.in_mode("regime_rhs")
+        change = np.array(rates(state, constants, mode, FLOATS), dtype=float)
+        if before is not None:
+            change -= rates(state, constants, before, FLOATS)
+        position = state[: len(self.model.coordinates)]
+        mass = undecorated(self.model.algebra.mass_matrix)(*position, *constants)
+        return float(change @ np.array(mass, dtype=float) @ change)
+
+    def _lacking(
+        self, mode: Mode, state: Vector, constants: Vector, chosen: Sequence[int]
+    ) -> float:
+        """The largest share of its limit that a chosen friction lacks for the mode to be
+        consistent; 0 where it is.
 
         A sticking friction must be within its limits. A slipping one must be unable to stick, or be
         accelerated in the direction of its slip.
         """
         margins = self.in_mode("grip")(state, constants, mode, FLOATS)
+        largest = 0.0
         for index in chosen:
             side, row = mode[self.side + index], 2 * self.holding.index(index)
             ahead, behind = margins[row : row + 2]
@@ -557,8 +607,10 @@ class _Motion:
             if side == (0 if sticks else slip_side):
                 continue
             if not (sticks and side * self._slip_rate(index, mode, state, constants) > 0):
-                return False
-        return True
+                least = min(ahead, behind) if side in (0, slip_side) else max(ahead, behind)
+                width = ahead + behind
+                largest = max(largest, abs(least) / width if width > 0 else math.inf)
+        return largest
 
     def _slip_rate(self, index: int, mode: Mode, state: Vector, constants: Vector) -> float:
         """Time derivative of a sliding speed in a mode."""
@@ -649,7 +701,12 @@ class _Motion:
             # the other branch. Each branch is smooth beyond its ends. At ±π the least angle jumps,
             # and so does the torque.
             levels = self._generated("turning_borders", "turning_rates", k, slice(self.way, None))
-            _, beyond = _side(self.way + k, 0)
+            _, turned = _side(self.way + k, 0)
+
+            def beyond(mode: Mode, *at: Any, turned: Callable[..., Mode] = turned) -> Mode:
+                # The torque jumps, and with it the force that frictions have to hold.
+                state, constants = at
+                return self.held(turned(mode), state, constants, (), mode)
 
             def jumps(state: Vector, constants: Vector, k: int = k) -> bool:
                 return bool(self._turning_waves(state, constants)[k][1] < 0)
@@ -670,7 +727,10 @@ class _Motion:
 
         def lifted(mode: Mode, *at: Any) -> Mode:
             after = opened(mode)
-            return after if all(mode[index] for index in rubbing) else self.held(after, *at)
+            if all(mode[index] for index in rubbing):
+                return after
+            state, constants = at
+            return self.held(after, state, constants, (), mode)
 
         return Border(
             f"{_said(entry)}{entry['border']} = 0",

@@ -122,41 +122,42 @@ class CarriedState:
     def _through(self, row: int, mode: Mode, t: float) -> tuple[Mode, tuple[Crossing, ...]]:
         """:meth:`passed` across one border, including frictions that begin or cease to stick at
         that crossing.
+
+        All of them change at one instant, that of the border: where accelerations jump there, the
+        force that another friction has to hold jumps too, possibly beyond its limit. The level of
+        that limit is not late but jumps, so that it locates nothing, and there is one saltation.
         """
         field, constants = self.problem.field, self.problem.constants
         if field.sticking_borders:
             CarriedState(self.problem, self.state).project(mode)
         border = field.borders[row]
-        last = border.beyond(mode, self.state.tolist(), constants)
-        crossings = list[Crossing]()
+        at = self.state.tolist(), constants
+        after = border.beyond(mode, *at)
         # Another friction that begins or ceases to stick at the same instant crosses a border of
         # its own, unless it ceases to stick because its contact opens.
-        changed = (slot for slot, (a, b) in enumerate(zip(mode, last, strict=True)) if a != b)
-        others = [slot for slot in changed if slot != border.place and border.slopes]
-        for slot in (border.place, *others):
-            at = self.state.tolist(), constants
-            if slot != border.place:
-                row, border = min(
-                    (
-                        (number, that)
-                        for number, that in enumerate(field.borders)
-                        if that.place == slot and that.sign(mode)
-                    ),
-                    key=lambda each: each[1].sign(mode) * each[1].level(*at, mode),
-                )
-            after = (*mode[:slot], last[slot], *mode[slot + 1 :]) if others else last
-            sign, came = int(border.sign(after)), int(border.sign(mode))
-            crossing = Crossing(t, row, sign, self.state.copy(), came)
-            if border.jumps is not None and border.jumps(*at):
-                if border.slopes is not None:
-                    delay, on_border = self.saltation(border, (mode, after))
-                    crossing = crossing._replace(t=max(t - delay, 0.0), state=on_border)
-                elif self.directions is not None:
-                    raise ConvergenceError(JUMPED)
-            if border.kink:
-                crossings.append(crossing)
-            mode = after
-        return mode, tuple(crossings)
+        changed = (slot for slot, (a, b) in enumerate(zip(mode, after, strict=True)) if a != b)
+        others = [slot for slot in changed if slot != border.place and border.jumps]
+        delay, on_border = 0.0, self.state.copy()
+        if border.jumps is not None and border.jumps(*at):
+            if border.slopes is not None:
+                delay, on_border = self.saltation(border, (mode, after))
+                if any(not after[slot] for slot in others):
+                    self.project(after)
+            elif self.directions is not None:
+                raise ConvergenceError(JUMPED)
+        rows = [row, *(field.entered(slot, mode, after) for slot in others)]
+        crossings = (
+            Crossing(
+                max(t - delay, 0.0),
+                number,
+                int(field.borders[number].sign(after)),
+                on_border,
+                int(field.borders[number].sign(mode)),
+            )
+            for number in rows
+            if field.borders[number].kink
+        )
+        return after, tuple(crossings)
 
     def saltation(self, border: Border, modes: tuple[Mode, Mode]) -> tuple[float, FloatArray]:
         """Switch from one mode to another on the border h = 0: apply the saltation matrix

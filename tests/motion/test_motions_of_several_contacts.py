@@ -166,14 +166,6 @@ def test_what_sticks_on_a_common_bar_is_the_nearest_force_in_the_box() -> None:
     assert len(modes) == 9
 
 
-def test_two_ways_to_go_on_are_refused_in_words() -> None:
-    """Both come to their limits at one instant: either that slips first lets the other stick."""
-    model = model_of(TIED_BLOCKS, "tied_blocks")
-    p = model.Parameters(beta=1.0, N_1=1.0, N_2=1.0, V=0.2)
-    with pytest.raises(ss.errors.ConvergenceError, match=r"first, second stick or slip.*2 ways"):
-        ss.simulate(p, vx_10=0.2, vx_20=0.2, t_end=10.0)
-
-
 @pytest.mark.thorough
 @pytest.mark.parametrize("backend", ["scipy", "heyoka"])
 def test_a_mass_between_two_pads_swings_as_the_closed_form_says(backend: str) -> None:

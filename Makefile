@@ -49,7 +49,7 @@ help:
 	@echo "make coverage      as make thorough, and the lines and branches that they reach; twice the time"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"
 	@echo "make check         what CI runs: lint, types, generated/ as committed, quick and thorough tests; and installs"
-	@echo "make installs      every extra resolves from wheels on Windows, macOS and Linux, if a registry can be reached"
+	@echo "make installs      every extra resolves from wheels on Windows, macOS and Linux, quick tests with the lowest versions, if a registry can be reached"
 	@echo "make package       build the wheel and the source distribution into dist/"
 	@echo "make bench         time the solvers"
 	@echo "make figures       draw the article's figures into figures/"
@@ -130,9 +130,10 @@ regenerate: $(DERIVE)
 
 check: lint regenerate thorough installs
 
-# Every extra from wheels alone, on each machine and Python: where a registry can be reached.
+# Every extra from wheels alone, on each machine and Python, and the quick tests with the lowest versions: where a registry can be reached.
 installs: $(TEST)
 	$(BIN)/python .ci/installs.py
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python .ci/installs.py lowest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
 package: $(TEST)
 	$(BIN)/python -m build --no-isolation --outdir dist .
@@ -156,6 +157,6 @@ check-claims: $(TEST)
 	$(BIN)/spragsym check --claims --again
 
 clean:
-	rm -rf $(VENV) build dist figures docs/_build docs/jupyter_execute *.egg-info
+	rm -rf $(VENV) .lowest build dist figures docs/_build docs/jupyter_execute *.egg-info
 	rm -rf .pytest_cache .mypy_cache .ruff_cache .hypothesis .coverage htmlcov
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

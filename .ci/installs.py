@@ -2,9 +2,14 @@
 install them there.
 
 ``python .ci/installs.py [MACHINE ...]``: all machines, or those whose names begin so. Prints a line
-for each, once with the newest versions and once with those of ``constraints.txt``; the number of
-those that fail is the exit code. Where no registry can be reached it says that it is skipped. What
-a registry says is kept by uv, so that a second call is quick.
+for each, once with the newest versions, once with those of ``constraints.txt`` and once with the
+lowest that pyproject.toml allows; the number of those that fail is the exit code.
+
+``python .ci/installs.py lowest [option of pytest ...]``: installs the lowest versions into an
+environment of its own, ``.lowest``, and runs the quick tests there.
+
+Where no registry can be reached it says that it is skipped. What a registry says is kept by uv, so
+that a second call is quick.
 """
 
 from __future__ import annotations
@@ -29,6 +34,7 @@ MACHINES = {
 VERSIONS: dict[str, tuple[str, ...]] = {
     "newest": (),
     "constraints.txt": ("--constraint", "constraints.txt"),
+    "lowest": ("--resolution", "lowest-direct"),
 }
 
 
@@ -76,11 +82,30 @@ def reachable() -> bool:
     )
 
 
+def lowest(options: list[str]) -> int:
+    """The quick tests with the lowest versions; the exit code of pytest."""
+    home = ROOT / ".lowest"
+    python = home / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")
+    uv = [sys.executable, "-m", "uv"]
+    install = [*uv, "pip", "install", "--quiet", "--python", python, *VERSIONS["lowest"]]
+    quick = "not thorough and not validate"
+    for call in (
+        [*uv, "venv", "--quiet", "--clear", "--python", sys.executable, home],
+        [*install, "--config-settings", "editable_mode=compat", "-e", ".[all,test]"],
+        [python, "-m", "pytest", "-m", quick, *options],
+    ):
+        if code := subprocess.run(call, cwd=ROOT, check=False).returncode:
+            return code
+    return 0
+
+
 def main(chosen: list[str]) -> int:
     """One line for each machine, Python and choice of versions."""
     if not reachable():
         print("no package registry can be reached: the check of installs is skipped")
         return 0
+    if chosen[:1] == ["lowest"]:
+        return lowest(chosen[1:])
     cases = [
         case
         for case in product(MACHINES, PYTHONS, VERSIONS)

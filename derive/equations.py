@@ -4,6 +4,7 @@ import sympy as sp
 from sympy import Symbol
 
 from . import laws
+from .emit.names import latex
 from .mechanics import SLIP, Mechanics, NormalForce, number
 from .motion import Motion
 
@@ -55,7 +56,7 @@ def _names(model: Mechanics) -> dict[Symbol, str]:
     """LaTeX of all symbols."""
     names = {entry.symbol: entry.latex for entry in model.page.coordinates}
     names |= {entry.rate: rf"\dot{{{entry.latex}}}" for entry in model.page.coordinates}
-    names |= {number(datum): sp.latex(number(datum)) for datum in model.parameters}
+    names |= {number(datum): latex(datum.becomes) for datum in model.parameters}
     for angle in model.angles:
         letter = next(datum.latex for datum in model.parameters if number(datum) == angle.symbol)
         names |= {angle.c: rf"(\cos{{{letter}}})", angle.s: rf"(\sin{{{letter}}})"}

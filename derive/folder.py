@@ -150,7 +150,10 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
             f"{', 0 where it sticks' * model.holds}{on(it)}"
             for it in model.frictions
         },
-        str(laws.HELD): "share of the static friction coefficient that is used, −1 to 1",
+        **{
+            str(it.held): "share of the static friction coefficient that is used, −1 to 1"
+            for it in model.frictions
+        },
         **{acceleration_of(symbol): f"acceleration of {symbol}" for symbol in model.coordinates},
         **{
             str(

@@ -15,10 +15,6 @@ from .algebra import Pair, Row, Symbols
 from .mechanics import SLIP, FrictionForce
 from .model import PageError
 
-#: The share of the static coefficient in use while friction sticks, from −1 (against the belt) to
-#: 1.
-HELD = Symbol("held", real=True)
-
 
 def slip(friction: FrictionForce) -> Expr:
     """The sliding speed: belt − d(along)/dt."""
@@ -120,9 +116,9 @@ def static_coefficients(friction: FrictionForce) -> Pair:
 
 
 def friction_held(friction: FrictionForce) -> Expr:
-    """The friction coefficient while it sticks, linear in :data:`HELD`."""
+    """The friction coefficient while it sticks, linear in its share ``held``."""
     ahead, behind = static_coefficients(friction)
-    return (ahead + behind) / 2 * HELD + (ahead - behind) / 2
+    return (ahead + behind) / 2 * friction.held + (ahead - behind) / 2
 
 
 def friction_at_speed(friction: FrictionForce) -> Expr:

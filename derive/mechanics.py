@@ -30,6 +30,9 @@ PUSHING = Symbol("pushing", real=True)
 SIDE = Symbol("side", real=True)
 #: The friction coefficient as an argument of functions.
 MU = Symbol("mu", real=True)
+#: The share of the static coefficient in use while friction sticks, from −1 (against the belt) to
+#: 1.
+HELD = Symbol("held", real=True)
 #: Penetration, positive, the variable of a contact law.
 DEPTH = Symbol("_depth", positive=True)
 #: Sliding speed, positive, the variable of a friction law.
@@ -152,7 +155,8 @@ class NormalForce:
     #: whether the force is written in coordinates and not in the penetration
     in_coordinates: bool
     line: int
-    #: prefix of the symbols PUSHING, MU and SIDE: an underscore if the page uses one of these names
+    #: prefix of the symbols PUSHING, MU, SIDE and HELD: an underscore if the page uses one of these
+    #: names
     mark: str = ""
 
     @property
@@ -249,6 +253,11 @@ class FrictionForce:
     def side(self) -> Symbol:
         """The symbol of this friction's side: 1 or −1, the sign of its sliding speed."""
         return of_contact(SIDE, self.name and f"on_{self.name}", self.normal.mark)
+
+    @property
+    def held(self) -> Symbol:
+        """HELD of a function of this friction."""
+        return of_contact(HELD, "", self.normal.mark)
 
     @property
     def stuck(self) -> Symbol:
@@ -690,11 +699,11 @@ def _applied(page: Page, scaled: _Scaled) -> Row:
 
 def _contacts(page: Page, scaled: _Scaled) -> dict[Contact | None, NormalForce]:
     """The normal force of every contact; without contacts a zero force for the key None."""
-    if not page.contacts:
-        return {None: NormalForce("", None, False, False, S.Zero, False, 0)}
-    found: dict[Contact | None, NormalForce] = {}
     taken = {datum.becomes for datum in page.parameters} | set(map(str, page.places))
-    mark = "_" if taken & {str(PUSHING), str(MU), str(SIDE)} else ""
+    mark = "_" if taken & set(map(str, (PUSHING, MU, SIDE, HELD))) else ""
+    if not page.contacts:
+        return {None: NormalForce("", None, False, False, S.Zero, False, 0, mark)}
+    found: dict[Contact | None, NormalForce] = {}
     for contact in page.contacts:
         name = contact.name if len(page.contacts) > 1 else ""
         depth = of_contact(DEPTH, name)

@@ -20,6 +20,7 @@ from sympy import Expr, Symbol
 from sympy import Abs, atan, cos, cosh, exp, log, pi, sign, sin, sinh, sqrt, tanh
 
 from .algebra import Pair, Row, Symbols
+from .emit import names
 from .emit.quantities import interval
 from .from_mechanics import page_from
 from .limits import Limit
@@ -289,7 +290,7 @@ class Page:
         symbol = Symbol(name, positive=True)
         return self._entered(
             self.units,
-            Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), line_of_page()),
+            Datum(symbol, unit, meaning, "> 0", latex or names.latex(name), line_of_page()),
         )
 
     def parameter(
@@ -344,7 +345,7 @@ class Page:
                     f"{other.symbol} and {name} both become {other.becomes}; give one of them "
                     "another name with becomes"
                 )
-        letter = latex or sp.latex(symbol)
+        letter = latex or names.latex(name)
         return self._entered(
             self.parameters,
             Datum(
@@ -356,7 +357,7 @@ class Page:
         """State a coordinate: a length, an angle or another measure of the configuration."""
         _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = Symbol(name, real=True)
-        letter = latex or sp.latex(symbol)
+        letter = latex or names.latex(name)
         entered = self._entered(
             self.coordinates,
             Coordinate(symbol, speed_of(symbol), unit, meaning, letter, line_of_page()),

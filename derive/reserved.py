@@ -1,4 +1,5 @@
-"""Names that a page can't give away, since a language or a file has them.
+"""Names that a page can't give away, since Python's code or a file of data has them; those that
+targets have are spelled in another way, :mod:`derive.emit.names`.
 
 Items of results, sets and files are by names of pages; where one of the package's own is the same,
 the package's has an underscore behind it. Names that generated code makes begin with an underscore,

@@ -283,7 +283,7 @@ def _friction(model: Mechanics, friction: FrictionForce) -> list[Function]:
                 named("friction_held", friction),
                 "The friction coefficient while it sticks, by the share of the static one that is "
                 "used.",
-                (*model.arguments, laws.HELD),
+                (*model.arguments, friction.held),
                 laws.friction_held(friction),
                 "mu",
             )

@@ -89,7 +89,7 @@ def ask(seed: int) -> None:
     point = ss.Parameters.article(theta0=rng.uniform(0.2, 1.4), mu0=rng.uniform(0.2, 0.7))
     ss.equilibria(point)
     ss.count(point)
-    ss.simulate(point, t_end=5.0, integrator="compiled")
+    ss.simulate(point, t_end=5.0, backend="compiled")
     for name in ("kang_nam", "two_springs"):
         p = ss.load(name).Parameters(mu0=rng.uniform(0.2, 0.7))
         ss.equilibria(p, method="search")

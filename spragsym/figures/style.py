@@ -255,9 +255,11 @@ def symbol(name: str) -> str:
         "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau "
         "upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega"
     )
-    return (rf"\{base}" if base in greek.split() else base) + (
-        rf"_{{\rm {index}}}" if index else ""
-    )
+    if base in greek.split():
+        letter = rf"\{base}"
+    else:
+        letter = base if len(base) == 1 else rf"\mathrm{{{base}}}"
+    return letter + (rf"_{{\rm {index}}}" if index else "")
 
 
 def in_letters(scale: str) -> str:

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import dataclasses
 import importlib.metadata
-import importlib.util
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -77,7 +76,7 @@ def is_there(backend: str) -> bool:
     """True if a backend is installed."""
     if backend == "compiled":
         return with_compiled.available()
-    return backend != "heyoka" or importlib.util.find_spec("heyoka") is not None
+    return backend != "heyoka" or with_heyoka.available()
 
 
 def version(backend: str) -> str:

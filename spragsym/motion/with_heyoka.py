@@ -9,9 +9,11 @@ motions at once, accumulated while they are integrated (:func:`measured`).
 
 from __future__ import annotations
 
+import importlib.util
 import itertools
 import math
 import threading
+import warnings
 from collections import defaultdict, deque
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -73,6 +75,23 @@ def library() -> ModuleType:
     hy.expression.__abs__ = lambda value: value * XP.sign(value)
     hy.expression.namespace = XP
     return hy
+
+
+@cache
+def available() -> bool:
+    """Whether heyoka is installed and can be imported; warns if it is installed and can't be."""
+    if importlib.util.find_spec("heyoka") is None:
+        return False
+    try:
+        library()
+    except (ImportError, OSError, AttributeError) as error:
+        warnings.warn(
+            f"heyoka is installed and can't be used: {error}; motions are integrated by compiled "
+            "code or SciPy, slower: install it anew, python -m pip install 'heyoka>=7.13'",
+            stacklevel=2,
+        )
+        return False
+    return True
 
 
 class HeyokaFunctions:

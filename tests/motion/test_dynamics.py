@@ -1,7 +1,11 @@
 """Motion in time against energy, linear theory, closed forms and a second integrator."""
 
+import os
 import signal
+import subprocess
+import sys
 from importlib.util import find_spec
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -289,3 +293,21 @@ def test_the_peak_of_a_spectrum_lies_between_its_bins() -> None:
         ([1.0, 5.0, 5.0, 5.0, 1.0], 1.0 + 0.5),
     ):
         assert Spectrum(frequency, np.array(amplitude)).peak() == pytest.approx(peak, abs=1e-12)
+
+
+@pytest.mark.thorough
+def test_without_a_heyoka_that_can_be_imported_another_integrator_serves(tmp_path: Path) -> None:
+    (tmp_path / "heyoka.py").write_text("raise ImportError('of another NumPy')", encoding="utf-8")
+    code = (
+        "import spragsym as ss\np = ss.Parameters.article(theta0=0.7, mu0=0.3)\n"
+        "print(ss.simulate(p, t_end=1.0).backend)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env=os.environ | {"PYTHONPATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.stdout.strip() in ("compiled", "scipy"), done.stderr
+    assert "heyoka is installed and can't be used: of another NumPy" in done.stderr

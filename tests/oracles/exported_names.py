@@ -36,6 +36,33 @@ page.friction(q, V, lambda v: a * tanh(v / V) * (1 + exp(-b * Abs(v))))
 '''
 
 
+#: Every role of names on one page: coordinates, units, contacts with friction, springs, parameters.
+ROLES = '''r"""Two contacts."""
+from spragsym.derive.model import Page, sgn, tanh
+page = Page("A block between two others.")
+coordinates, units, contacts, parameters = {0!r}
+x, y = (page.coordinate(name, "m", "displacement") for name in coordinates)
+m, k, L = (page.unit(name, unit, "scale") for name, unit in zip(units, ("kg", "N/m", "m")))
+a, V, c, *others = [
+    page.parameter(name, unit, "number", "> 0", 0.1)
+    for name, unit in zip(parameters, ("1", "m/s", "N s/m", *["N/m"] * len(parameters)))
+]
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2)
+for stiffness in others:
+    page.spring(stiffness, along=x)
+page.spring(k, along=x)
+page.spring(k, along=y)
+page.damper(c, along=x)
+page.force(a * c * V, along=x)
+for name, gap in zip(contacts, (y - L, -y - L)):
+    touching = page.contact(gap, lambda depth: k * depth, name=name)
+    if name == contacts[0]:
+        page.friction(x, V, slip=lambda v: a * sgn(v), holds=a, on=touching)
+    else:
+        page.friction(x, V, lambda v: a * tanh(v / V), on=touching)
+'''
+
+
 def compare(model: Any, home: Path, rng: np.random.Generator, names: list[str]) -> list[str]:
     """What is off in each language that is on this machine."""
 

@@ -3,6 +3,7 @@
 A language prints generated algebra and the kernel as files of its own. Its folder holds
 
 - ``__init__.py``: ``render``, which gives the text of every file by its name;
+- ``RESERVED`` there: in small letters, the names that its files and its library can't have;
 - printers: for the algebra (:mod:`..definitions` has its statements as text), and for the kernel
   (:mod:`..language` reads it);
 - ``runtime/``: what is not algebra, in files of the language with ``@name@`` where emitted text
@@ -16,7 +17,7 @@ import importlib
 import pkgutil
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
@@ -29,6 +30,11 @@ from ..quantities import Interval, Quantity
 #: Angles by name, with the arguments that stand for each: its cosine and sine, and before them the
 #: angle itself if it is used.
 Angles: TypeAlias = Mapping[str, tuple[str, ...]]
+#: The sentence under which terms what is exported may be used.
+TERMS = (
+    "What is of spragsym in it, copyright The spragsym developers, may be used under the MIT "
+    "licence (SPDX-License-Identifier: MIT); what follows from a page is its author's."
+)
 
 
 @dataclass(frozen=True)
@@ -140,8 +146,14 @@ def _target(language: str) -> ModuleType:
 
 def render(language: str, material: Material) -> dict[str, str]:
     """The files of a library in a language, by name."""
-    files: dict[str, str] = _target(language).render(material)
+    sealed = replace(material, header=f"{material.header} {TERMS}")
+    files: dict[str, str] = _target(language).render(sealed)
     return files
+
+
+def reserved(language: str) -> frozenset[str]:
+    """The names that the library of a page can't have in a language, in small letters."""
+    return vars(_target(language)).get("RESERVED", frozenset())
 
 
 def packer(language: str) -> Callable[[Mapping[str, str]], bytes] | None:

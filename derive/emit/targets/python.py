@@ -2,13 +2,26 @@
 statements of those for NumPy; results are lists.
 """
 
+import keyword
 import re
+import sys
 import textwrap
 from collections.abc import Mapping
 
 from ..definitions import WIDTH, Definition, nested, ported
 from . import Angles, Material, taken
 
+#: Modules that a library of Python imports, and words that are no names.
+RESERVED = frozenset(
+    map(
+        str.casefold,
+        (
+            *sys.stdlib_module_names,
+            *keyword.kwlist,
+            *["casadi", "jax", "jaxlib", "ml_dtypes", "numpy", "opt_einsum", "scipy"],
+        ),
+    )
+)
 #: Functions with kinks choose one of two sides, so that the library takes the derivative of that
 #: side.
 _HEAD = """

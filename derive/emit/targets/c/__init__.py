@@ -14,6 +14,18 @@ from . import algebra, cost, kernel
 from .layout import plain
 
 
+#: Headers of C and of what these include, the example, and beginnings of constants in <unistd.h>.
+RESERVED = frozenset(
+    re.findall(
+        r"\w+",
+        "alloca assert complex ctype endian errno f features fenv float inttypes iso646 limits "
+        "locale main math pthread r sched setjmp signal stdalign stdarg stdatomic stdbool stddef "
+        "stdint stdio stdlib stdnoreturn string strings tgmath threads time uchar unistd w wchar "
+        "wctype x",
+    )
+)
+
+
 def render(material: Material) -> dict[str, str]:
     """The header and the source; for a model with an example also that and its makefile."""
     library = material.library

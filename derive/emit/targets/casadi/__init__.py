@@ -6,6 +6,7 @@ from .. import Material, python
 
 #: What stands for ``numpy``; a target that has it is one of Python.
 NAMESPACE = "casadi"
+RESERVED = python.RESERVED
 
 
 def render(material: Material) -> dict[str, str]:

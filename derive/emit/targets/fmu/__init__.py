@@ -7,6 +7,7 @@ everything is dimensionless.
 
 import hashlib
 import io
+import itertools
 import math
 import os
 import platform
@@ -25,8 +26,20 @@ from xml.sax.saxutils import quoteattr
 
 from ...definitions import Definition
 from ...expressions import number
-from .. import Edge, Material, MotionMaterial, Variable, c, runtime, spoken, taken
+from .. import Edge, Material, MotionMaterial, Variable, c, runtime, spoken, taken, words
 from ..c.layout import plain
+
+
+#: Sources besides the library, which has functions of its name, an underscore, and another word.
+OWN = ("fmi3.h", "fmu.c", "model.h", "motion.h")
+#: Names of files, and beginnings of the names in them.
+RESERVED = c.RESERVED | {
+    beginning.casefold()
+    for name in OWN
+    for word in (name.partition(".")[0], *words(runtime(__file__, name), r"/\*.*?\*/"))
+    for beginning in itertools.accumulate(word.split("_"), "{}_{}".format)
+    if beginning == name.partition(".")[0] or beginning != word
+}
 
 
 def render(material: Material) -> dict[str, str]:

@@ -28,7 +28,7 @@ try:
         lowest_fold,
         mechanics,
     )
-    from .kang_nam import page_equivalence, stability, theorem
+    from .kang_nam import page_equivalence, routh, stability, theorem
 except ArithmeticError as error:  # what the article's page says can't be carried through
     sys.exit(f"derive: {error}; nothing was written")
 
@@ -69,13 +69,15 @@ def main(arguments: list[str] | None = None) -> int:
     identities |= _step("linear sprag model", linear_sprag.identities)
     proof = _step("one or three", theorem.one_or_three)
     least = _step("the lowest fold", lowest_fold.steps)
+    damped: tuple[theorem.Step, ...] = ()
     if not options.variant:
+        damped = _step("stability with damping", routh.steps)
         identities |= _step("the general way", page_equivalence.identities)
     rows = tuple(_step("check against the article", ledger.run))
-    outcome = ledger.Ledger(rows, identities, proof, least)
+    outcome = ledger.Ledger(rows, identities, proof, least, damped)
 
     unproved = [claim for claim, holds in identities.items() if not holds]
-    unproved += [step.claim for step in (*proof, *least) if not step.holds]
+    unproved += [step.claim for step in (*proof, *least, *damped) if not step.holds]
     failed = ledger.failures(rows)
     for claim in unproved:
         print(f"not proved: {claim}", file=sys.stderr)
@@ -96,7 +98,8 @@ def main(arguments: list[str] | None = None) -> int:
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(
         f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} steps of "
-        f"the count theorem and {len(least)} of the lowest fold proved"
+        f"the count theorem, {len(least)} of the lowest fold and {len(damped)} of stability with "
+        "damping proved"
     )
     for row in rows:
         if row.status in ("misprint", "failed"):

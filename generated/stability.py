@@ -170,4 +170,40 @@ def flutter_friction(cos, sin, L, alpha, sigma, beta):
     return (-2*L*sigma*w0*(cos*cos - sin*sin) - L*L*(w0*w0) - sigma*sigma)/(4*L*cos*sigma*sin)
 
 
+def upright_friction(cos0, sin0, kappa, alpha, sigma, beta):
+    """μ₀ at which a state in contact has θ = π/2, where K21 = 0: a Hopf point. Returns mu0. Source: (14), (15). Operations:
+    8."""
+    B = beta + 1
+    q = B + sigma
+    return alpha*cos0*q/(kappa + sigma*(1 - sin0))
+
+
+def coupling_lines(cos, sin, mu0, kappa, alpha, sigma, beta):
+    """S, A, D of sin θ₀ = S/D and α cos θ₀ = A/D, in contact where K12 = 0, so that L = −σ sin θ cos θ/μ₀: a Hopf point.
+    Returns S, A, D. Source: (14), (15), (28). Operations: 23."""
+    B = beta + 1
+    q = B + sigma
+    p = alpha + sigma
+    w0 = sigma*sin
+    w1 = mu0*(kappa + w0)
+    w2 = B*cos
+    return (-cos*q*sigma*(sin*sin) - w1, mu0*(-sigma*w2 + w1) - cos*w0*(-mu0*w0 + p*w2), B*mu0)
+
+
+def coupling_crossing(cos, sin, L, cos0, sin0, mu0, alpha, sigma, beta):
+    """N, J: L K12 changes by N/J per unit of θ₀, along equilibria in contact. Returns N, J. Source: (14), (15), (28).
+    Operations: 39."""
+    p = alpha + sigma
+    a_L = -mu0*sin - cos*p
+    a_theta = -L*mu0*cos + sin*(L*p - sigma)
+    a_theta0 = mu0*cos0 - alpha*sin0
+    B = beta + 1
+    q = B + sigma
+    b_L = -q*sin
+    b_theta = -cos*(L*q - sigma)
+    b_theta0 = B*cos0
+    d_theta = sigma*(cos*cos - sin*sin)
+    return (mu0*(a_theta*b_theta0 - a_theta0*b_theta) + d_theta*(-a_L*b_theta0 + a_theta0*b_L), a_L*b_theta - a_theta*b_L)
+
+
 __all__ = broadcasting(globals())

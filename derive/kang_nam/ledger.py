@@ -185,12 +185,13 @@ def _failed(row: LedgerRow, note: str) -> LedgerRow:
 
 @dataclass(frozen=True)
 class Ledger:
-    """Rows of the check, identities of the elimination, and the steps of two theorems."""
+    """Rows of the check, identities of the elimination, and the steps of three theorems."""
 
     rows: tuple[LedgerRow, ...]
     identities: dict[str, bool]
     theorem: tuple[Step, ...]
     lowest_fold: tuple[Step, ...]
+    routh: tuple[Step, ...]
 
 
 def as_dict(ledger: Ledger) -> dict[str, Any]:
@@ -202,6 +203,7 @@ def as_dict(ledger: Ledger) -> dict[str, Any]:
         "identities": ledger.identities,
         "one_or_three": list(map(asdict, ledger.theorem)),
         "lowest_fold": list(map(asdict, ledger.lowest_fold)),
+        "routh": list(map(asdict, ledger.routh)),
     }
 
 
@@ -231,6 +233,7 @@ def markdown(ledger: Ledger, header: str) -> str:
         "identities": "\n".join(claims),
         "one_or_three": _numbered(ledger.theorem),
         "lowest_fold": _numbered(ledger.lowest_fold),
+        "routh": _numbered(ledger.routh),
     }
     text = Path(__file__).with_name("ledger.txt").read_text(encoding="utf-8")
     return targets.spoken(text, words)

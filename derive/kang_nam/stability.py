@@ -151,21 +151,14 @@ def flutter_without_alpha() -> Expr:
 #: Symbols for the coefficients of :func:`reference_lines` and :func:`flutter_quadratic`.
 LINES = sp.symbols("u1 w1 u2 w2")
 QUADRATIC = sp.symbols("e0 e1 e2")
+#: Symbols for :func:`balance_slopes`.
+SLOPES = sp.symbols("a_theta a_L a_theta0 b_theta b_L b_theta0")
 
 
 @cache
-def flutter_crossing() -> tuple[Pair, Names]:
-    """N and J: along the equilibria at fixed μ₀, L² times the discriminant changes by N/J per unit
-    of θ₀; and names in them.
-
-    By the implicit function theorem and Cramer's rule, in the derivatives of the balances along and
-    across the belt and of the discriminant by θ, L and θ₀. J is minus the Jacobian determinant of
-    the two balances in θ and L, and equals f′.
-    """
-    a_t, a_l, a_0, b_t, b_l, b_0, d_t, d_l = sp.symbols(
-        "a_theta a_L a_theta0 b_theta b_L b_theta0 d_theta d_L"
-    )
-    e0, e1, e2 = flutter_quadratic()
+def balance_slopes() -> Names:
+    """Derivatives by θ, L and θ₀ of the balances along and across the belt, in contact."""
+    a_t, a_l, a_0, b_t, b_l, b_0 = SLOPES
     names = {
         a_t: s * (p * L - sigma) - M * L * c,
         a_l: -p * c - M * s,
@@ -173,26 +166,41 @@ def flutter_crossing() -> tuple[Pair, Names]:
         b_t: -c * (q * L - sigma),
         b_l: -q * s,
         b_0: B * c0,
-        d_t: 4 * sigma * L * (M * (c**2 - s**2) - 2 * (alpha - B) * s * c),
-        d_l: e1 + 2 * e2 * L,
     }
     changes = [
         change
-        for form in (*map(in_contact, equilibrium.balance()), e0 + e1 * L + e2 * L**2)
-        for change in (
-            rotate_derivative(form),
-            diff(form, L),
-            by_inclination(form),
-        )
+        for form in map(in_contact, equilibrium.balance())
+        for change in (rotate_derivative(form), diff(form, L), by_inclination(form))
     ]
-    require(
-        all(map(equilibrium.equal, names.values(), changes)),
-        "the derivatives at an onset",
-    )
+    require(all(map(equilibrium.equal, names.values(), changes)), "the derivatives of the balance")
+    return names
+
+
+def crossing(by_direction: Expr, by_length: Expr) -> tuple[Pair, Names]:
+    """N and J: along the equilibria at fixed μ₀, a form with these derivatives by θ and L changes
+    by N/J per unit of θ₀; and names in them.
+
+    By the implicit function theorem and Cramer's rule. J is minus the Jacobian determinant of the
+    two balances in θ and L, and equals f′.
+    """
+    a_t, a_l, a_0, b_t, b_l, b_0 = SLOPES
+    d_t, d_l = sp.symbols("d_theta d_L")
     return (
         d_t * (a_0 * b_l - b_0 * a_l) + d_l * (a_t * b_0 - b_t * a_0),
         b_t * a_l - a_t * b_l,
-    ), names
+    ), {**balance_slopes(), d_t: by_direction, d_l: by_length}
+
+
+@cache
+def flutter_crossing() -> tuple[Pair, Names]:
+    """:func:`crossing` of L² times the discriminant."""
+    e0, e1, e2 = flutter_quadratic()
+    by_direction = 4 * sigma * L * (M * (c**2 - s**2) - 2 * (alpha - B) * s * c)
+    require(
+        equilibrium.equal(by_direction, rotate_derivative(e0 + e1 * L + e2 * L**2)),
+        "the derivative of the discriminant",
+    )
+    return crossing(by_direction, e1 + 2 * e2 * L)
 
 
 @cache

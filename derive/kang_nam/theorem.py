@@ -53,7 +53,7 @@ def _length_fraction() -> tuple[Expr, Expr]:
     return numerator, denominator
 
 
-def _changes(signs: Iterable[int]) -> int:
+def changes(signs: Iterable[int]) -> int:
     """Changes of sign in a row of −1, 0, 1, zeros left out."""
     return sum(one != other for one, other in itertools.pairwise(sign for sign in signs if sign))
 
@@ -83,7 +83,7 @@ def _quartic() -> tuple[Step, ...]:
             and quartic[2] == -4 * nm.fm
             and manifestly_positive(in_contact(nm.fm).subs(nm.mu0, friction))
             and all(
-                _changes((-1, e1, e2, e3, 1)) == 1
+                changes((-1, e1, e2, e3, 1)) == 1
                 for e1 in (-1, 0)
                 for e2 in (-1, 0)
                 for e3 in (-1, 0, 1)

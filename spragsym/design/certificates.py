@@ -16,6 +16,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import IntEnum
+from functools import partial
 from types import MappingProxyType
 from typing import Any, ClassVar, Self, TypeAlias
 
@@ -292,14 +293,30 @@ def _one(combinations: OfCombinations) -> BoolArray:
     return np.asarray((proved == 1) & (open_ == 0))
 
 
-def _none_flutters(combinations: OfCombinations) -> BoolArray:
-    """Parts whose states all have real κ, those in undecided boxes included."""
+def _of_all_states(
+    holds_over: Callable[[Balance, Intervals, FloatArray], BoolArray],
+    combinations: OfCombinations,
+) -> BoolArray:
+    """Parts of whose states all, those in undecided boxes included, something holds: for prepared
+    parameters and boxes of coordinates ``holds_over`` says where.
+    """
     holds = []
     for balance, bounds, roots in combinations:
         every, point = roots.every
-        real = stability.real(balance, balance.prepared(bounds[:, point]), every)
-        holds.append(np.bincount(point[~real], minlength=bounds.shape[-1]) == 0)
+        each = holds_over(balance, balance.prepared(bounds[:, point]), every)
+        holds.append(np.bincount(point[~each], minlength=bounds.shape[-1]) == 0)
     return np.all(holds, axis=0)
+
+
+def _some_not_stable(eq: Equilibria) -> BoolArray:
+    """Points with a state that grows, or that nothing damps: the λ there have the sum 0."""
+    grows = np.asarray((eq["growth_sign"] > 0).any(axis=-1))
+    balances = balances_of(eq.parameters.model)
+    given = np.array(eq.parameters.broadcast(*balances[0].parameters))
+    for at in zip(*np.nonzero(~grows & (eq.count > 0)), strict=True):
+        q = [eq[name][(*at, 0)] for name in balances[0].coordinates]
+        grows[at] = all(stability.is_undamped(balance, given[:, *at], q) for balance in balances)
+    return grows
 
 
 #: For each claim, the function that says for which parts it is proved, and the one that says at
@@ -312,9 +329,10 @@ STATES: dict[
         lambda eq: (eq.count > 1) | ((eq.count == 0) & eq.decided & eq.whole),
     ),
     "no flutter": (
-        _none_flutters,
+        partial(_of_all_states, stability.real),
         lambda eq: ((eq.undamped == EquilibriumType.FLUTTER) & ~eq.marginal).any(axis=-1),
     ),
+    "stable": (partial(_of_all_states, stability.decays), _some_not_stable),
 }
 
 

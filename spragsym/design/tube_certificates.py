@@ -294,14 +294,15 @@ def certify(
     ----------
     p : Parameters
         Scalars, of any model.
-    claim : {"no jump", "one equilibrium", "no flutter"}
+    claim : {"no jump", "one equilibrium", "no flutter", "stable"}
         ``"no jump"``: take the reference state in the middle of the box where ``vary`` begins, and
         the states that it becomes over the box. Each goes on as ``vary`` rises from ``begin`` to
         its value in the box: it stays in contact, and meets no other state. ``"one equilibrium"``:
         there is exactly one in contact. ``"no flutter"``: no equilibrium in contact has a λ of
         det(λ² M + K) = 0 with both a real and an imaginary part, as in (27). That is without
-        dampers and slopes of friction laws, by which a state may still grow, see
-        :func:`spragsym.flutter_onsets`.
+        dampers and slopes of friction laws, by which a state may still grow. ``"stable"``: small
+        deviations from every equilibrium in contact decay, with dampers and slopes of friction
+        laws: all λ of det(λ² M + λ (C + G) + K) = 0 have negative real parts.
     between : mapping, optional
         Ranges of parameters by name, which replace their values in ``p``: the sides of the box.
         Without it the box is a point.
@@ -335,9 +336,9 @@ def certify(
     the point passes a fold below. A part that a fold crosses is halved; where the box touches the
     boundary of the claim, it stays undecided. Where states reach the border of a contact, the claim
     is refuted by a point at which the state is proved to end there; it is not proved where states
-    pass the border. The other claims: :mod:`spragsym.design.certificates`. The article's model: f,
-    f′ and the eigenvalues of K over boxes, in affine arithmetic, see
-    :mod:`spragsym.kang_nam.certificates`.
+    pass the border. The other claims: :mod:`spragsym.design.certificates`. ``"stable"``: Hurwitz's
+    determinants over boxes. The article's model: f, f′ and the eigenvalues of K over boxes, in
+    affine arithmetic, see :mod:`spragsym.kang_nam.certificates`.
 
     Examples
     --------
@@ -346,6 +347,8 @@ def certify(
     >>> ss.certify(base, between={"theta0": np.radians([30.0, 32.0]), "mu0": (0.6, 0.7)}).outcome
     'proved'
     >>> ss.certify(base, between={"mu0": (0.6, 0.9)}).outcome
+    'refuted'
+    >>> ss.certify(base.replace(theta0=1.6), "stable", between={"mu0": (0.1, 0.5)}).outcome
     'refuted'
     >>> p = ss.load("two_springs").Parameters()
     >>> sides = {"theta0": (0.5, 0.52), "mu0": (0.2, 0.3), "sigma": (0.1, 0.11)}

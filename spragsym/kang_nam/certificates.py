@@ -58,6 +58,7 @@ def claims(
     if (
         claim not in CLAIMS
         or not whole
+        or (claim == "stable" and not min(low.scalars("mu0", "V", "d")) > 0)  # nothing damps
         or not (vary is None or (vary == "mu0" and claim == "no jump"))
     ):
         raise NotInClosedForm
@@ -109,24 +110,50 @@ _MU0 = PARAMETERS.index("mu0")
 # all states in contact
 
 
-def _at_all_states(boxes: ParameterBoxes, slope_sign: int) -> Proved:
-    """Whether every equilibrium in contact has f′ > 0; or, for ``slope_sign`` −1, f′ < 0 or a
-    positive discriminant of (27) in λ².
+def _at_all_states(
+    boxes: ParameterBoxes, slope_sign: int, holds: Callable[[Ground], Rounded] | None = None
+) -> Proved:
+    """Whether something holds of every equilibrium in contact: f′ has the sign ``slope_sign``, or
+    else ``holds`` is positive.
 
-    If all have f′ > 0, there is one equilibrium: the middle one of three has f′ < 0, and at a fold
-    f′ = 0. If all have f′ < 0 (divergence) or a positive discriminant, there is no flutter.
+    All have f′ > 0: there is one equilibrium, since the middle one of three has f′ < 0, and at a
+    fold f′ = 0. All have f′ < 0 (divergence) or a positive discriminant: there is no flutter.
     """
 
     def test(ground: Ground) -> Verdict:
         value, slope, _, _ = ground.balance()
         done = (value.sign() != 0) | (slope.sign() == slope_sign) | (ground.pressed().sign() < 0)
-        if slope_sign > 0:
+        if holds is None:
             return done, (value, slope)
-        mu0, _, *springs = ground.others()
-        flutter = kernel.invariants(ground.c, ground.s, ground.length(), mu0, *springs, 1)[2]
-        return done | (flutter.sign() > 0), (value, slope, flutter)
+        other = holds(ground)
+        return done | (other.sign() > 0), (value, slope, other)
 
     # Directions in contact lie in (0, π).
+    return covered(boxes, constant(0.0, boxes), constant(HALF_TURN, boxes), test)
+
+
+def _discriminant(ground: Ground) -> Rounded:
+    """The discriminant of (27) in λ²."""
+    mu0, _, *springs = ground.others()
+    flutter: Rounded = kernel.invariants(ground.c, ground.s, ground.length(), mu0, *springs, 1)[2]
+    return flutter
+
+
+def _all_stable(boxes: ParameterBoxes) -> Proved:
+    """Whether every equilibrium in contact is stable with the damping of the friction law: det K >
+    0, and cos θ > 0 or σ sin θ cos θ + μ₀ L < 0, by ``derive/kang_nam/routh.py``.
+
+    With det K > 0 everywhere there is one state. ``boxes`` have μ₀ > 0.
+    """
+
+    def test(ground: Ground) -> Verdict:
+        value, slope, _, _ = ground.balance()
+        mu0, _, _, sigma, _ = ground.others()
+        coupling = sigma * ground.s * ground.c + mu0 * ground.length()
+        stable = (slope.sign() > 0) & ((ground.c.sign() > 0) | (coupling.sign() < 0))
+        done = (value.sign() != 0) | stable | (ground.pressed().sign() < 0)
+        return done, (value, slope, coupling)
+
     return covered(boxes, constant(0.0, boxes), constant(HALF_TURN, boxes), test)
 
 
@@ -293,9 +320,10 @@ CLAIMS: dict[str, tuple[Callable[[ParameterBoxes], Proved], Callable[[Parameters
     "no jump": (_no_jump, _jumps),
     "one equilibrium": (partial(_at_all_states, slope_sign=1), lambda p: count(p) == 3),
     "no flutter": (
-        partial(_at_all_states, slope_sign=-1),
+        partial(_at_all_states, slope_sign=-1, holds=_discriminant),
         lambda p: (equilibria(p).undamped == EquilibriumType.FLUTTER).any(axis=-1),
     ),
+    "stable": (_all_stable, lambda p: (equilibria(p)["growth_sign"] > 0).any(axis=-1)),
 }
 
 

@@ -56,37 +56,49 @@ def flutter_onsets(
     damping: bool | None = None,
     between: Ranges | None = None,
 ) -> Onsets:
-    """The closed form of :func:`spragsym.flutter_onsets` without damping, along θ₀: proved
-    complete.
+    """The closed form of :func:`spragsym.flutter_onsets` along θ₀: proved complete.
 
     Notes
     -----
-    Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15), eliminated to one polynomial in tan(θ/2 −
-    π/4), whose real roots are isolated exactly. No onset is a fold: there the determinant of K
-    vanishes, here it is positive. For μ₀ = 0, where K is symmetric, there is none.
+    Source: with damping K₁₂ K₂₁ = 0, see :mod:`.hopf`. Without, (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with
+    (14), (15), eliminated to one polynomial in tan(θ/2 − π/4), whose real roots are isolated
+    exactly. No onset of (27) is a fold: there the determinant of K vanishes, here it is positive.
+    For μ₀ = 0, where K is symmetric, there is none.
     """
-    if vary not in (None, "theta0") or damping is not False:
+    if vary not in (None, "theta0"):
         raise NotInClosedForm
-    exact = Elimination(*map(Fraction, p.scalars("mu0", *Fixed._fields)))
+    exact = tuple(map(Fraction, p.scalars("mu0", *Fixed._fields)))
+    if damping is None:  # the slope of the friction law is not 0, however small
+        damping = exact[0] > 0
+    if damping and not (exact[0] > 0 and min(p.scalars("V", "d")) > 0):
+        raise NotInClosedForm
 
     def attempt(bits: int) -> list[tuple[tuple[float, ...], Onset]]:
-        return sorted(
-            ((onset.row("theta0"), onset) for onset in onsets(exact, bits)), key=lambda one: one[0]
-        )
+        from .hopf import hopf_points  # which stands on this module
 
-    found = with_enough_bits(20, attempt, "flutter_onsets") if exact.values[0] else []
+        points = hopf_points(exact, bits) if damping else onsets(Elimination(*exact), bits)
+        return sorted(((onset.row("theta0"), onset) for onset in points), key=lambda one: one[0])
+
+    found = with_enough_bits(20, attempt, "flutter_onsets") if exact[0] else []
     rows = [row for row, _ in found]
-    branch, count, side = (
-        np.array([(one.branch, one.count, one.side) for _, one in found], dtype=int)
-        .reshape(-1, 3)
+    branch, count, side, slope = (
+        np.array([(one.branch, one.count, one.side, one.slope) for _, one in found], dtype=int)
+        .reshape(-1, 4)
         .T
     )
     theta, L = np.array([row[1:3] for row in rows]).reshape(-1, 2).T
-    # ω² of the two modes that meet is half the trace of K, which does not depend on μ₀.
-    trace, *_ = kernel.invariants(*kernel.cos_sin(theta), L, 0.0, *p.scalars(*Fixed._fields[1:]), 1)
-    omega = np.sqrt(0.5 * trace)
+    # ω² is K₂₂ at a Hopf point. Of two modes that meet it is half the trace. Neither has μ₀ in it.
+    (K11, _), (_, K22) = kernel.stiffness(
+        *kernel.cos_sin(theta), L, 0.0, *p.scalars(*Fixed._fields[1:]), 1
+    )
+    omega = np.sqrt(K22 if damping else 0.5 * (K11 + K22))
     more = {"omega": omega, "branch": branch, "count": count, "side": side.astype(np.int8)}
-    points = listed(p, ("theta0",), np.full(len(rows), "flutter"), rows)
+    # A pair grows on one side; where f′ < 0 a real λ grows on both.
+    more |= {
+        name: np.where(side == 0, -1, (slope < 0) + 2 * (side == beyond)).astype(np.int8)
+        for name, beyond in (("unstable_before", -1), ("unstable_after", 1))
+    }
+    points = listed(p, ("theta0",), np.full(len(rows), "hopf" if damping else "flutter"), rows)
     return within(Onsets(**vars(replace(points, _values={**points._values, **more}))), between)
 
 
@@ -219,34 +231,45 @@ _DEGREE_OF_LENGTH = 4
 class Onset(SurfacePoint):
     """An onset in interval arithmetic.
 
-    ``branch`` is its rank in θ, from 0, among the ``count`` equilibria. ``side`` is 1 if there is
-    flutter at larger θ₀, −1 if at smaller θ₀, and 0 if on both sides or on neither.
+    ``branch`` is its rank in θ, from 0, among the ``count`` equilibria. ``side`` is 1 if the pair
+    grows at larger θ₀, −1 if at smaller θ₀, and 0 if on both sides or on neither. ``slope`` is the
+    sign of f′, and of det K.
     """
 
     branch: int
     count: int
     side: int
+    slope: int
 
 
 class Elimination:
     """The eliminated condition for an onset, for exact parameters μ₀ > 0, κ, α, σ and β."""
 
+    #: Degree of :meth:`remaining` in cos θ and sin θ.
+    degree = 8
+    #: The sign, where the pair grows, of the quantity that is 0 at an onset.
+    grows = -1
+
     def __init__(self, *values: Fraction) -> None:
         self.values, self.alpha = values, values[2]
+
+    def remaining(self, c: Fraction, s: Fraction) -> Fraction:
+        """The condition in a direction."""
+        mu0, kappa, _, *springs = self.values
+        if not self.alpha:
+            return _stability.flutter_without_alpha(c, s, mu0, kappa, *springs)
+        X, Y, Z = _stability.flutter_elimination(c, s, *self.values)
+        return X * X - Y * Z
+
+    def crossing(self, *onset: Any) -> tuple[Any, int]:
+        """N and the sign of J = f′: that quantity changes by N/J per unit of θ₀."""
+        change, _ = _stability.flutter_crossing(*onset)
+        return change, 1  # no onset of (27) is divergent
 
     @cached_property
     def full(self) -> tuple[int, ...]:
         """The polynomial in v, with multiple roots."""
-        mu0, kappa, _, *springs = self.values
-
-        def remaining(c: Fraction, s: Fraction) -> Fraction:
-            if not self.alpha:
-                return _stability.flutter_without_alpha(c, s, mu0, kappa, *springs)
-            X, Y, Z = _stability.flutter_elimination(c, s, *self.values)
-            return X * X - Y * Z
-
-        degree = 8 if self.alpha else 4  # in cos θ and sin θ
-        return polynomials.interpolate(in_v(remaining, degree), 2 * degree)
+        return polynomials.interpolate(in_v(self.remaining, self.degree), 2 * self.degree)
 
     @cached_property
     def simple(self) -> tuple[int, ...]:
@@ -367,16 +390,17 @@ def _at_length(
         stationary = above == 0
     for c0 in cosines:
         L, x, y = kernel.state_of(c, s, c0, s0, kappa, *springs)
-        # The discriminant changes with θ₀ by N/J, J = f′ > 0. N is 0 at a double root, where the
-        # boundary is touched.
-        change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, *springs)
+        # N is 0 at a double root, where the boundary is touched.
+        change, slope = elimination.crossing(c, s, L, c0, s0, mu0, *springs)
         touches = stationary or (
             alone and sign(change) == 0 and elimination.multiplicity(root) % 2 == 0
         )
-        side = 0 if touches else -decided(change, "the discriminant's slope")
+        side = 0
+        if not touches:
+            side = elimination.grows * slope * decided(change, "the slope of the condition")
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, *values, 1))
         branch, count = rank(quartic, (1 + v) / (1 - v), s0 - kappa / springs[1], bits // 2)
-        yield Onset((atan2(s0, c0), *values), atan2(s, c), L, x, y, branch, count, side)
+        yield Onset((atan2(s0, c0), *values), atan2(s, c), L, x, y, branch, count, side, slope)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -395,6 +419,6 @@ def rank(quartic: tuple[Interval, ...], t: Interval, edge: Interval, bits: int) 
         if decided(on_circle(root).sine - edge, "y = 0 of another equilibrium") > 0
     ]
     below, here, above = map(sides.count, (-1, 0, 1))
-    if here != 1 or (below, above) not in ((0, 0), (2, 0), (0, 2)):
+    if here != 1 or below + above not in (0, 2):
         raise UndecidedSign(f"{below} equilibria below an onset, {here} there and {above} above")
     return below, 1 + below + above

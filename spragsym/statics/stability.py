@@ -21,7 +21,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import chain
-from typing import Any, TypeAlias
+from typing import Any, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,6 +89,10 @@ class Linearized:
         frequency.
         """
         return verdicts(self.growth, self.eigenvalues)
+
+    def with_sign(self, sign: Int8Array) -> Self:
+        """The same with the sign of the growth known otherwise, which the growth then has."""
+        return replace(self, growth=_bounded(self.eigenvalues[:, 0].real, sign), sign=sign)
 
 
 def verdicts(growth: FloatArray, eigenvalues: ComplexArray) -> NDArray[np.str_]:
@@ -161,9 +165,13 @@ def _linearized(
     every = np.take_along_axis(every, np.argsort(-every.real, axis=1, kind="stable"), axis=1)
     fastest = every[:, 0].real
     sign = -decay(balance, given, ends, undamped, fastest)
-    # The float rate may have the wrong sign by rounding: then it is 0.
+    return _bounded(fastest, sign), sign, every
+
+
+def _bounded(fastest: FloatArray, sign: Int8Array) -> FloatArray:
+    """Growth rates as floats; one that has the wrong sign by rounding is 0."""
     bounded = [np.minimum(fastest, 0.0), np.maximum(fastest, 0.0)]
-    return np.select([sign < 0, sign > 0], bounded, fastest), sign, every
+    return np.select([sign < 0, sign > 0], bounded, fastest)
 
 
 def classified(
@@ -361,15 +369,7 @@ def decay(
     """
 
     def test_right_of(shift: Number) -> SignTest:
-        def test(at: Evaluation, convert: Converted) -> Matrix:
-            every = at.mass(), at.by_rates(), at.stiffness()
-            parts = [
-                _routh_twice(shift, *(convert(part_of(A, block)) for A in every))
-                for block in coupled(*every)
-            ]
-            return [[*chain.from_iterable(part)] for part in zip(*parts, strict=True)]
-
-        return test
+        return partial(_of_blocks, partial(_routh_twice, shift))
 
     with quiet():
         at = balance.state(Intervals(ends), balance.prepared_at(given))
@@ -384,6 +384,31 @@ def decay(
     for row, signs in _with_digits(balance, given, ends, found == 0, test_of):
         found[row] = _decay_by_signs(signs)
     return found
+
+
+def decays(balance: Balance, parameters: Intervals, ends: FloatArray) -> BoolArray:
+    """Boxes all over which all λ of det(λ² M + λ (C + G) + K) are proved to have negative real
+    parts: the coefficients and Hurwitz's determinants are positive.
+
+    ``parameters`` are prepared, ``ends`` boxes of coordinates.
+    """
+
+    def test(M: Matrix, C: Matrix, K: Matrix) -> Matrix:
+        return [_routh(M, C, K)]
+
+    (signs,) = _signs_over(balance.state(Intervals(ends), parameters), partial(_of_blocks, test))
+    return np.asarray((signs > 0).all(axis=0))
+
+
+def _of_blocks(
+    test: Callable[[Matrix, Matrix, Matrix], Matrix], at: Evaluation, convert: Converted
+) -> Matrix:
+    """The numbers that a test of M, C + G and K gives for all blocks that do not act on each
+    other, sequence by sequence.
+    """
+    every = at.mass(), at.by_rates(), at.stiffness()
+    parts = [test(*(convert(part_of(A, block)) for A in every)) for block in coupled(*every)]
+    return [[*chain.from_iterable(part)] for part in zip(*parts, strict=True)]
 
 
 def _types(even: BoolArray, at: Evaluation, convert: Converted) -> Matrix:
@@ -557,10 +582,7 @@ def type_at(precise: PreciseBalance, q: Sequence[Any]) -> EquilibriumType:
     """
     balance, at = precise.balance, precise.state(q)
 
-    def vanishes(part: Matrix) -> bool:
-        rows = as_balls(part, precise.bits)
-        return all(low == 0 == high for row in rows for low, high in map(balls.ends, row))
-
+    vanishes = partial(_vanishes, bits=precise.bits)
     frictionless = np.array([vanishes([[*at.circulatory_frictions]])])
     real, even = _in_pairs(at, _without_friction(balance, frictionless), vanishes)
     code, proved = _types_by_signs(_signs_at(precise, q, partial(_types, even)), real, even)
@@ -573,6 +595,22 @@ def _signs_at(precise: PreciseBalance, q: Sequence[Any], test: SignTest) -> list
     """Signs of the numbers of a test at a state given as balls."""
     parts = test(precise.state(q), lambda part: as_balls(part, precise.bits))
     return [np.array([*map(balls.sign, part)], dtype=np.int8)[:, None] for part in parts]
+
+
+def is_undamped(balance: Balance, given: FloatArray, state: Sequence[float]) -> bool:
+    """Whether C is exactly 0 at a state, as without friction and dampers; a C that is too small for
+    floats is not.
+    """
+    precise = PreciseBalance(balance, given, balance.options.root_bits)
+    C = precise.state([ball(float(value), precise.bits) for value in state]).damping()
+    return _vanishes(C, precise.bits)
+
+
+def _vanishes(part: Matrix, bits: int) -> bool:
+    """Whether a matrix of balls is exactly 0."""
+    return all(
+        low == 0 == high for row in as_balls(part, bits) for low, high in map(balls.ends, row)
+    )
 
 
 def damped_entries(balance: Balance, over: Intervals) -> list[tuple[int, int]]:

@@ -19,7 +19,7 @@ from spragsym import article as claims
 from spragsym.cli import cli
 from spragsym.cli.article import check as check_command
 from spragsym.motion import simulate
-from tests.oracles import article_motion, creeping_states, dry_friction, reference
+from tests.oracles import article_motion, creeping_states, damped_states, dry_friction, reference
 from tests.support import LONG_MOTIONS_TAKE_MINUTES, ROOT
 
 BASE = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
@@ -265,6 +265,77 @@ def test_stability_by_eigenvalues(sigma: float) -> None:
     )
 
 
+def test_states_that_grow_with_the_slope_of_the_law() -> None:
+    """What (27) leaves out, with matrices written by hand: of three states the first is stable, and
+    the others, and a single one, grow.
+    """
+    told = {
+        3: value("fig-4-stability", "of three, damped"),
+        1: value("fig-4-stability", "of one, damped"),
+    }
+    given = BASE | {"theta0": np.radians(np.linspace(1.0, 179.0, 60)), "V": 0.5, "d": 10.0}
+    eq = ss.equilibria(ss.Parameters(**given))
+    rows = eq.states
+    K, C = damped_states.linearizations(
+        eq.x[rows], eq.y[rows], given | {"theta0": given["theta0"][rows[0]]}
+    )
+    growth = damped_states.eigenvalues(K, C).real.max(axis=-1)
+    for point, slot, rate in zip(*rows, growth, strict=True):
+        assert told[int(eq.count[point])][slot] == ("stable" if rate < 0 else "unstable")
+    # Of Figure 11: the share that grows, at other points.
+    rng = np.random.default_rng(5)
+    p = ss.Parameters.article(theta0=np.radians(rng.uniform(0, 180, 4000)), mu0=rng.random(4000))
+    eq = ss.equilibria(p)
+    sign, three = eq["growth_sign"], eq.count == 3
+    for found, names in (
+        (sign[three][:, 2], ("states on the upper surface", "that grow")),
+        (sign[~three][:, 0], ("single states", "single ones that grow")),
+    ):
+        all_of_them, grow = (value("fig-11", name) for name in names)
+        assert (found == 1).mean() == pytest.approx(grow / all_of_them, abs=0.03)
+
+
+def test_the_rows_of_sections_1_and_4() -> None:
+    """With the balance and its slopes written by hand, at other points than the rows'."""
+    rng = np.random.default_rng(3)
+    for stiffer in (1.0, 1e5):
+        p = BASE | {name: BASE[name] / stiffer for name in ("kappa", "alpha", "sigma")}
+        given = p | {"theta0": rng.uniform(0.01, 3.1, 200), "mu0": rng.uniform(0.01, 40.0, 200)}
+        eq = ss.equilibria(ss.Parameters(**given))
+        point, slot = eq.states
+        at = given | {name: given[name][point] for name in ("theta0", "mu0")}
+        K, _ = damped_states.linearizations(
+            eq.x[point, slot], eq.y[point, slot], at | {"V": 0.5, "d": 10.0}
+        )
+        assert K[:, 0, 1] - K[:, 1, 0] == pytest.approx(at["mu0"])
+        most = (p["kappa"] + p["sigma"] * (1 - np.sin(at["theta0"]))).max()
+        assert (-eq.y[point, slot]).max() <= most
+    assert max(value("claim-paradox", "largest N over F_L + k L_0 (1 - sin theta0)")) <= 1
+    fold, (_, along) = (
+        value("claim-stiffness", name) for name in ("fold at mu0", "K_11 at mu0 = 0, at the fold")
+    )
+    eq = ss.equilibria(ss.Parameters.article(theta0=np.radians(52.0), mu0=fold * (1 - 1e-9)))
+    K = stiffness(eq.x[0], eq.y[0], np.radians(52.0), **BASE | {"mu0": fold})
+    assert np.linalg.det(K) == pytest.approx(0.0, abs=1e-4)
+    assert K[0, 0] == pytest.approx(along, rel=1e-3)
+
+
+def test_hopf_points_of_figure_14() -> None:
+    """A pair of eigenvalues of the matrices written by hand crosses at each."""
+    for onset in value("fig-14", "Hopf points of (8) to (11) at theta0_deg"):
+        given = BASE | {"sigma": 1.0, "V": 0.5, "d": 10.0}
+        given["theta0"] = np.radians(onset + np.array([-0.1, 0.1]))
+        eq, unstable = ss.equilibria(ss.Parameters(**given)), []
+        for k in range(2):
+            slots = [np.full(int(eq.count[k]), k), np.arange(int(eq.count[k]))]
+            at = given | {"theta0": given["theta0"][k]}
+            every = damped_states.eigenvalues(
+                *damped_states.linearizations(eq.x[*slots], eq.y[*slots], at)
+            )
+            unstable.append(int((every.real > 0).sum()))
+        assert abs(np.diff(unstable)) == 2
+
+
 @pytest.mark.parametrize(
     ("id", "changes", "inwards"),
     [("fig-9-flutter", {"alpha": 0.7}, 1), ("fig-10-flutter", {"sigma": 1.0}, -1)],
@@ -319,11 +390,21 @@ def test_equation_21_has_one_root_too_many() -> None:
     L.
     """
     P = np.polynomial.Polynomial
-    for angle, real, count in zip(
-        *(value("claim-roots-of-21", name) for name in ("theta0_deg", "real roots", "equilibria")),
-        strict=True,
-    ):
-        mu0, kappa, alpha, sigma, beta = (BASE[name] for name in BASE)
+    cases = [
+        (angle, BASE, *counts)
+        for angle, *counts in zip(
+            *(
+                value("claim-roots-of-21", name)
+                for name in ("theta0_deg", "real roots", "equilibria")
+            ),
+            strict=True,
+        )
+    ]
+    more = ("real roots at 90 deg, mu0 = sigma = 1", "equilibria there")
+    counts = [value("claim-roots-of-21", name) for name in more]
+    cases.append((90.0, BASE | {"mu0": 1.0, "sigma": 1.0}, *counts))
+    for angle, p, real, count in cases:
+        mu0, kappa, alpha, sigma, beta = (p[name] for name in BASE)
         c0, s0 = np.cos(np.radians(angle)), np.sin(np.radians(angle))
         D11, D12, D22 = P([sigma, -(sigma + alpha)]), P([0, -mu0]), P([sigma, -(sigma + beta + 1)])
         b1, b2 = -alpha * c0 - mu0 * s0, -(beta + 1) * s0 - kappa
@@ -576,7 +657,13 @@ def test_statuses() -> None:
     for id, row in record().items():
         by_status[row["status"]].add(id)
     assert by_status["not reproduced"] == set()
-    assert by_status["input not stated"] == {"fig-3", "fig-7a", "fig-7b", "fig-7-dry-friction"}
+    assert by_status["input not stated"] == {
+        "fig-3",
+        "fig-7a",
+        "fig-7b",
+        "fig-7b-fate",
+        "fig-7-dry-friction",
+    }
     # A wrong number of an equation or a figure is another matter than a wrong statement.
     assert by_status["misprint"] == {
         "claim-reference-10",
@@ -584,11 +671,13 @@ def test_statuses() -> None:
         "claim-reference-22",
     }
     corrected = {
-        "claim-mu-cr",
         "claim-must-jump",
+        "claim-potential",
         "claim-roots-of-21",
-        "fig-7b-fate",
+        "fig-4-stability",
         "fig-7-oscillation",
+        "fig-11",
+        "fig-14",
     }
     assert by_status["corrected"] == corrected
     assert all(row["consequence"] for id, row in record().items() if id.startswith("fig-7"))
@@ -618,7 +707,7 @@ def test_nothing_has_drifted(long: bool) -> None:
 @pytest.mark.parametrize(
     ("change", "line"),
     [
-        ({"status": "reproduced"}, "claim-mu-cr: status is 'corrected', not 'reproduced'"),
+        ({"status": "corrected"}, "claim-mu-cr: status is 'reproduced', not 'corrected'"),
         (
             {"values": {"mu_cr": 0.574073166169, "0.58 - mu_cr": 0.00592683393142}},
             "mu_cr = 0.574073166069, not 0.574073166169",

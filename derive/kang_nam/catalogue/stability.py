@@ -7,7 +7,7 @@ from sympy import Matrix
 
 from ...algebra import Names, Row
 from ...emit.function import Function, Module, rows
-from .. import stability
+from .. import routh, stability
 from ..nomenclature import B, C11, L, M, PARAMETERS, V, alpha, beta, c, creep, kappa, mu0, nbar
 from ..nomenclature import p, q, s, sigma, stiffness_entries, y
 from .arrangement import (
@@ -39,6 +39,7 @@ def module() -> Module:
     characteristic = sp.Poly(stability.characteristic(generic, damped), stability.lam).all_coeffs()
     determinant = generic.det()
     crossing, crossing_names = stability.flutter_crossing()
+    coupling, coupling_names = routh.coupling_crossing()
     cubic, cubic_names = _flutter_cubic()
     at_friction = (*ANGLE, *PARAMETERS)
     return Module(
@@ -151,6 +152,34 @@ def module() -> Module:
                 stability.flutter_friction(),
                 "mu0",
                 contact,
+            ),
+            Function(
+                "upright_friction",
+                "μ₀ at which a state in contact has θ = π/2, where K21 = 0: a Hopf point.",
+                "(14), (15)",
+                (*ANGLE0, *WITHOUT_FRICTION),
+                routh.upright_friction(),
+                "mu0",
+                contact,
+            ),
+            Function(
+                "coupling_lines",
+                "S, A, D of sin θ₀ = S/D and α cos θ₀ = A/D, in contact where K12 = 0, so that L "
+                "= −σ sin θ cos θ/μ₀: a Hopf point.",
+                "(14), (15), (28)",
+                at_friction,
+                routh.coupling_lines(),
+                "S, A, D",
+                contact,
+            ),
+            Function(
+                "coupling_crossing",
+                "N, J: L K12 changes by N/J per unit of θ₀, along equilibria in contact.",
+                "(14), (15), (28)",
+                (*ANGLE, L, *ANGLE0, mu0, *STIFFNESS),
+                coupling,
+                "N, J",
+                {**contact, **coupling_names},
             ),
         ),
     )

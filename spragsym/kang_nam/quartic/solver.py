@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,12 +28,16 @@ from ...numerics.interval_arrays import (
     IntArray,
     quiet,
 )
+from ...results import EquilibriumType
 from ...results.equilibria import Equilibria, Undecided
 from ...statics.states import Linearizing
 from .. import kernel
 from ..parameters import Parameters
 from . import block, compiled
 from .block import COLUMNS, Slots
+
+if TYPE_CHECKING:
+    from ...statics.stability import Linearized
 
 #: Points of a block, or up to twice as many: large beside the overhead of calls, and for NumPy to
 #: compute in place, which it does from 256 KB on; small enough for the cache.
@@ -65,6 +69,38 @@ class _Closed(Linearizing):
             case "marginal":
                 return self._marginal()
         return self._padded(name) if name in COLUMNS else None
+
+    def linearized(self, eq: Equilibria, states: tuple[IntArray, ...]) -> Linearized:
+        """The linearization, with the sign of the growth by the theorem of
+        ``derive/kang_nam/routh.py``.
+        """
+        found = super().linearized(eq, states)
+        return found.with_sign(self._grows(eq, states, found.sign)) if self.contact else found
+
+    def _grows(self, eq: Equilibria, states: tuple[IntArray, ...], sign: Int8Array) -> Int8Array:
+        """The sign of the growth of states in contact; as given where the theorem does not apply.
+
+        A state is stable exactly if det K > 0 and K₁₂ K₂₁ > 0, that is, cos θ > 0 or σ sin θ cos θ
+        + μ₀ L < 0. Of (27)'s types only divergence has det K < 0. What is undecided by the bound on
+        the error of θ and L is as given.
+        """
+        mu0, sigma, speed, steepness = (
+            np.broadcast_to(value[..., None], eq.undamped.shape)[states]
+            for value in self.p.broadcast("mu0", "sigma", "V", "d")
+        )
+        theta, L = eq["theta"][states], eq["L"][states]
+        c, s = kernel.cos_sin(theta)
+        off = eq.error[states] * np.maximum(np.maximum(theta, L), 1.0) + 2.0**-50
+        pull = sigma * s * c + mu0 * L
+        # Rounding of the products is below the bound of the larger of both terms.
+        off_pull = off * (sigma + mu0 * np.maximum(L, 1.0))
+        apart = (c > off) | (pull < -off_pull)
+        meets = (c < -off) & (pull > off_pull)
+        code = eq.undamped[states]
+        known = (mu0 > 0) & (speed > 0) & (steepness > 0) & ~eq.marginal[states]
+        divergent = code == EquilibriumType.DIVERGENT
+        verdict = np.select([divergent | meets, apart], [1, -1], sign)
+        return np.where(known, verdict, sign).astype(np.int8)
 
     def _flags(self, name: str) -> BoolArray:
         flags = np.zeros(math.prod(self.p.shape), dtype=bool)

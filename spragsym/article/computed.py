@@ -66,7 +66,7 @@ def _at(degrees: ArrayLike, **changes: Any) -> Parameters:
 
 
 def linear_critical() -> Outcome:
-    value = linear_critical_friction(_article())
+    value = float(linear_critical_friction(_article()))
     return abs(0.58 - value) <= 0.02 * 0.58, {"mu_cr": value, "0.58 - mu_cr": 0.58 - value}
 
 
@@ -219,14 +219,14 @@ def roots_of_21() -> Outcome:
     # With these four roots are real beside a single equilibrium.
     beyond = _at(90.0, mu0=1.0, sigma=1.0)
     real = [_real_roots(_at(angle)) for angle in angles]
-    sliding, alone = equilibria(_at(angles)).count, equilibria(beyond).count
+    sliding, alone = equilibria(_at(angles)).count, int(equilibria(beyond).count)
     more = _real_roots(beyond)
     return np.array_equal(real, sliding + 1) and (more, alone) == (4, 1), {
         "theta0_deg": angles,
         "real roots": real,
         "equilibria": sliding,
         "real roots at 90 deg, mu0 = sigma = 1": more,
-        "equilibria there": int(alone),
+        "equilibria there": alone,
     }
 
 

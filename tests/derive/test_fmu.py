@@ -28,6 +28,7 @@ from spragsym.derive.emit.targets import fmu
 from spragsym.models.load import shipped
 from tests.conformance.models import answers, starts
 from tests.oracles.contact_pages import BLOCKS, PADS, STOPPED_ROW
+from tests.oracles.coupled_frictions import SYSTEMS, drawn
 from tests.oracles.user_pages import derived
 from tests.shown import DOCS, programs, run
 from tests.support import ROOT, few
@@ -410,3 +411,24 @@ def test_modes_of_several_contacts_are_entered_as_python_enters_them(
     times = tr.events.t[tr.events.t > 0]
     np.testing.assert_allclose(events, times[np.diff(times, prepend=0.0) > 1e-9], atol=1e-8)
     assert len(events) > 5
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", ["stack", "tied", "lifting"])
+def test_coupled_frictions_move_as_in_python(name: str, tmp_path: Path) -> None:
+    """Where one turns or begins to hold and another has to slip at that instant, and where several
+    modes agree, as of twins that come to their limits together.
+    """
+    page = derived(SYSTEMS[name].text, name)
+    file, model = exported(tmp_path, "--model", str(page)), ss.load(page)
+    for seed in (1, 2):
+        values, state = drawn(name, np.random.default_rng([seed, len(name)]), seed == 2)
+        values = {each: values[each] for each in values if each in model.parameters}
+        if name == "tied" and seed == 1:
+            values |= {"a": 1.0, "n_1": 1.0, "n_2": 1.0}
+            state = np.array([0.0, 0.0, values["V"], values["V"]])
+        start = dict(zip(model.starting, state, strict=True))
+        tr = ss.simulate(model.Parameters(**values), start=state, t_end=20.0, rtol=1e-12)
+        found, events = stepped(file, start | values, [*start], 20.0)
+        np.testing.assert_allclose(found, tr.state[:, -1], rtol=0, atol=1e-7)
+        assert len(events) > 3

@@ -280,9 +280,9 @@ class Driver:
             np.where(self.sides == 0, limit - np.abs(f), slips), self.g + self.G @ z[:n]
         )
 
-    def run(self, start: Any, end: float) -> Any:
+    def run(self, start: Any, end: float, begin: float = 0.0) -> Any:
         """The state at the end."""
-        n, t, z = len(self.M), 0.0, np.array(start, dtype=float)
+        n, t, z = len(self.M), begin, np.array(start, dtype=float)
         self.sides = np.where(self.slips(z) >= 0, 1, -1)
         rest = np.flatnonzero(np.abs(self.slips(z)) < 1e-11)
         self.decide(t, z, rest, None, np.zeros(n))

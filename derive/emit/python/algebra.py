@@ -62,7 +62,9 @@ class AlgebraPrinter(StrPrinter):
 
     def _print_Mul(self, expression: sp.Mul) -> str:
         # A square that comes first is computed first without brackets.
-        text = re.sub(r"^(-?)\((\w+\*\w+)\)", r"\1\2", super()._print_Mul(expression))
+        # An unevaluated −(−a) would be a decrement in C.
+        plain = super()._print_Mul(expression).removeprefix("--")
+        text = re.sub(r"^(-?)\((\w+\*\w+)\)", r"\1\2", plain)
         if sum(factor in self.body.negated for factor in expression.args) % 2 == 0:
             return text
         return text.removeprefix("-") if text.startswith("-") else f"-{text}"

@@ -209,6 +209,7 @@ def _model(material: Material, motion: MotionMaterial, words: Mapping[str, str])
         "turning_rates": "sapm",
         "grip": "spm",
         "grip_slopes": "spm",
+        **({"mass_matrix": "sp"} if "grip" in algebra else {}),
         "outputs": "spm",
         "output_slopes": "spm",
         "clock": "p",

@@ -139,12 +139,12 @@ static int look(const Motion *it, Point *at) {
 }
 
 #if HOLDS
-/* Whether in a mode each friction of some that sticks is within its limits, and each that slips can't stick, or is driven the way
- * it slips. */
-static int agrees(const Motion *it, const double *state, const double *mode, const int *some) {
-    double margin[2 * HOLDS], pull[COORDINATES], change[NEAR];
+/* The largest share of its limit that a friction of some lacks for a mode to agree with its own accelerations: one that sticks must
+ * be within its limits, and one that slips be unable to stick, or be driven the way it slips. 0 where it agrees. */
+static double lacking(const Motion *it, const double *state, const double *mode, const int *some) {
+    double margin[2 * HOLDS], pull[COORDINATES], change[NEAR], largest = 0.0;
     if (grip(state, it->p, mode, margin)) {
-        return 0;
+        return INFINITY;
     }
     for (int i = 0; i < SIDES; i++) {
         if (!some[i]) {
@@ -152,63 +152,81 @@ static int agrees(const Motion *it, const double *state, const double *mode, con
         }
         const double side = mode[CONTACTS + i], ahead = margin[2 * RUBBING[i].row], behind = margin[2 * RUBBING[i].row + 1];
         const int sticks = fmin(ahead, behind) >= 0.0 && fmax(ahead, behind) > 0.0;
-        const double pulled = (ahead < behind) ? 1.0 : -1.0;
+        const double pulled = (ahead < behind) ? 1.0 : -1.0, width = ahead + behind;
         if (side == (sticks ? 0.0 : pulled)) {
             continue;
         }
         if (!sticks || regime_rhs(state, it->p, mode, pull) || border_rates(state, pull, it->p, change) ||
             side * change[CONTACTS + i] <= 0.0) {
-            return 0;
+            const double least = (side == -pulled) ? fmax(ahead, behind) : fmin(ahead, behind);
+            largest = fmax(largest, (width > 0.0) ? fabs(least) / width : INFINITY);
         }
     }
-    return 1;
+    return largest;
 }
 
-/* The sides of some frictions that hold that agree with the accelerations; of those that do the ones of which most stick. Not 0:
- * there are none, or several that are no part of one. */
-static int settled(Motion *it, const double *state, const int *some) {
-    double mode[MODES], found[MODES];
-    unsigned stuck = 0;
+/* By how much the accelerations of a mode differ from others: D' M D of the difference D. */
+static double differs(const Motion *it, const double *state, const double *mode, const double *others) {
+    double pull[COORDINATES], mass[COORDINATES * COORDINATES], sum = 0.0;
+    if (regime_rhs(state, it->p, mode, pull) || mass_matrix(state, it->p, mass)) {
+        return INFINITY;
+    }
+    for (int i = 0; i < COORDINATES; i++) {
+        for (int j = 0; j < COORDINATES; j++) {
+            sum += (pull[i] - others[i]) * mass[i * COORDINATES + j] * (pull[j] - others[j]);
+        }
+    }
+    return sum;
+}
+
+/* The sides of some frictions that hold, by the rule of a motion in Python: as many stick as can; among these the accelerations
+ * differ least from those of the mode before, at a start from 0; of equals the first of the page stick. Where rounding leaves none
+ * that agrees, those of which least is lacking. Not 0: the mode has no accelerations. */
+static int settled(Motion *it, const double *state, const int *some, const double *before) {
+    double mode[MODES], found[MODES], least = INFINITY, pull[COORDINATES] = {0.0};
     int known = 0, count = 0, most = 1;
     for (int i = 0; i < SIDES; i++) {
         count += some[i];
         most *= some[i] ? 3 : 1;
     }
-    for (int slips = 0; slips <= count; slips++) {
+    if (before && regime_rhs(state, it->p, before, pull)) {
+        return 1;
+    }
+    for (int slips = 0; slips <= count && !known; slips++) {
         for (int code = 0; code < most; code++) {
-            unsigned still = 0;
             int rest = code, sliding = 0;
             memcpy(mode, it->mode, sizeof mode);
-            for (int i = 0; i < SIDES; i++) {
+            for (int i = SIDES - 1; i >= 0; i--) {
                 if (some[i]) {
                     const int side = rest % 3; /* none, belt ahead, mass ahead */
                     rest /= 3;
                     mode[CONTACTS + i] = (side == 2) ? -1.0 : side;
                     sliding += side > 0;
-                    still |= side ? 0u : 1u << i;
                 }
             }
-            const int part = known && (still & ~stuck) == 0u && still != stuck;
-            if (sliding != slips || part || !agrees(it, state, mode, some)) {
+            if (sliding != slips) {
                 continue;
             }
-            if (known) {
-                return 1;
+            const double lack = lacking(it, state, mode, some);
+            const int agrees = lack <= 0.0;
+            const double size = agrees ? differs(it, state, mode, pull) : lack;
+            if ((agrees && !known) || (agrees >= known && size * (1.0 + 1e-9) < least)) {
+                known = agrees;
+                least = size;
+                memcpy(found, mode, sizeof found);
             }
-            known = 1;
-            stuck = still;
-            memcpy(found, mode, sizeof found);
         }
     }
-    if (known) {
+    if (known || least < INFINITY) {
         memcpy(it->mode, found, sizeof found);
+        return 0;
     }
-    return !known;
+    return 1;
 }
 
 /* The sides where frictions come to a border: those that stick and those that hardly slide may begin and end to stick with the one
  * that came. */
-static int hold(Motion *it, const double *state, int came) {
+static int hold(Motion *it, const double *state, int came, const double *before) {
     double level[NEAR];
     int some[SIDES] = {0};
     if (borders(state, it->p, level)) {
@@ -220,7 +238,7 @@ static int hold(Motion *it, const double *state, int came) {
             some[place - CONTACTS] = place == came || it->mode[place] == 0.0 || fabs(level[place]) <= STILL * it->level[k];
         }
     }
-    return settled(it, state, some);
+    return settled(it, state, some, before);
 }
 #endif
 
@@ -267,15 +285,19 @@ static int stop(const Motion *it, const double *sides, double *state) {
 
 /* Enters the mode on the other side of a border. Not 0: there is none. */
 static int cross(Motion *it, double *state, int border) {
-    double *const mode = it->mode, sides[SIDES];
-    memcpy(sides, mode + CONTACTS, sizeof sides);
+    double *const mode = it->mode, before[MODES], *const sides = before + CONTACTS;
+    memcpy(before, mode, sizeof before);
     if (border >= INDICATORS) {
         mode[NEAR + border - INDICATORS] = 1.0 - mode[NEAR + border - INDICATORS];
         return 0;
     }
     if (border >= EVENTS) {
         mode[WAY + border - EVENTS] *= -1.0;
+#if HOLDS
+        return hold(it, state, -1, before) || stop(it, sides, state); /* the torque may jump */
+#else
         return 0;
+#endif
     }
     const int place = EVENT_BORDERS[border].place;
     if (EVENT_BORDERS[border].kind == LIFT) {
@@ -288,7 +310,7 @@ static int cross(Motion *it, double *state, int border) {
     for (int i = 0; i < SIDES && EVENT_BORDERS[border].kind == LIFT; i++) {
         came = (RUBBING[i].contact == place && sides[i] == 0.0) ? CONTACTS + i : came;
     }
-    if (came >= 0 && hold(it, state, came)) {
+    if (came >= 0 && hold(it, state, came, before)) {
         return 1;
     }
 #endif
@@ -339,7 +361,7 @@ static int mode_of(Motion *it, const double *state) {
     }
 #endif
 #if HOLDS
-    return still && settled(it, state, some);
+    return still && settled(it, state, some, NULL);
 #else
     return 0;
 #endif

@@ -1,0 +1,148 @@
+"""Motions and cycles of eleven pages whose dry frictions share inertias, against an event-driven
+driver with its own complementarity, a regularized law by Radau, SciPy's backend and the FMU.
+"""
+
+import tempfile
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import spragsym as ss
+from tests.oracles.coupled_frictions import SYSTEMS, Driver, drawn, regularized
+from tests.oracles.user_pages import derived
+
+MOTIONS = 200
+CASES = MOTIONS + 60
+T_END = 50.0
+
+
+def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
+    """One motion to t = 50, with one coefficient or two; of the last sixty one cycle."""
+    name = [*SYSTEMS][number % len(SYSTEMS)]
+    equal = number // len(SYSTEMS) % 2 == 0 and number < MOTIONS
+    values, start = drawn(name, rng, equal)
+    model = ss.load(derived(SYSTEMS[name].text, name))
+    p = model.Parameters(**{each: values[each] for each in values if each in model.parameters})
+    return (_motion if number < MOTIONS else _cycle)(number, name, p, values, start)
+
+
+def _whole(name: str, values: dict[str, float], state: Any) -> Any:
+    """A state with phase 0 and rate of the clock, if the page has one."""
+    n = len(state) // 2
+    return np.insert(state, [n, 2 * n], [0.0, values["w"]]) if SYSTEMS[name].clock else state
+
+
+def _motion(number: int, name: str, p: Any, values: dict[str, float], start: Any) -> dict[str, Any]:
+    driver = Driver(name, values)
+    end, full = driver.run(start, T_END), _whole(name, values, start)
+    n = len(full) // 2
+    kept = np.flatnonzero(~np.isin(np.arange(2 * n), [n - 1, 2 * n - 1] * SYSTEMS[name].clock))
+    off, wrong = 0.0, list[str]()
+    for backend in ("heyoka", "scipy"):
+        tr = ss.simulate(p, start=full, t_end=T_END, rtol=1e-12, backend=backend)
+        off = max(off, float(np.abs(tr.state[kept, -1] - end).max()))
+        dry = tr.events.of("stick", "slip", "mass_overtakes", "belt_overtakes")
+        if len(dry) != len(driver.events):
+            wrong.append(f"{backend}: {len(dry)} events for {len(driver.events)}")
+        if not (np.diff(tr.events.t) >= 0).all():
+            wrong.append(f"{backend}: events are not in order")
+        for index, contact in enumerate(entry["name"] for entry in p.model.frictions):
+            limits = [
+                values["mu_s"] * driver.normal(q)[index]
+                for q in tr.state[kept[: n - SYSTEMS[name].clock]].T
+            ]
+            over = float((np.abs(tr.friction_force(contact)) - limits).max())
+            if over > 1e-9:
+                wrong.append(f"{backend}: friction {contact} is {over:.2g} beyond its limit")
+        leap = np.abs(np.diff(tr.state[n:], axis=1)) - 20.0 * np.diff(tr.t)
+        if leap.max() > 1e-9:
+            wrong.append(f"{backend}: rates leap by {leap.max():.2g}")
+    wrong += [f"{off:.2g} off the driver"] * (off > _allowed(name, values, start, end))
+    found = {"kind": name, "off": off, "events": len(driver.events)}
+    if values["mu_s"] == values["mu_k"] and number % 3 == 0:
+        smooth = regularized(name, values, start, 10.0, 1e-5)
+        found["regularized"] = float(np.abs(smooth - Driver(name, values).run(start, 10.0)).max())
+        wrong += ["not as the regularized law"] * (found["regularized"] > 2e-3)
+    if number % 8 == 0:
+        found["fmu"] = float(np.abs(np.array(_by_fmu(name, p, full))[kept] - end).max())
+        wrong += [f"the FMU is {found['fmu']:.2g} off"] * (found["fmu"] > 1e-6)
+    return found | {"wrong": [f"{text}: {values}, {start.tolist()}" for text in wrong]}
+
+
+def _allowed(name: str, values: dict[str, float], start: Any, end: Any) -> float:
+    """How far a motion may be off: 1e-8, or what a change of 1e-11 of the start grows to."""
+    near = Driver(name, values).run(start + 1e-11, T_END)
+    return max(1e-8, 100 * float(np.abs(near - end).max()))
+
+
+@cache
+def _fmu(name: str) -> str:
+    """The FMU of a page."""
+    from spragsym.cli import main
+
+    out = Path(tempfile.mkdtemp()) / f"{name}.fmu"
+    command = ["export", "--model", str(derived(SYSTEMS[name].text, name)), "--language", "fmu"]
+    try:
+        main([*command, "--out", str(out)])
+    except SystemExit as ended:
+        if ended.code:
+            raise RuntimeError(f"no FMU of {name}") from ended
+    return str(out)
+
+
+def _by_fmu(name: str, p: Any, start: Any) -> list[float]:
+    """The state at the end by Co-Simulation."""
+    import fmpy
+
+    names = [*p.model.starting]
+    given = dict(zip(names, start, strict=True)) | {
+        each: float(getattr(p, each)) for each in p.model.parameters
+    }
+    if SYSTEMS[name].clock:
+        given.pop(names[-1])
+    found = fmpy.simulate_fmu(
+        _fmu(name),
+        start_values=given,
+        stop_time=T_END,
+        output_interval=T_END,
+        relative_tolerance=1e-12,
+        fmi_type="CoSimulation",
+        output=[*p.model.field.components],
+    )
+    return [float(value) for value in found[-1].tolist()[1:]]
+
+
+def _cycle(number: int, name: str, p: Any, values: dict[str, float], start: Any) -> dict[str, Any]:
+    try:
+        cycle = ss.cycle(p, near=_whole(name, values, start), patient=False)
+    except ss.errors.ConvergenceError:  # it comes to rest or to steady sliding
+        return {"kind": "no cycle", "wrong": []}
+    n, clock = len(cycle.state) // 2, SYSTEMS[name].clock
+    kept = np.flatnonzero(~np.isin(np.arange(2 * n), [n - 1, 2 * n - 1] * clock))
+    begin = cycle.state[n - 1] / values["w"] if clock else 0.0
+
+    def after(state: Any) -> Any:
+        return Driver(name, values).run(state, begin + cycle.period, begin)
+
+    here, step = cycle.state[kept], 1e-6
+    off = float(np.abs(after(here) - here).max())
+    wrong = [f"open by {off:.2g}"] * (off > 1e-8)
+    trivial = float(np.abs(cycle.multipliers - 1).min())
+    wrong += [f"trivial multiplier off by {trivial:.2g}"] * (trivial > 1e-8)
+    columns = [(after(here + d) - after(here - d)) / (2 * step) for d in step * np.eye(len(here))]
+    theirs = np.sort(np.abs(np.linalg.eigvals(np.transpose(columns))))[::-1]
+    ours = np.sort(np.abs(cycle.multipliers))[::-1]
+    if clock:  # the driver's time has no multiplier of its own
+        ours = np.delete(ours, np.abs(ours - 1).argmin())
+    count = min(len(ours), len(theirs))
+    unlike = float(np.abs(ours[:count] - theirs[:count]).max())
+    wrong += [f"multipliers {ours} for {theirs}"] * (unlike > 1e-3)
+    return {
+        "kind": f"cycle of {name}",
+        "wrong": [f"{text}: {values}, {start.tolist()}" for text in wrong],
+        "open": off,
+        "trivial": trivial,
+        "multipliers": unlike,
+    }

@@ -245,7 +245,10 @@ def check(
             f'{path.name} names no model; add model = "page.py" to it, or give model'
         )
     chosen = Path(model) if model is not None else _named(path, read.model, trust)
-    found = verdicts.check(read, _page(chosen))
+    try:
+        found = verdicts.check(read, _page(chosen))
+    except papers.PaperError as error:
+        raise ParameterError(f"{path.name}: {error}") from error
     return PaperCheck(**vars(found))
 
 

@@ -42,6 +42,8 @@ class Book:
     #: names of objects, with the statements that give them
     bound: dict[str, Statement] = field(default_factory=dict)
     defined: dict[str, Node] = field(default_factory=dict)
+    #: the statements, by their ids, in which names are defined
+    definers: dict[str, str] = field(default_factory=dict)
     #: rows and columns of defined matrices
     shapes: dict[str, tuple[int, int]] = field(default_factory=dict)
     #: arguments of defined names that are printed as functions
@@ -202,7 +204,7 @@ def _vocabulary(
     """The vocabulary of a statement."""
     objects = book.objects(derivation) if matrices else ()
     shapes = {name: held.shape for name, held in objects if held.shape is not None}
-    values = _expressions(derivation, book)
+    values = meanings(derivation, book)
     given = book.defined.keys() | book.shapes.keys() | book.bound.keys() | values.keys()
     has_roots, gives_names = statement.word == "characteristic", statement.word == "definition"
     is_steady = False
@@ -266,7 +268,7 @@ def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:
             book.letters.get(name, letters.get(name, name)) for name in (of, other)
         )
         book.letters[other_slope.name] = other_slope.latex(letter, by_letter if by else "")
-    values = _expressions(derivation, book, added)
+    values = meanings(derivation, book, added)
     if of not in values:
         said = "say what it is in a statement about definition"
         raise Unread(f"the derivative of {of}, which is no name that is known; {said}")
@@ -327,7 +329,7 @@ def _arguments(
     return found
 
 
-def _expressions(
+def meanings(
     derivation: Derivation, book: Book, more: Mapping[str, Slope] | None = None
 ) -> dict[str, Expr]:
     """Expressions, in the page's symbols, of all names: of the page, of objects, of definitions and
@@ -357,19 +359,21 @@ def _meant(name: str, subject: Object, derivation: Derivation, book: Book) -> Ex
         book.meant[key] = subject.entries[subject.index[0]]
         statement = book.bound[name]
         if subject.readings and statement.text:
-            with suppress(Unread, NoObject, KeyError):
+            try:
                 *_, equation = equations_of(statement.judged, statement, derivation, book)
                 equation = by_name(equation, derivation.names.keys() - subject.names)
                 # Only symbols are compared: the print's coordinates may have other signs.
-                own = to_sympy(equation.right, _expressions(derivation, book)).free_symbols
-                book.meant[key] = min(
-                    (reading.entry for reading in subject.readings),
-                    key=lambda entry: len(own ^ entry.free_symbols),
-                )
+                own = to_sympy(equation.right, meanings(derivation, book)).free_symbols
+            except (Unread, NoObject, KeyError):  # as of a name that is defined behind it
+                return book.meant.pop(key)
+            book.meant[key] = min(
+                (reading.entry for reading in subject.readings),
+                key=lambda entry: len(own ^ entry.free_symbols),
+            )
     return book.meant[key]
 
 
-def _used(equations: Iterable[Equation], book: Book) -> set[str]:
+def used(equations: Iterable[Equation], book: Book) -> set[str]:
     """Names in equations, in the definitions of these names, and so on."""
     found: set[str] = set()
     pending = {name for one in equations for name in symbols(one.right) | symbols(one.left)}
@@ -406,7 +410,7 @@ def named(
         steady=subject.steady,
     )
     names = (objects.keys() | book.slopes.keys()) & whole.keys()
-    stems = {stem(name) for name in _used(equations, book) & names}
+    stems = {stem(name) for name in used(equations, book) & names}
     bound = {name: whole[name] for name in sorted(names) if stem(name) in stems}
     for name, value in bound.items():
         values[name] = numeric(value, values)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TypeAlias
 
@@ -24,7 +24,7 @@ from .identities import is_zero, quotients
 from .objects import LAMBDA
 from .reading import Item
 from .repair import Values, evaluated, same, same_but_for_constant, same_but_for_factor
-from .samples import numeric
+from .samples import in_motion, numeric
 from .tree import Equation, Node, printed, residual, to_sympy
 
 
@@ -348,7 +348,9 @@ class Comparison:
         """Whether a difference is proved to be 0 on a side of the contacts, as it stands or with
         the laws of forces inserted.
         """
-        derivation = self.item.derivation
+        derivation, subject = self.item.derivation, self.item.subject
+        if subject.along:
+            gap = gap.xreplace(in_motion(derivation, replace(subject, side=side)))
         touching = (derivation.pushing(contact, side) for contact in derivation.model.contacts)
         gap = gap.xreplace(dict(zip(derivation.switches, touching, strict=True)))
         named = dict.fromkeys((gap, gap.xreplace(self.laws(side))))

@@ -1,57 +1,91 @@
-"""Search for the signs and origins of a paper's coordinates, the same in all its statements."""
+"""Signs and origins of a paper's coordinates: those that its file states, and those in which rows
+would hold that are wrong as it stands.
+"""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
 from .comparison import Comparison, Convention, Conventions
 from .objects import Derivation
+from .papers import PaperError
 from .reading import Item
+from .tree import Unread, Vocabulary, read_sympy, to_sympy
 
 
-def conventions_of(statements: Sequence[object]) -> Conventions:
-    """The conventions in which the fewest of the statements fail that are compared; empty for those
-    of the page.
+def stated(texts: Mapping[str, str], derivation: Derivation) -> Conventions:
+    """The conventions of a file: for each coordinate "reversed", or what the paper counts in terms
+    of the page, as ``theta - pi``.
 
-    Signs and origins of one coordinate, or of two, are tried. A convention is accepted only if at
-    least two more statements hold in it: one that would hold may be a misprint.
+    Raises
+    ------
+    PaperError
+        If a key is no coordinate, or a clock, or its text no such expression.
     """
+    model, found = derivation.model, dict[str, Convention]()
+    moving = [str(it) for it in model.coordinates if it != model.clock]
+    names = {str(it): it for it in model.coordinates} | dict(derivation.parameters)
+    for name, text in texts.items():
+        where = f"[conventions] {name} = {text!r}:"
+        if name not in moving:
+            said = "a clock has no sign and no origin" if name in names else "it is no coordinate"
+            raise PaperError(f"{where} {said}; coordinates are {', '.join(moving)}")
+        try:
+            spelled = f"-{name}" if text == "reversed" else text
+            (equation,) = read_sympy(spelled, Vocabulary(frozenset(names), (), {}))
+            value = to_sympy(equation.left, names)
+        except (Unread, ValueError) as error:
+            raise PaperError(f"{where} {error}; write 'reversed' or '{name} - pi'") from error
+        sign, shift = sp.diff(value, names[name]), sp.expand(value).subs(names[name], 0)
+        if sign not in (1, -1) or shift.has(*model.coordinates):
+            raise PaperError(f"{where} is no 'reversed' and not {name} or -{name} and a constant")
+        found[name] = Convention(int(sign), shift)
+    return found
 
-    def failing(conventions: Conventions, limit: int) -> int:
-        """Number of statements that fail, counted up to ``limit``.
 
-        Statements that failed are tried first the next time, so that the count ends early.
-        """
-        failed = []
-        for item in order:
-            if not Comparison(item, conventions).agrees:
-                failed.append(item)
-                if len(failed) == limit:
-                    break
-        order.sort(key=lambda item: not any(item is one for one in failed))
-        return len(failed)
+def unstated(
+    wrong: Mapping[str, Sequence[Item]],
+    right: Iterable[Item],
+    known: Conventions,
+    holds: Callable[[Item, Conventions], bool],
+) -> tuple[Conventions, list[str]]:
+    """The convention in which the most wrong rows seem to hold, and these by their ids; none where
+    a row that is right as it stands does not hold in it.
 
-    order = [it for it in statements if isinstance(it, Item)]
-    best: Conventions = {}
-    failing_as_printed = fewest = failing(best, len(order) + 1)
-    if fewest < 2:
-        return best
-    derivation = order[0].derivation
+    Signs and origins of one coordinate are tried, of two where several rows are wrong, and never
+    those of a clock. ``wrong`` has what each row is held against, by its id.
+    """
+    derivation = next(iter(wrong.values()))[0].derivation
+    tried: list[tuple[Conventions, list[str]]] = []
+    for more in _all(derivation, known, 1 + (len(wrong) > 1)):
+        conventions = {**known, **more}
+        rows = [
+            id
+            for id, items in wrong.items()
+            if any(Comparison(it, conventions).agrees for it in items)
+        ]
+        tried += [(conventions, rows)] if rows else []
+    for conventions, rows in sorted(tried, key=lambda it: -len(it[1])):
+        if all(holds(one, conventions) for one in right):
+            return conventions, rows
+    return {}, []
+
+
+def _all(derivation: Derivation, known: Conventions, most: int) -> Iterator[Conventions]:
+    """Conventions other than the known ones, of one coordinate, then of up to ``most``."""
+    clock = derivation.model.clock
     choices = {
-        str(entry.symbol): _choices(derivation, entry.unit) for entry in derivation.page.coordinates
+        name: [it for it in _choices(derivation, entry.unit) if it != known.get(name, Convention())]
+        for entry in derivation.page.coordinates
+        if entry.symbol != clock and (name := str(entry.symbol))
     }
-    for count in (1, 2) if len(choices) < 3 else (1,):
+    for count in range(1, 1 + (most if len(choices) < 3 else 1)):
         for names in itertools.combinations(choices, count):
             for choice in itertools.product(*(choices[name] for name in names)):
-                tried = best | dict(zip(names, choice, strict=True))
-                if (failed := failing(tried, fewest)) < fewest:
-                    best, fewest = tried, failed
-                if not fewest:
-                    break
-    return best if fewest <= failing_as_printed - 2 else {}
+                yield dict(zip(names, choice, strict=True))
 
 
 def _choices(derivation: Derivation, unit: str) -> list[Convention]:
@@ -64,4 +98,4 @@ def _choices(derivation: Derivation, unit: str) -> list[Convention]:
     else:
         data = (*derivation.page.units, *derivation.page.parameters)
         shifts += [way * it.symbol for it in data if it.unit == unit for way in (1, -1)]
-    return [Convention(sign, shift) for shift in shifts for sign in (1, -1)]
+    return [Convention(sign, shift) for shift in shifts for sign in (-1, 1)]

@@ -27,7 +27,7 @@ from .identities import is_zero
 NORMAL, LAMBDA, TIME = Symbol("N", real=True), Symbol("lam"), Symbol("t", real=True)
 
 #: Words of objects that may be restricted to ``belt ahead``, where every friction has one sign.
-MOVING = ("motion", "acceleration")
+MOVING = ("motion", "acceleration", "identity")
 
 T = TypeVar("T")
 
@@ -64,6 +64,7 @@ class Object:
     #: key of ``Derivation.sides``; any other word, as "both", for all of these
     side: str = "contact"
     ahead: bool = False  #: every belt is faster than what slides on it
+    along: bool = False  #: accelerations are those of the motion, and not free
     unit: Dimension | None = None
     #: all values that the name may have where authors differ, the entry first
     readings: tuple[Reading, ...] = ()
@@ -310,6 +311,14 @@ class Derivation:
         return self.geometry | {str(symbol): symbol for symbol in symbols} | self.parameters
 
     @cached_property
+    def free(self) -> frozenset[str]:
+        """Names of the page that have no value there: quantities, coordinates, rates and what
+        these become.
+        """
+        laws = map(str, (*self.laws, *self.switches))
+        return frozenset(it for it, at in self.names.items() if at.is_Symbol) - {*laws}
+
+    @cached_property
     def letters(self) -> dict[str, str]:
         """LaTeX of every name that a print may use."""
         data = self.page.parameters
@@ -399,6 +408,13 @@ def _acceleration(derivation: Derivation, name: str, side: str) -> Object:
     rows = tuple(row.subs(solved).subs(solved) for row in whole)
     second = frozenset(str(derivation.accelerations[place]) for place in places)
     return Object(rows, "motion.Motion.accelerations", "vector", places, names=second)
+
+
+def _identity(derivation: Derivation, name: str, side: str) -> Object:
+    """An equation of names that are known, whose entries its own left sides are."""
+    if name:
+        raise NoObject(f"an identity is of no {name}; leave that out")
+    return Object((), "derivatives.expressions")
 
 
 def _energy(derivation: Derivation, name: str, side: str) -> Object:
@@ -720,6 +736,7 @@ Deriver: TypeAlias = Callable[[Derivation, str, str], Object]
 OBJECTS: Mapping[str, Deriver] = {
     "motion": _motion,
     "acceleration": _acceleration,
+    "identity": _identity,
     "energy": _energy,
     "balance": partial(_equilibrium, steady=False),
     "equilibrium": _equilibrium,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeAlias
 
@@ -47,13 +47,15 @@ class Statement:
 class Paper:
     """A file of statements.
 
-    ``renamed`` has the paper's own names with their meanings on the page, from [symbols].
+    ``renamed`` has the paper's own names with their meanings on the page, from [symbols];
+    ``conventions`` how it counts coordinates, from [conventions].
     """
 
     title: str
     model: str
     renamed: Mapping[str, str]
     statements: tuple[Statement, ...]
+    conventions: Mapping[str, str] = field(default_factory=dict)
 
 
 def read(path: Path) -> Paper:
@@ -84,15 +86,20 @@ def read(path: Path) -> Paper:
         line = next(found, after or 1)
         return PaperError(f"{path.name}, line {line}, key {key}: {message}")
 
-    for key in data.keys() - {"paper", "model", "symbols", "statement"}:
-        raise refuse(key, "is unknown; allowed are paper, model, symbols, statement")
+    for key in data.keys() - {"paper", "model", "symbols", "conventions", "statement"}:
+        raise refuse(key, "is unknown; allowed are paper, model, symbols, conventions, statement")
     texts = {key: data.get(key, "") for key in ("paper", "model")}
     for key, value in texts.items():
         if not isinstance(value, str):
             raise refuse(key, f"{value!r} is no text; write it in quotation marks")
-    names, entries = data.get("symbols", {}), data.get("statement", [])
-    if not isinstance(names, dict) or not all(isinstance(it, str) for it in names.values()):
-        raise refuse("symbols", 'is no table of texts; write "print" = "page\'s name"')
+    entries, tables = data.get("statement", []), dict[str, dict[str, str]]()
+    for key, said in (
+        ("symbols", """write "print" = "page's name\""""),
+        ("conventions", 'write x = "reversed" or theta = "theta - pi"'),
+    ):
+        tables[key] = table = data.get(key, {})
+        if not isinstance(table, dict) or not all(isinstance(it, str) for it in table.values()):
+            raise refuse(key, f"is no table of texts; {said}")
     if not isinstance(entries, list) or not entries:
         raise refuse("statement", "there is none; begin each with [[statement]]")
     begins = [
@@ -110,7 +117,8 @@ def read(path: Path) -> Paper:
             found.append(Statement(text=entry["latex"], is_latex=True, transcribed=sympy, **rest))
         else:
             found.append(Statement(text=sympy, is_latex=False, **rest))
-    return Paper(str(texts["paper"]), str(texts["model"]), names, tuple(found))
+    head = str(texts["paper"]), str(texts["model"]), tables["symbols"]
+    return Paper(*head, tuple(found), tables["conventions"])
 
 
 def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:

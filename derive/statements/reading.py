@@ -9,19 +9,26 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, Symbol
 
+from .. import units
 from ..pages import PageModel
+from ..units import Dimension
 from . import samples
-from .book import Book, book_of, bind, by_name, equations_of, forms_of, named, print_name
-from .book import with_defined
+from .book import Book, book_of, bind, by_name, equations_of, forms_of, meanings, named
+from .book import print_name, with_defined
 from .derivatives import Slope
 from .matrices import matrix_of
 from .objects import Derivation, NoObject, Object, derived
 from .papers import Paper, Statement
 from .repair import Values, evaluated, same, same_but_for_factor
 from .samples import numeric
-from .tree import Equation, Node, Unread, nodes, printed, residual, symbols, to_sympy
+from .tree import Equation, Node, Unread, joined, minus, nodes, printed, residual, symbols
+from .tree import to_sympy
+
+
+#: Words of statements whose equations hold on the page by themselves, and not about an object.
+ASSERTED = ("definition", "identity")
 
 
 @dataclass(frozen=True)
@@ -92,13 +99,8 @@ def read_statement(statement: Statement, book: Book) -> Item | Verdict:
     for form in (statement.form,) if statement.form else ("units", "scaled"):
         derivation = book.forms["units" if statement.word == "scale" else form]
         try:
-            subject = (
-                None if statement.word == "definition" else derived(derivation, statement.about)
-            )
             equations = equations_of(statement.judged, statement, derivation, book)
-            if statement.word == "normal" and "," not in statement.about and _opens(equations):
-                subject = derived(derivation, f"{statement.about}, both")
-            return _item(statement, derivation, subject, equations, book)
+            return _item(statement, derivation, equations, book)
         except Unread as error:
             where = f"at {error.place}, {statement.judged[error.place :][:20]!r}: "
             readings = f"; either {' or '.join(error.readings)}" if error.readings else ""
@@ -108,6 +110,16 @@ def read_statement(statement: Statement, book: Book) -> Item | Verdict:
     return Verdict(statement, "unread", problem)
 
 
+def in_motion(item: Item) -> Item:
+    """The statement with the accelerations that the equations of motion give."""
+    subject = replace(item.subject, along=True)
+    values = samples.drawn(item.derivation, subject)
+    for name, value in item.bound.items():
+        values[name] = numeric(value, values)
+    targets = tuple(numeric(entry, values) for entry in subject.entries)
+    return replace(item, subject=subject, values=values, targets=targets)
+
+
 def _opens(equations: list[Equation]) -> bool:
     """Whether equations say what a normal force is in an open contact too."""
     inside = {one.value for equation in equations for one in nodes(equation.right)}
@@ -115,23 +127,29 @@ def _opens(equations: list[Equation]) -> bool:
 
 
 def _new_names(
-    equations: list[Equation], derivation: Derivation, book: Book
+    equations: list[Equation], statement: Statement, derivation: Derivation, book: Book
 ) -> tuple[dict[str, Equation], list[Equation]]:
-    """The equations that give new names their values, by these, and the remaining equations.
+    """The equations that give new names their values, by these, and the remaining equations, which
+    claim something: a second value of a name, or one of a name that is known.
 
     In a = b = c + d, both a and b stand for c + d.
     """
     values: dict[str, Equation] = {}
     equal_names: list[Equation] = []
     known: list[Equation] = []
+    definers = book.definers
+    given = {it for it in meanings(derivation, book) if definers.get(it) != statement.id}
 
     def is_new(node: Node) -> bool:
-        return node.kind == "symbol" and node.value not in derivation.names | book.bound
+        return node.kind == "symbol" and node.value not in given
 
     for printed_one in equations:
-        equation = by_name(printed_one, derivation.names | book.bound | book.defined | values)
+        equation = by_name(printed_one, given | values.keys())
         left, right = equation.left, equation.right
-        if not is_new(left) or left.value in symbols(right):
+        if not is_new(left) and is_new(right) and right.value not in values:
+            left, right = right, left
+            equation = replace(equation, left=left, right=right)
+        if not is_new(left) or left.value in values or left.value in symbols(right):
             known.append(equation)
         elif is_new(right) and right.value not in book.defined:
             equal_names.append(equation)
@@ -151,6 +169,7 @@ def _defined(
 ) -> Verdict:
     """Keep the names of a definition in the book, and give its verdict."""
     book.defined.update({name: one.right for name, one in new.items()})
+    book.definers.update(dict.fromkeys(new, statement.id))
     for base, group in itertools.groupby(new, lambda name: name.rpartition("_")[0]):
         names = [*group]
         if (matrix := matrix_of(names)) is not None and base not in derivation.names:
@@ -161,7 +180,34 @@ def _defined(
                 left = statement.text.partition("=")[0]
             print_name(name, left, statement, derivation, book)
     read = "; ".join(f"{name} = {printed(one.right)}" for name, one in new.items())
+    whole = {} if derivation.scaled else meanings(derivation, book)
+    bound = {name: at for name, at in whole.items() if name not in derivation.names | book.defined}
+    defined = {name: book.defined[name] for name in whole if name in book.defined}
+    try:
+        for one in (one for name, one in new.items() if name in whole):
+            unit_of(one.right, derivation, bound, defined)
+    except units.UnitsError as error:
+        return Verdict(statement, "failed", f"units: {error}", read)
     return Verdict(statement, "definition", read=read)
+
+
+def unit_of(
+    tree: Node, derivation: Derivation, bound: Mapping[str, Expr], defined: Mapping[str, Node]
+) -> Dimension | None:
+    """The dimension of a printed side; None for 0.
+
+    Raises
+    ------
+    UnitsError
+        If its units do not fit together.
+    """
+    names: dict[str, Expr] = {name: Symbol(name) for name in derivation.names}
+    known = {symbol: derivation.kinds.get(name, units.NONE) for name, symbol in names.items()}
+    for name, value in bound.items():
+        names[name] = value.xreplace({it: Symbol(it.name) for it in value.free_symbols})
+    for name, part in defined.items():
+        names[name] = to_sympy(part, names, evaluate=False)
+    return units.of(to_sympy(tree, names, evaluate=False), known)
 
 
 def _definitions_beside(
@@ -184,15 +230,15 @@ def _definitions_beside(
 
 
 def _known_names(
-    equations: list[Equation], statement: Statement, derivation: Derivation, book: Book
+    equations: list[Equation], subject: Object, derivation: Derivation, book: Book
 ) -> Object:
-    """The object of a definition that gives values to known names: lengths, inclinations, normal
-    forces, friction coefficients and names of objects.
+    """The object of equations whose left sides are known: names of the page, of objects and of
+    definitions, and expressions of these.
 
     Raises
     ------
     Unread
-        If a name on the left has no value on the page.
+        If a name on the left has no value.
     """
     normals = dict(zip(map(str, derivation.normals), derivation.model.contacts, strict=True))
     known = {
@@ -202,23 +248,38 @@ def _known_names(
         known[str(symbol)] = value, "laws.smooth_friction"
     for name, value in book.values(derivation).items():
         known[name] = value, book.bound[name].about if name in book.bound else "matrices"
+    values = meanings(derivation, book)
     found: list[tuple[Expr, str]] = []
     for left in (one.left for one in equations):
         name = left.value if left.kind == "symbol" else ""
         if name in normals:
-            about = statement.about.replace("definition", f"normal {normals[name].name}")
-            normal = derived(derivation, about)
+            normal = derived(derivation, f"normal {normals[name].name}, {subject.side}")
             found.append((normal.entries[0], normal.by))
         elif name in known:
             found.append(known[name])
-        elif symbols(left) <= derivation.names.keys():
-            found.append((to_sympy(left, derivation.names), "objects.Derivation.geometry"))
+        elif symbols(left) <= values.keys():
+            by = "definition" if name in book.defined else "derivatives.expressions"
+            found.append((to_sympy(left, values), by))
         else:
             raise Unread(f"{printed(left)} is not in names of the page; say them under [symbols]")
     entries, by = zip(*found, strict=True)
     names = frozenset(printed(one.left) for one in equations)
     index = tuple(range(len(entries)))
-    return Object(entries, ", ".join(dict.fromkeys(by)), index=index, names=names)
+    by = ", ".join(dict.fromkeys(by))
+    return replace(subject, entries=entries, by=by, index=index, names=names)
+
+
+def _sides_by_length(equation: Equation) -> Equation:
+    """An equation with its longer side on the right, where faults are sought; of one with 0 there,
+    the last term is moved to the left.
+    """
+    left, right = equation.left, equation.right
+    if printed(right) == "0" and left.kind == "add":
+        *terms, last = left.args
+        left, right = minus(last), joined("add", terms, left.at)
+    if len([*nodes(left)]) > len([*nodes(right)]):
+        left, right = right, left
+    return replace(equation, left=left, right=right)
 
 
 def _says_nothing(equation: Equation, subject: Object, values: Mapping[str, Values]) -> bool:
@@ -296,22 +357,27 @@ def _as_matched(
 def _item(
     statement: Statement,
     derivation: Derivation,
-    subject: Object | None,
     equations: list[Equation],
     book: Book,
 ) -> Item | Verdict:
-    """A statement's equations with the object that they are about; without one, a definition's.
+    """A statement's equations with the object that they are about.
 
     Every printed equation that makes a claim is compared with it, of an object with several entries
     as many as these.
     """
-    if subject is None:
-        new, equations = _new_names(equations, derivation, book)
-        verdict = _defined(statement, new, derivation, book) if new else None
-        if not equations and verdict is not None:
-            return verdict
-        subject = _known_names(equations, statement, derivation, book)
+    if statement.word in ASSERTED:
+        subject = derived(derivation, f"identity{statement.about[len(statement.word) :]}")
+        if statement.word == "definition":
+            new, equations = _new_names(equations, statement, derivation, book)
+            verdict = _defined(statement, new, derivation, book) if new else None
+            if verdict is not None and (not equations or verdict.status == "failed"):
+                return verdict
+        else:
+            equations = [*map(_sides_by_length, equations)]
+        subject = _known_names(equations, subject, derivation, book)
     else:
+        opens = statement.word == "normal" and "," not in statement.about and _opens(equations)
+        subject = derived(derivation, statement.about + (", both" if opens else ""))
         new = _definitions_beside(equations, derivation, book)
         if new and len(equations) - len(new) >= len(subject.index):
             _defined(statement, new, derivation, book)
@@ -320,7 +386,7 @@ def _item(
     if len(equations) < count:
         reason = f"{statement.about} has {count} entries, and the print {len(equations)}"
         return Verdict(statement, "unread", f"{reason}; name one of them in about")
-    if subject.is_value:
+    if subject.is_value and statement.word not in ASSERTED:
         known_names = derivation.names.keys() - subject.names
         equations = [by_name(one, known_names) for one in equations]
     values = samples.drawn(derivation, subject)

@@ -15,7 +15,7 @@ import numpy.typing as npt
 import sympy as sp
 from numpy.random import Generator
 
-from .objects import TIME, Derivation, NoObject, Object
+from .objects import TIME, Derivation, NoObject, Object, derived
 from .repair import Values, multiplied
 
 Flags: TypeAlias = npt.NDArray[np.bool_]
@@ -32,7 +32,17 @@ def drawn(derivation: Derivation, subject: Object, is_base: bool = False) -> dic
         If every belt has to be ahead and no such motion was found.
     """
     key = f"{subject.side}, steady {subject.steady}, ahead {subject.ahead}, base {is_base}"
-    return {**derivation.kept("samples", key, lambda: _drawn(derivation, subject, is_base))}
+    found = {**derivation.kept("samples", key, lambda: _drawn(derivation, subject, is_base))}
+    if subject.along:
+        for symbol, value in in_motion(derivation, subject).items():
+            found[str(symbol)] = numeric(value, found)
+    return found
+
+
+def in_motion(derivation: Derivation, subject: Object) -> dict[sp.Symbol, sp.Expr]:
+    """The accelerations that the equations of motion give, on the side of an object."""
+    solved = derived(derivation, f"acceleration, {subject.side}").entries
+    return dict(zip(derivation.accelerations, solved, strict=True))
 
 
 def _drawn(derivation: Derivation, subject: Object, is_base: bool) -> dict[str, Values]:

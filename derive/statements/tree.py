@@ -244,6 +244,40 @@ def renamed(tree: Node, names: Mapping[str, Node]) -> Node:
     return replace(tree, args=tuple(renamed(part, names) for part in tree.args))
 
 
+def tidied(tree: Node) -> Node:
+    """A tree without what an edit leaves behind: terms and powers 0, factors and powers 1, -(-a),
+    -(a - b), 1/(1/a) and 2/2.
+    """
+    args = [tidied(it) for it in tree.args]
+    values = [it.value for it in args]  # "0" and "1" are those of numbers alone
+    match tree.kind:
+        case "add":
+            rest = [it for it in args if it.value != "0"] or [ZERO]
+            return joined("add", _spread("add", rest), tree.at)
+        case "mul":
+            rest = [it for it in args if it.value != "1"] or [ONE]
+            return ZERO if "0" in values else joined("mul", _spread("mul", rest), tree.at)
+        case "neg" if args[0].kind == "neg":
+            return args[0].args[0]
+        case "neg" if values == ["0"]:
+            return ZERO
+        case "div" if values[1] == "1" or values[0] == "0":
+            return args[0]
+        case "div" if args[0].kind == args[1].kind == "number" and values[0] == values[1]:
+            return ONE
+        case "pow" if values[1] in ("0", "1"):
+            return args[0] if values[1] == "1" else ONE
+        case "pow" if printed(args[1]) == "-1":
+            above, below = args[0].args if args[0].kind == "div" else (args[0], ONE)
+            return tidied(Node("div", (below, above), at=tree.at))
+    return replace(tree, args=tuple(args))
+
+
+def _spread(kind: str, parts: Sequence[Node]) -> list[Node]:
+    """Parts of an operation, with those of the same operation among them."""
+    return [it for part in parts for it in (part.args if part.kind == kind else (part,))]
+
+
 def to_sympy(tree: Node, names: Mapping[str, Expr], evaluate: bool = True) -> Expr:
     """The SymPy expression of a tree; ``names`` gives the expression of each symbol."""
     if tree.kind == "symbol":

@@ -20,18 +20,22 @@ from ..factors import factored
 from ..pages import PageModel
 from . import samples
 from .approximations import LimitCase, in_limit, is_approximation, limit_of
-from .book import by_name, equations_of
+from .blame import Mended, mended
+from .book import by_name, equations_of, forms_of
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side
-from .conventions import conventions_of
+from .conventions import stated, unstated
 from .identities import normal_form
 from .markup import repaired_print
 from .objects import LAMBDA, TIME
 from .papers import Paper, Statement
-from .reading import Item, Verdict, read_paper
+from .reading import ASSERTED, Item, Verdict, in_motion, read_paper, unit_of
 from .repair import CLOSE, COST, Edit, Pool, Repair, Search, Values, evaluated, same, stem
 from .samples import numeric
-from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols
+from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols, tidied
 from .tree import to_latex, to_sympy
+
+#: Verdicts on what is right, as far as it is judged.
+RIGHT = ("confirmed", "definition", "approximation")
 
 
 @dataclass(frozen=True)
@@ -54,6 +58,7 @@ class Row:
     repaired: str = ""
     repaired_latex: str = ""
     edits: tuple[Mapping[str, object], ...] = ()
+    edit_cost: float = 0.0  #: how unlikely these edits are, 1 for a sign
     marked: str = ""
     alternatives: int = 0
     said_once_with: tuple[str, ...] = ()
@@ -71,7 +76,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Checked:
-    """All verdicts on a paper, and the coordinate conventions that differ from the page's."""
+    """All verdicts on a paper, and the conventions of coordinates that its file states."""
 
     paper: str
     model: str
@@ -83,7 +88,7 @@ class Checked:
 def check(paper: Paper, model: PageModel, *, repair: bool = True) -> Checked:
     """Check every statement of a paper against a page.
 
-    Without ``repair`` no misprint is sought: a statement that differs has failed.
+    Without ``repair`` no misprint and no convention is sought: a statement that differs has failed.
     """
     return verdicts_on(paper, model, read_paper(paper, model)[1], repair=repair)
 
@@ -92,26 +97,95 @@ def verdicts_on(
     paper: Paper, model: PageModel, found: Sequence[Item | Verdict], *, repair: bool = True
 ) -> Checked:
     """Check the statements of a paper that :func:`read_paper` has read."""
-    conventions = conventions_of(found)
-    rows = [
-        verdict_on(item, conventions, repair=repair)
-        if isinstance(item, Item)
-        else row_without_comparison(item)
-        for item in found
-    ]
-    conventions_in_words = tuple(
-        it.said(name) for name, it in conventions.items() if (it.sign, it.shift) != (1, 0)
-    )
+    conventions = stated(paper.conventions, forms_of(model)["units"])
+    items = {it.statement.id: it for it in found if isinstance(it, Item)}
+    rows = {
+        it.statement.id: verdict_on(it, conventions, repair=False)
+        if isinstance(it, Item)
+        else row_without_comparison(it)
+        for it in found
+    }
+    wrong = {id: it for id, it in items.items() if rows[id].status == "failed"}
+    right = [it for id, it in items.items() if rows[id].status in RIGHT]
+    wrong = wrong if repair else {}
+    conventional, under = _under_conventions(wrong, right, conventions)
+    for id, item in wrong.items():
+        rows[id] = verdict_on(item, conventions)
+    while wrong and (blamed := mended(wrong, right, conventions, _holds)):
+        (one, *more) = blamed.rows
+        is_dearer = rows[one].status == "failed" or rows[one].edit_cost > blamed.repair.cost + 0.05
+        if len(blamed.rows) < max(len(under), 1) or not (more or is_dearer):
+            break
+        under = [id for id in under if id not in blamed.rows]
+        wrong = {id: it for id, it in wrong.items() if id not in blamed.rows}
+        right += blamed.rows.values()
+        rows |= _blamed(blamed, rows, conventions)
+    for id in under:
+        said = f"right only where {_in_words(conventional)}, which [conventions] does not say"
+        evidence = "; ".join(filter(None, (said, rows[id].evidence)))
+        rows[id] = replace(rows[id], status="convention", evidence=evidence)
     coordinates = tuple(map(str, model.mechanics.coordinates))
+    in_words = tuple(it.said(name) for name, it in conventions.items())
     return Checked(
-        paper.title, model.name, conventions_in_words, tuple(_said_once(rows)), coordinates
+        paper.title, model.name, in_words, tuple(_said_once([*rows.values()])), coordinates
     )
+
+
+def _holds(item: Item, conventions: Conventions) -> bool:
+    """Whether a statement is right as it stands, as far as it is judged."""
+    return verdict_on(item, conventions, repair=False).status in RIGHT
+
+
+def _blamed(found: Mended, rows: Mapping[str, Row], conventions: Conventions) -> dict[str, Row]:
+    """The row of a definition that is a misprint, and those that are right with it mended."""
+    book = next(iter(found.rows.values())).book
+    definition, mending = rows[book.definers[found.name]], found.repair
+    said, new = f"right with ({definition.id}) mended", dict[str, Row]()
+    for id, item in found.rows.items():
+        row = verdict_on(item, conventions, repair=False)
+        noted, evidence = ("; ".join(filter(None, (it, said))) for it in (row.note, row.evidence))
+        new[id] = replace(row, note=noted, evidence=evidence)
+    new[definition.id] = replace(
+        definition,
+        status="misprint",
+        repaired=equation_of(found.name, printed(tidied(mending.tree))),
+        repaired_latex=equation_of(
+            book.letters.get(found.name, found.name), to_latex(tidied(mending.tree), book.letters)
+        ),
+        edits=tuple(map(_edit_as_json, mending.edits)),
+        edit_cost=mending.cost,
+        marked=_marked(definition.print, mending.edits),
+        alternatives=found.count,
+        evidence=f"with it right, and wrong without it: {', '.join(found.rows)}",
+    )
+    return new
+
+
+def _under_conventions(
+    wrong: Mapping[str, Item], right: Sequence[Item], known: Conventions
+) -> tuple[Conventions, list[str]]:
+    """A convention that is not stated, in which rows hold that are wrong without it, and these."""
+
+    if not wrong:
+        return {}, []
+    held_against = {
+        id: [*in_limit(it, limit_of(it))] if it.statement.limit else [it]
+        for id, it in wrong.items()
+    }
+    conventions, rows = unstated(held_against, right, known, _holds)
+    added = {name: it for name, it in conventions.items() if known.get(name) != it}
+    return added, [id for id in rows if _holds(wrong[id], conventions)]
+
+
+def _in_words(conventions: Conventions) -> str:
+    return " and ".join(it.said(name) for name, it in conventions.items())
 
 
 def repaired(paper: Paper, model: PageModel) -> Paper:
     """The paper with those statements replaced by their repairs that it expects to be misprints."""
     _, found = read_paper(paper, model)
-    conventions, statements = conventions_of(found), {it.id: it for it in paper.statements}
+    conventions = stated(paper.conventions, forms_of(model)["units"])
+    statements = {it.id: it for it in paper.statements}
     for item in (it for it in found if isinstance(it, Item)):
         if item.statement.expect == "misprint" and (row := verdict_on(item, conventions)).repaired:
             statements[row.id] = replace(
@@ -160,7 +234,7 @@ class ProvedRepair:
     @property
     def said(self) -> str:
         """The repaired equation in SymPy's syntax."""
-        return equation_of(self.part.left, printed(self.repair.tree))
+        return equation_of(self.part.left, printed(tidied(self.repair.tree)))
 
 
 def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bool = True) -> Row:
@@ -185,23 +259,34 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
         said = f"left of = no name of this object stands alone: {names}"
         return replace(row, status="unread", evidence=said)
     units_problem = _units_problem(item, parts)
+    fixed = sorted(item.subject.names & item.derivation.free)
+    if item.statement.word == "definition" and fixed:
+        said = f"{', '.join(fixed)} has no value on the page, which this would give it"
+        return replace(row, evidence=said)
+    sides = [comparison]
+    if item.statement.word in ASSERTED and _has_accelerations(comparison, parts):
+        sides.append(Comparison(in_motion(item), comparison.conventions))
     is_free = bool(units_problem) and item.subject.factor == "constant"
     in_limits: list[Comparison] = []
     repairs: list[ProvedRepair] = []
     counted = ""
     for number, part in enumerate(parts):
-        equal = [exact for target, exact in part.targets if comparison.holds(part.tree, target)]
+        side, equal = comparison, list[Expr]()
+        for side in sides:
+            if equal := _equal(side, side.components()[number]):
+                break
         if equal and not is_free:
-            exact = next((one for one in equal if comparison.proved(part.tree, one)), None)
+            exact = next((one for one in equal if side.proved(part.tree, one)), None)
             if exact is None:
                 return replace(row, evidence="equal at all samples, but not by exact algebra")
             row, counted = _with_meaning(row, item, part, exact)
+            counted += "; along the motion" if side.item.subject.along else ""
             continue
         if limit is None and (state := _at_zero(comparison, part)):
             said = f"right at {state} = 0 alone; where that is meant, say limit = '{state} -> 0'"
             return replace(row, status="unread", evidence=said)
         gap = comparison.exactly(part.tree) - _nearest_target(comparison, part)
-        versions = [(comparison, part)]
+        versions = [(one, one.components()[number]) for one in sides]
         if limit is not None:
             in_limits = in_limits or [
                 Comparison(one, conventions or {}) for one in in_limit(item, limit)
@@ -232,6 +317,18 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
     return replace(
         row, status=status, evidence=f"{row.derived_by}, equal by exact algebra{counted}"
     )
+
+
+def _equal(comparison: Comparison, part: Component) -> list[Expr]:
+    """The targets that a side equals at all samples."""
+    return [exact for target, exact in part.targets if comparison.holds(part.tree, target)]
+
+
+def _has_accelerations(comparison: Comparison, parts: Iterable[Component]) -> bool:
+    """Whether a side or a target of a statement holds accelerations."""
+    held = {*comparison.item.derivation.accelerations}
+    values = (it for part in parts for it in (comparison.exactly(part.tree), *part.meanings))
+    return any(held & it.free_symbols for it in values)
 
 
 def _at_zero(comparison: Comparison, part: Component) -> str:
@@ -272,6 +369,7 @@ def _misprint(
         repaired="; ".join(one.said for one in repairs),
         repaired_latex="; ".join(_repaired_latex(comparison, one) for one in repairs),
         edits=tuple(map(_edit_as_json, edits)),
+        edit_cost=round(sum(one.repair.cost for one in repairs), 3),
         marked=_marked(statement.judged, edits),
         alternatives=max(one.count for one in repairs),
         evidence="; ".join(filter(None, (units_problem, evidence))),
@@ -334,7 +432,7 @@ def _repaired_latex(comparison: Comparison, found: ProvedRepair) -> str:
                 evaluated(side, comparison.values), right
             ):
                 return text
-    return equation_of(item.letters.get(left, left), to_latex(tree, item.letters))
+    return equation_of(item.letters.get(left, left), to_latex(tidied(tree), item.letters))
 
 
 def _edit_as_json(edit: Edit) -> dict[str, object]:
@@ -475,15 +573,9 @@ def _units_problem(item: Item, parts: Iterable[Component]) -> str:
     """What is wrong with the units of a print; empty if they are consistent, or there are none."""
     if item.derivation.scaled:
         return ""
-    names: dict[str, Expr] = {name: Symbol(name) for name in item.values}
-    known = {symbol: item.derivation.kinds.get(name, units.NONE) for name, symbol in names.items()}
-    for name, value in item.bound.items():
-        names[name] = value.xreplace({it: Symbol(it.name) for it in value.free_symbols})
-    for name, tree in item.defined.items():
-        names[name] = to_sympy(tree, names, evaluate=False)
     for part in parts:
         try:
-            found = units.of(to_sympy(part.tree, names, evaluate=False), known)
+            found = unit_of(part.tree, item.derivation, item.bound, item.defined)
         except units.UnitsError as error:
             return f"units: {error}"
         expected = item.subject.unit

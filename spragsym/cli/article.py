@@ -268,7 +268,7 @@ def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]]) -> None:
         **dict.fromkeys(("confirmed", "reproduced", "holds"), "green"),
         **dict.fromkeys(("failed", "not reproduced", "fails"), "red"),
         **dict.fromkeys(("approximation", "input not stated"), "cyan"),
-        "misprint": "yellow",
+        **dict.fromkeys(("misprint", "convention"), "yellow"),
         "corrected": "magenta",
     }
     table = [("row", "where", "status", last), *rows]

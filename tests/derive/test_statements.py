@@ -179,19 +179,46 @@ def test_a_value_with_a_factor_on_its_left_is_not_misread() -> None:
     assert row.status == "unread"
 
 
+REVERSED = [
+    ("motion x", "m*ax + k_x*x + k/2*(x + y) + mu*N"),
+    ("motion y", "m*ay + k_y*y + k_c*y + k/2*(y + x) + F_L"),
+    ("equilibrium y", "k_y*y + k_c*y + k/2*(y + x) + F_L"),
+]
+
+
 @pytest.mark.thorough
-def test_a_coordinate_reversed_throughout_is_a_convention() -> None:
-    """Two equations with x reversed hold in that convention; in one alone it is a misprint."""
-    texts = [
-        ("motion x", "m*ax + k_x*x + k/2*(x + y) + mu*N"),
-        ("motion y", "m*ay + k_y*y + k_c*y + k/2*(y + x) + F_L"),
-        ("equilibrium y", "k_y*y + k_c*y + k/2*(y + x) + F_L"),
-    ]
-    found = verdicts.check(paper(texts, form="units"), COUPLING)
+def test_a_convention_is_stated_and_never_voted() -> None:
+    """Rows with x reversed hold where the file says so; else they are told, and a row that is right
+    without it makes them misprints.
+    """
+    stated = paper(REVERSED, conventions={"x": "reversed"}, form="units")
+    found = verdicts.check(stated, COUPLING)
     assert [row.status for row in found.rows] == ["confirmed"] * 3
     assert found.conventions == ("x of the print is -x of the page",)
-    (alone,) = rows(COUPLING, *texts[2:], form="units")
-    assert (alone.status, alone.edits[0]["kind"]) == ("misprint", "sign")
+    silent = verdicts.check(paper(REVERSED, form="units"), COUPLING)
+    assert {(row.status, row.is_expected) for row in silent.rows} == {("convention", False)}
+    assert all("x of the print is -x" in row.evidence for row in silent.rows)
+    assert silent.conventions == ()
+    right = ("equilibrium x", "k_x*x + k/2*(x - y) - mu0*N")
+    *wrong, kept = rows(COUPLING, *REVERSED, right, form="units")
+    assert {row.status for row in wrong} == {"misprint"}
+    assert kept.status == "confirmed"
+
+
+def test_a_convention_is_an_expression_of_its_coordinate_and_none_of_a_clock() -> None:
+    """An angle from the upright; what is none is refused with the remedy."""
+    page = pages.read(Path(__file__).parents[2] / "validation/papers/cart_pole/page.py")
+    texts = ("energy V", "V = m_p*g*l*cos(theta)"), ("energy V", "V = -m_p*g*l*sin(theta)")
+    for (about, text), count in zip(texts, ("theta - pi", "theta + pi/2"), strict=True):
+        (silent,) = rows(page, (about, text), form="units")
+        assert silent.status == "convention"
+        stated = paper([(about, text)], conventions={"theta": count}, form="units")
+        assert verdicts.check(stated, page).rows[0].status == "confirmed"
+    forced = pages.read(pages.SHIPPED / "forced_oscillator.py")
+    clock = str(forced.mechanics.clock)
+    for model, stated in ((forced, {clock: "reversed"}), (page, {"theta": "2*theta"})):
+        with pytest.raises(papers.PaperError, match=f"{next(iter(stated))} ="):
+            verdicts.check(paper([("other", "")], conventions=stated), model)
 
 
 def test_units_point_at_the_term() -> None:
@@ -471,9 +498,9 @@ def test_a_reversed_equation_may_be_divided_by_a_parameter() -> None:
         ("motion x", "-ax - k_x/m*x - k/(2*m)*(x + y) - mu*N/m = 0"),
         ("motion y", "m*ay + k_y*y + k_c*y + k/2*(y + x) + F_L = 0"),
     ]
-    found = verdicts.check(paper(texts, form="units"), COUPLING)
+    stated = paper(texts, conventions={"x": "reversed"}, form="units")
+    found = verdicts.check(stated, COUPLING)
     assert [row.status for row in found.rows] == ["confirmed", "confirmed"]
-    assert found.conventions == ("x of the print is -x of the page",)
 
 
 def test_equations_are_those_of_which_they_are_multiples() -> None:

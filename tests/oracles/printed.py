@@ -11,7 +11,12 @@ from spragsym.derive.statements.papers import Paper, Statement
 Print = tuple[str, str] | tuple[str, str, Mapping[str, Any]]
 
 
-def paper(prints: Iterable[Print], renamed: Mapping[str, str] | None = None, **each: Any) -> Paper:
+def paper(
+    prints: Iterable[Print],
+    renamed: Mapping[str, str] | None = None,
+    conventions: Mapping[str, str] | None = None,
+    **each: Any,
+) -> Paper:
     """A paper of these prints, in LaTeX where one of them has a backslash, with what is the same in
     ``each`` of its statements.
     """
@@ -20,7 +25,7 @@ def paper(prints: Iterable[Print], renamed: Mapping[str, str] | None = None, **e
     found = []
     for number, (about, text, *more) in enumerate(prints):
         found.append(Statement(str(number), about, text, **each | dict(*more)))
-    return Paper("", "", renamed or {}, tuple(found))
+    return Paper("", "", renamed or {}, tuple(found), conventions or {})
 
 
 def rows(

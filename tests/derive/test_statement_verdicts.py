@@ -1,0 +1,121 @@
+"""What stands between a model and its results: definitions, chains, identities, and where a fault is
+blamed.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("sympy")
+
+from spragsym.derive import pages
+from spragsym.derive.statements import verdicts
+from tests.oracles.printed import Print, paper, rows
+
+#: A pendulum on a cart, whose angle is 0 where it hangs.
+CART = pages.read(Path(__file__).parents[2] / "validation/papers/cart_pole/page.py")
+T = r"T = \frac12(m_c+m_p)\dot x^2 + m_p l\dot x\dot\theta\cos\theta + \frac12 m_p l^2\dot\theta^2"
+PLACES = r"x_p = x + l\sin\theta, \quad y_p = -l\cos\theta"
+KNOWN: list[Print] = [
+    ("energy T", T),
+    ("energy V", r"V = -m_p g l\cos\theta"),
+    ("definition", PLACES),
+    ("definition", r"p = \frac{\partial T}{\partial\dot x}, \quad E = T + V"),
+]
+
+
+@pytest.mark.parametrize(
+    ("text", "status", "said"),
+    [
+        (r"c = \frac{g}{l} = \frac{l}{g}", "misprint", "c = g/l"),
+        (r"e = m_p g l = 2m_p g l", "misprint", "e = m_p*g*l"),
+        (r"k_1 = \frac12 + \frac13 = \frac16", "misprint", "k_1 = 5/6"),
+        (r"k_1 = \frac12 + \frac13 = \frac56", "definition", ""),
+        (r"\theta = x/l", "failed", "theta has no value on the page"),
+        (r"\omega_0 = \sqrt{l/g} + g", "failed", "units: "),
+        (r"a_1 = a_1 + m_p", "unread", "a_1 is no name"),
+        (
+            r"\dot x_p = \dot x + l\dot\theta\sin\theta",
+            "misprint",
+            "diff(x_p, t) = vx + l*vtheta*cos",
+        ),
+        (
+            r"p = (m_c + m_p)\dot x + 2 m_p l\dot\theta\cos\theta",
+            "misprint",
+            "m_p*l*vtheta*cos(theta)",
+        ),
+        (r"E = T - V", "misprint", "E = T + V"),
+    ],
+)
+def test_a_definition_is_judged(text: str, status: str, said: str) -> None:
+    """Every member after the first, every derivative, second definition, number and unit."""
+    row = rows(CART, *KNOWN, ("definition", text))[-1]
+    assert row.status == status
+    assert said in row.repaired or said in row.evidence
+
+
+@pytest.mark.parametrize(
+    ("text", "old", "new"),
+    [
+        (r"\ddot x_p = \ddot x + l\ddot\theta\cos\theta - l\dot\theta^2\sin\theta", r"- l", "+ l"),
+        (r"\frac{\partial V}{\partial\theta} - m_p g l\sin\theta = 0", r"\sin", r"\cos"),
+        (r"\frac{d}{dt}\frac{\partial T}{\partial\dot x} = \dot p", r"\dot p", r"\dot E"),
+        (r"\dot E = f\dot x", r"\dot x", r"\dot\theta"),
+        (r"\dot p = f", "f", "2f"),
+    ],
+)
+@pytest.mark.thorough
+def test_an_identity_holds_by_itself_or_along_the_motion(text: str, old: str, new: str) -> None:
+    """Kinematics, derivatives of energies, rates of energies and momenta; and a fault in each."""
+    right, wrong = rows(
+        CART, *KNOWN, ("identity", text), ("identity", text.replace(old, new, 1)), is_latex=True
+    )[-2:]
+    assert right.status == "confirmed"
+    assert ("along the motion" in right.evidence) is (r"\dot E =" in text or text[:6] == r"\dot p")
+    assert wrong.status in ("misprint", "failed")
+
+
+@pytest.mark.parametrize(
+    ("definition", "old", "new", "kind"),
+    [
+        (r"M = m_c + m_p, \quad a = m_p l", "c + m", "c - m", "sign"),
+        (r"M = m_c + m_p, \quad a = m_p l", "p l", "p", "missing factor"),
+        (r"M = m_c + m_p, \quad a = m_p l", "m_c + m_p", "m_c", "missing term"),
+    ],
+)
+@pytest.mark.thorough
+def test_a_fault_is_blamed_where_it_stands(definition: str, old: str, new: str, kind: str) -> None:
+    """One wrong definition makes rows wrong: it is the misprint, and these are right with it."""
+    prints: list[Print] = [
+        ("definition", definition.replace(old, new, 1)),
+        ("motion x", r"M\ddot x + a\ddot\theta\cos\theta - a\dot\theta^2\sin\theta = f"),
+        (
+            "energy T",
+            r"T = \frac12 M\dot x^2 + a\dot x\dot\theta\cos\theta + \frac12 a l\dot\theta^2",
+        ),
+        ("motion theta", r"m_p l\ddot x\cos\theta + m_p l^2\ddot\theta + m_p g l\sin\theta = 0"),
+    ]
+    defined, *others = rows(CART, *prints)
+    assert defined.status == "misprint"
+    assert [it["kind"] for it in defined.edits] == [kind]
+    assert {it.status for it in others} == {"confirmed"}
+    assert ["right with (0) mended" in it.evidence for it in others] == [True, True, False]
+    again = paper([("definition", definition), *prints[1:]])
+    assert all(it.is_expected and not it.note for it in verdicts.check(again, CART).rows)
+
+
+@pytest.mark.thorough
+def test_a_wrong_definition_is_blamed_by_its_rates() -> None:
+    """As of a place, of which only the speed is printed again; a row of its own fault is not."""
+    wrong: list[Print] = [
+        ("definition", PLACES.replace(r"\sin", r"\cos")),
+        ("energy T", r"T = \frac12 m_c\dot x^2 + \frac12 m_p(\dot x_p^2 + \dot y_p^2)"),
+        ("identity", r"\dot x_p = \dot x + l\dot\theta\cos\theta"),
+        ("energy V", r"V = 2m_p g y_p"),
+    ]
+    defined, *others, own = rows(CART, *wrong)
+    assert (defined.status, defined.edits[0]["new"]) == ("misprint", "sin(theta)")
+    assert [it.status for it in others] == ["confirmed"] * 2
+    assert (own.status, own.repaired) == ("misprint", "V = m_p*g*y_p")

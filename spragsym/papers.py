@@ -5,21 +5,28 @@ HTML.
 from __future__ import annotations
 
 import html
+import importlib.util
 import os
+import sys
+import tempfile
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .core.errors import MissingExtraError, ParameterError, require_kind
+from .core.errors import MissingExtraError, ParameterError, SweepError, require_kind
+from .core.limits import limit_memory, limit_time
 from .display import Table, as_html
 from .files.storage import resolved
 from .models.load import load, page_of, require_trust, shipped
+from .models.parameters import POSITIVE, as_number
+from .motion.sweeps.workers import pool
 
 if TYPE_CHECKING:
     from .derive.pages import PageModel as Page
-    from .derive.statements.verdicts import Row
+    from .derive.statements.papers import Paper
+    from .derive.statements.verdicts import Checked, Row
 
 
 @dataclass(frozen=True)
@@ -183,6 +190,7 @@ def check(
     model: str | os.PathLike[str] | None = None,
     *,
     trust: bool = False,
+    row_limit: float = 10.0,
 ) -> PaperCheck:
     """Verdicts on the printed equations of a paper, held against a page.
 
@@ -194,6 +202,8 @@ def check(
         A page, the folder of a model or a shipped model's name; left out, the file names it.
     trust : bool
         True if the code of a page or a folder that the file names may run; that of ``model`` may.
+    row_limit : float
+        Seconds of processor time that a row may take; one that takes more, or 1 GB, is unread.
 
     Returns
     -------
@@ -230,12 +240,11 @@ def check(
         if given is not None or name == "paper":
             require_kind(name, given, (str, os.PathLike), "the path of a file")
     path = Path(paper)
-    try:
-        from .derive.statements import papers, verdicts
-    except ModuleNotFoundError as error:
-        if error.name != "sympy":
-            raise
-        raise MissingExtraError("a check of printed equations", "SymPy", "derive") from error
+    row_limit = as_number("row_limit", row_limit, POSITIVE)
+    if importlib.util.find_spec("sympy") is None:
+        raise MissingExtraError("a check of printed equations", "SymPy", "derive")
+    from .derive.statements import papers
+
     try:
         read = papers.read(path)
     except papers.PaperError as error:
@@ -245,11 +254,79 @@ def check(
             f'{path.name} names no model; add model = "page.py" to it, or give model'
         )
     chosen = Path(model) if model is not None else _named(path, read.model, trust)
-    try:
-        found = verdicts.check(read, _page(chosen))
-    except papers.PaperError as error:
-        raise ParameterError(f"{path.name}: {error}") from error
-    return PaperCheck(**vars(found))
+    return _within_limits(read, chosen, row_limit)
+
+
+def _within_limits(paper: Paper, chosen: Path, seconds: float) -> PaperCheck:
+    """Verdicts from a process of their own, which ends where a row takes too long or too much
+    memory; it is begun again without that row.
+    """
+    excluded: dict[str, str] = {}
+    texts = {ascii(it.id): it for it in paper.statements}
+    with tempfile.TemporaryDirectory() as folder:
+        begun = Path(folder) / "begun"
+        while True:
+            begun.write_text("", encoding="utf-8")
+            task = _Task(paper, chosen, seconds, str(begun), tuple(excluded))
+            try:
+                with pool(1) as own:
+                    (found,) = own(_judged, [task])
+                break
+            except SweepError as error:
+                *_, last = ["", *begun.read_text(encoding="utf-8").splitlines()]
+                if (row := texts.get(last)) is None or row.id in excluded:
+                    raise
+                is_late = "SIGPROF" in str(error) or sys.platform == "win32"
+                size = f"{seconds:g} s of processor time for {len(row.judged)} characters"
+                excluded[row.id] = f"too large: {size if is_late else error}"
+    if isinstance(found, Exception):
+        raise found
+    rows = [
+        replace(row, about=it.about, status="unread", evidence=excluded[it.id])
+        if it.id in excluded
+        else row
+        for row, it in zip(found.rows, paper.statements, strict=True)
+    ]
+    return PaperCheck(**{**vars(found), "rows": tuple(rows)})
+
+
+@dataclass(frozen=True)
+class _Task:
+    """A paper to judge, without the rows that were too large."""
+
+    paper: Paper
+    chosen: Path
+    seconds: float
+    begun: str  #: a file that is told of each row
+    excluded: tuple[str, ...]
+
+
+def _judged(task: _Task) -> Checked | Exception:
+    """Verdicts on a paper, or the error; this process is ended by the row that takes too long."""
+    from .derive.statements import papers, reading, verdicts
+
+    rows = task.paper.statements
+    kept = [replace(it, about="other") if it.id in task.excluded else it for it in rows]
+    limit_memory()
+    with open(task.begun, "a", encoding="utf-8") as told:
+
+        def begin(row: str) -> None:
+            told.write(f"{row!a}\n")
+            told.flush()
+            limit_time(task.seconds)
+
+        try:
+            page = _page(task.chosen)
+            token = reading.BEGUN.set(begin)
+            found = verdicts.check(replace(task.paper, statements=tuple(kept)), page)
+            reading.BEGUN.reset(token)
+        except papers.PaperError as error:
+            return ParameterError(str(error))
+        except Exception as error:
+            return error
+        finally:
+            limit_time(0.0)
+    return found
 
 
 def _named(paper: Path, name: str, trust: bool) -> Path:

@@ -28,6 +28,10 @@ from .tree import Argument, Equation, Node, Unread, Vocabulary, as_printed
 from .tree import printed, read_sympy, symbols, to_sympy, undone
 
 
+#: Errors in which a print ends that is too large.
+TOO_LARGE = (RecursionError, MemoryError, OverflowError)
+
+
 @dataclass(frozen=True)
 class Book:
     """The names of a paper, besides those of the page.
@@ -364,7 +368,12 @@ def _meant(name: str, subject: Object, derivation: Derivation, book: Book) -> Ex
                 equation = by_name(equation, derivation.names.keys() - subject.names)
                 # Only symbols are compared: the print's coordinates may have other signs.
                 own = to_sympy(equation.right, meanings(derivation, book)).free_symbols
-            except (Unread, NoObject, KeyError):  # as of a name that is defined behind it
+            except (
+                Unread,
+                NoObject,
+                KeyError,
+                *TOO_LARGE,
+            ):  # as of a name that is defined behind it
                 return book.meant.pop(key)
             book.meant[key] = min(
                 (reading.entry for reading in subject.readings),

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 import sympy as sp
 from sympy import Dummy, Expr, S, Symbol
@@ -22,7 +22,7 @@ from .book import with_defined
 from .derivatives import expressions
 from .identities import is_zero, quotients
 from .objects import LAMBDA
-from .reading import Item
+from .reading import BEGUN, Item
 from .repair import Values, evaluated, same, same_but_for_constant, same_but_for_factor
 from .samples import in_motion, numeric
 from .tree import Equation, Node, printed, residual, to_sympy
@@ -128,8 +128,15 @@ class Comparison:
         """The compared side of every printed equation, with its targets.
 
         Targets are the readings of a value, or the entry of a residual with either sign; if
-        ``factors`` also those multiples and quotients of it that the print suggests.
+        ``factors`` also those multiples and quotients of it that the print suggests. They are kept
+        with the statement, since they take long to find.
         """
+        key = (*self.conventions.items(), factors)
+        if key not in self.item.kept:
+            self.item.kept[key] = self._components(factors)
+        return cast(list[Component], self.item.kept[key])
+
+    def _components(self, factors: bool) -> list[Component]:
         item, subject = self.item, self.item.subject
         found = []
         for equation, place in zip(item.equations, subject.index, strict=True):
@@ -294,6 +301,7 @@ class Comparison:
     @property
     def agrees(self) -> bool:
         """Whether the statement holds at all samples, up to a factor of parameters."""
+        BEGUN.get()(self.item.statement.id)
         parts = self.components(factors=False)
         return bool(parts) and all(
             any(self.holds(part.tree, target) for target, _ in part.targets) or self._factored(part)

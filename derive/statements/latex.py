@@ -659,7 +659,7 @@ class _LatexReader:
         if it.text == r"\sqrt":
             return self.root(here, it.at[0])
         if it.text[-1].isdecimal():
-            return Node("number", value=it.text, at=it.at)
+            return tree.as_number(it.text, it.at)
         inside = it.items or ()
         if it.text in ("|", "|bare") and [one.text in _MATRICES for one in inside] != [True]:
             return Node("call", (self.number(inside),), "Abs", it.at)

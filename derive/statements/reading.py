@@ -5,17 +5,20 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from contextvars import ContextVar
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import sympy as sp
-from sympy import Expr, Symbol
+from sympy import Expr, S, Symbol
 
 from .. import units
 from ..pages import PageModel
 from ..units import Dimension
 from . import samples
-from .book import Book, book_of, bind, by_name, equations_of, forms_of, meanings, named
+from .book import TOO_LARGE, Book, book_of, bind, by_name, equations_of, forms_of, meanings, named
 from .book import print_name, with_defined
 from .derivatives import Slope
 from .matrices import matrix_of
@@ -62,11 +65,20 @@ class Item:
     letters: Mapping[str, str]  #: LaTeX of names
     book: Book
 
+    @cached_property
+    def kept(self) -> dict[object, object]:
+        """What was found out about the statement as it is, by whoever compares it."""
+        return {}
+
     def latex(self, expression: Expr) -> str:
         """LaTeX of an expression in the letters of the print."""
         known = {it.name: it for it in expression.free_symbols}
         names = {known[name]: text for name, text in self.letters.items() if name in known}
         return str(sp.latex(expression, symbol_names=names))
+
+
+#: Told of every statement by its id before it is read or judged, as by whoever limits its time.
+BEGUN: ContextVar[Callable[[str], None]] = ContextVar("BEGUN", default=lambda _: None)
 
 
 def read_paper(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdict]]:
@@ -76,7 +88,9 @@ def read_paper(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdic
     """
     book = book_of(paper, forms_of(model))
     for statement in paper.statements:
-        bind(statement, book)
+        BEGUN.get()(statement.id)
+        with suppress(*TOO_LARGE):  # which is told where it is read
+            bind(statement, book)
     found: dict[str, Item | Verdict] = {}
     for are_definitions in (True, False):
         pending = [it for it in paper.statements if (it.word == "definition") is are_definitions]
@@ -96,18 +110,47 @@ def read_statement(statement: Statement, book: Book) -> Item | Verdict:
         status = "other" if statement.about == "other" else "definition"
         return Verdict(statement, status, statement.note and "not held against the page")
     problem = ""
+    BEGUN.get()(statement.id)
     for form in (statement.form,) if statement.form else ("units", "scaled"):
         derivation = book.forms["units" if statement.word == "scale" else form]
         try:
             equations = equations_of(statement.judged, statement, derivation, book)
+            _check_size([side for one in equations for side in (one.left, one.right)], book.defined)
             return _item(statement, derivation, equations, book)
         except Unread as error:
             where = f"at {error.place}, {statement.judged[error.place :][:20]!r}: "
             readings = f"; either {' or '.join(error.readings)}" if error.readings else ""
             problem = problem or f"{where}{error.reason}{readings}"
+        except TOO_LARGE as error:
+            return Verdict(statement, "unread", too_large(error))
         except (NoObject, ArithmeticError) as error:
             return Verdict(statement, "unread", str(error))
     return Verdict(statement, "unread", problem)
+
+
+def _check_size(trees: Sequence[Node], defined: Mapping[str, Node]) -> None:
+    """Refuse trees that are very long with their definitions written out."""
+    most, sizes = 5000, dict[str, int]()  # parts
+
+    def size(tree: Node) -> int:
+        if tree.value in defined and tree.value not in sizes:
+            sizes[tree.value] = most  # where definitions go round
+            sizes[tree.value] = size(defined[tree.value])
+        return sizes.get(tree.value, 1 + sum(map(size, tree.args)))
+
+    if (parts := max(map(size, trees))) > most:
+        said = f"{parts:.1e}" if parts > 1e6 else parts
+        raise Unread(f"too large: written out it has {said} parts, more than {most}")
+
+
+def too_large(error: BaseException) -> str:
+    """What is too large to be read or judged, by the error in which it ends."""
+    said = {
+        RecursionError: "brackets and functions inside each other, too many for Python",
+        MemoryError: "more memory than a row may have",
+        OverflowError: "a number beyond those of double precision",
+    }
+    return f"too large: {next((text for it, text in said.items() if isinstance(error, it)), error)}"
 
 
 def in_motion(item: Item) -> Item:
@@ -168,7 +211,9 @@ def _defined(
     statement: Statement, new: Mapping[str, Equation], derivation: Derivation, book: Book
 ) -> Verdict:
     """Keep the names of a definition in the book, and give its verdict."""
-    book.defined.update({name: one.right for name, one in new.items()})
+    values = {name: one.right for name, one in new.items()}
+    _check_size([*values.values()], book.defined | values)
+    book.defined.update(values)
     book.definers.update(dict.fromkeys(new, statement.id))
     for base, group in itertools.groupby(new, lambda name: name.rpartition("_")[0]):
         names = [*group]
@@ -194,7 +239,8 @@ def _defined(
 def unit_of(
     tree: Node, derivation: Derivation, bound: Mapping[str, Expr], defined: Mapping[str, Node]
 ) -> Dimension | None:
-    """The dimension of a printed side; None for 0.
+    """The dimension of a printed side; None for 0, and where a definition has no dimension, which
+    is told where it stands.
 
     Raises
     ------
@@ -202,11 +248,17 @@ def unit_of(
         If its units do not fit together.
     """
     names: dict[str, Expr] = {name: Symbol(name) for name in derivation.names}
-    known = {symbol: derivation.kinds.get(name, units.NONE) for name, symbol in names.items()}
+    known = {Symbol(it): derivation.kinds.get(it, units.NONE) for it in names}
     for name, value in bound.items():
         names[name] = value.xreplace({it: Symbol(it.name) for it in value.free_symbols})
     for name, part in defined.items():
-        names[name] = to_sympy(part, names, evaluate=False)
+        if symbols(part) <= names.keys():
+            with suppress(units.UnitsError):
+                dimension = units.of(to_sympy(part, names, evaluate=False), known)
+                names[name] = S.Zero if dimension is None else Symbol(name)
+                known[Symbol(name)] = dimension or units.NONE
+    if not symbols(tree) <= names.keys():
+        return None
     return units.of(to_sympy(tree, names, evaluate=False), known)
 
 
@@ -262,10 +314,10 @@ def _known_names(
             found.append((to_sympy(left, values), by))
         else:
             raise Unread(f"{printed(left)} is not in names of the page; say them under [symbols]")
-    entries, by = zip(*found, strict=True)
+    entries, origins = zip(*found, strict=True)
     names = frozenset(printed(one.left) for one in equations)
     index = tuple(range(len(entries)))
-    by = ", ".join(dict.fromkeys(by))
+    by = ", ".join(dict.fromkeys(origins))
     return replace(subject, entries=entries, by=by, index=index, names=names)
 
 

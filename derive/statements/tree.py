@@ -11,6 +11,7 @@ import functools
 import itertools
 import math
 import operator
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -196,14 +197,40 @@ def power(base: Node, exponent: Node, at: tuple[int, int]) -> Node:
     Raises
     ------
     Unread
-        If its exponent is so high that exact algebra would take minutes.
+        If its exponent is so high that exact algebra would take minutes, that of a power of a power
+        as well.
     """
     is_sum = any(it.kind == "add" for it in nodes(base))
     highest = 8 if is_sum else 100  # an expanded sum has very many terms
     size = S.Zero if symbols(exponent) else abs(to_sympy(exponent, {}))
-    if not (size.is_finite and size <= highest):
+    whole = size * max(1, _highest_power(base))
+    if not (size.is_finite and max(size, whole) <= highest):
         raise Unread(f"a power higher than {highest} is not read", at[0])
     return Node("pow", (base, exponent), at=at)
+
+
+def _highest_power(tree: Node) -> Expr:
+    """The highest power in a tree, of powers of powers the product."""
+    inside = max(map(_highest_power, tree.args), default=S.One)
+    if tree.kind != "pow" or symbols(tree.args[1]):
+        return inside
+    return max(S.One, _highest_power(tree.args[0]) * abs(to_sympy(tree.args[1], {})))
+
+
+def as_number(text: str, at: tuple[int, int]) -> Node:
+    """A printed number.
+
+    Raises
+    ------
+    Unread
+        If it has very many digits, or is none of double precision.
+    """
+    most_digits, value = 400, float(text)
+    is_lost = value == 0 and bool(text.lower().partition("e")[0].strip("0."))
+    if len(text) > most_digits or not math.isfinite(value) or is_lost:
+        shown = text if len(text) < 20 else f"{text[:8]}…, of {len(text)} digits,"
+        raise Unread(f"too large: the number {shown} is none of double precision", at[0])
+    return Node("number", value=text, at=at)
 
 
 def number_of(tree: Node) -> float:
@@ -327,6 +354,8 @@ def _read_one(text: str, begin: int, vocabulary: Vocabulary) -> list[Equation]:
             trees.append(leaf(side.strip(), at))
             begin += len(side) + 1
             continue
+        for it in re.finditer(r"(?<![\w.])(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", side):
+            as_number(it[0], (begin + it.start(), begin + it.end()))
         try:
             parsed = ast.parse(side.strip(), mode="eval").body
         except (SyntaxError, ValueError, RecursionError) as error:

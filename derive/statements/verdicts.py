@@ -21,14 +21,14 @@ from ..pages import PageModel
 from . import samples
 from .approximations import LimitCase, in_limit, is_approximation, limit_of
 from .blame import Mended, mended
-from .book import by_name, equations_of, forms_of
+from .book import TOO_LARGE, by_name, equations_of, forms_of
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side
 from .conventions import stated, unstated
 from .identities import normal_form
 from .markup import repaired_print
 from .objects import LAMBDA, TIME
 from .papers import Paper, Statement
-from .reading import ASSERTED, Item, Verdict, in_motion, read_paper, unit_of
+from .reading import ASSERTED, BEGUN, Item, Verdict, in_motion, read_paper, too_large, unit_of
 from .repair import CLOSE, COST, Edit, Pool, Repair, Search, Values, evaluated, same, stem
 from .samples import numeric
 from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols, tidied
@@ -239,6 +239,15 @@ class ProvedRepair:
 
 def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bool = True) -> Row:
     """The verdict on one statement, in the coordinate conventions of its paper."""
+    BEGUN.get()(item.statement.id)
+    try:
+        return _verdict_on(item, conventions, repair)
+    except TOO_LARGE as error:
+        return replace(_row_of(item.statement), status="unread", evidence=too_large(error))
+
+
+def _verdict_on(item: Item, conventions: Conventions | None, repair: bool) -> Row:
+    """The verdict, if nothing is too large."""
     comparison = Comparison(item, conventions or {})
     parts = comparison.components()
     entries = [item.subject.entries[place] for place in item.subject.index]
@@ -263,17 +272,18 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
     if item.statement.word == "definition" and fixed:
         said = f"{', '.join(fixed)} has no value on the page, which this would give it"
         return replace(row, evidence=said)
-    sides = [comparison]
+    sides = [(comparison, parts)]
     if item.statement.word in ASSERTED and _has_accelerations(comparison, parts):
-        sides.append(Comparison(in_motion(item), comparison.conventions))
+        along = Comparison(in_motion(item), comparison.conventions)
+        sides.append((along, along.components()))
     is_free = bool(units_problem) and item.subject.factor == "constant"
     in_limits: list[Comparison] = []
     repairs: list[ProvedRepair] = []
     counted = ""
     for number, part in enumerate(parts):
         side, equal = comparison, list[Expr]()
-        for side in sides:
-            if equal := _equal(side, side.components()[number]):
+        for side, its_parts in sides:
+            if equal := _equal(side, its_parts[number]):
                 break
         if equal and not is_free:
             exact = next((one for one in equal if side.proved(part.tree, one)), None)
@@ -286,7 +296,7 @@ def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bo
             said = f"right at {state} = 0 alone; where that is meant, say limit = '{state} -> 0'"
             return replace(row, status="unread", evidence=said)
         gap = comparison.exactly(part.tree) - _nearest_target(comparison, part)
-        versions = [(one, one.components()[number]) for one in sides]
+        versions = [(one, its_parts[number]) for one, its_parts in sides]
         if limit is not None:
             in_limits = in_limits or [
                 Comparison(one, conventions or {}) for one in in_limit(item, limit)

@@ -51,6 +51,14 @@ from .output import is_typed, print_json, refuse, wrapped, write
     help=f"{o.TEXT} What holds of the article for it; the page of PAPER.",
 )
 @o.file("--out", folder=True, help="Folder for LEDGER.md and ledger.html of PAPER.")
+@click.option(
+    "--row-limit",
+    type=click.FloatRange(0.0, min_open=True),
+    default=10.0,
+    show_default=True,
+    metavar="SECONDS",
+    help="Processor time that a row of PAPER may take; beyond that it is unread.",
+)
 @o.trust
 @o.force
 def check(
@@ -61,6 +69,7 @@ def check(
     report: Path | None,
     model_name: str | None,
     out: Path | None,
+    row_limit: float,
 ) -> None:
     """Show how every printed equation of the article, or of PAPER, compares with the derivation.
 
@@ -83,12 +92,13 @@ def check(
       spragsym check paper.toml --model page.py --out ledger
 
     \b
-    Exit codes: 0 every row is as recorded or expected; 1 a row is not; 2 usage.
+    Exit codes: 0 every row is as recorded or expected; 1 a row is not; 2 usage; 3 a row of PAPER
+    could not be read, and all others are as expected.
     """
     if paper is not None:
         if claims or again or report is not None:
             raise click.UsageError("a paper is checked without --claims, --again and --report")
-        _check_paper(paper, model_name, only, out)
+        _check_paper(paper, model_name, only, out, row_limit)
         return
     if out is not None:
         raise click.UsageError(
@@ -214,13 +224,15 @@ def _equations(only: tuple[str, ...], again: bool) -> _Rows:
     return [row for id, row in now.items() if id in chosen], wrong
 
 
-def _check_paper(paper: Path, model: str | None, only: tuple[str, ...], out: Path | None) -> None:
+def _check_paper(
+    paper: Path, model: str | None, only: tuple[str, ...], out: Path | None, row_limit: float
+) -> None:
     """Print the verdicts on the statements of a file."""
     from ..papers import check as check_statements
     from ..papers import fields
 
     with show_progress("deriving what the paper is held against"):
-        found = check_statements(paper, model, trust=is_typed("trust"))
+        found = check_statements(paper, model, trust=is_typed("trust"), row_limit=row_limit)
     rows = _chosen(only, {row.id: row for row in found.rows}, "the paper")
     if out is not None:
         files = {out / "LEDGER.md": found.to_markdown(), out / "ledger.html": found.to_html()}
@@ -238,8 +250,9 @@ def _check_paper(paper: Path, model: str | None, only: tuple[str, ...], out: Pat
         for convention in found.conventions:
             click.echo(convention, err=True)
         click.echo(f"{len(rows)} statements: {found.summary()}", err=True)
-    if not all(row.is_expected for row in rows):
-        sys.exit(1)
+    wrong = {row.status for row in rows if not row.is_expected}
+    if wrong:
+        sys.exit(3 if wrong == {"unread"} else 1)
 
 
 def _check_model(name: str, only: tuple[str, ...]) -> None:

@@ -60,7 +60,7 @@ def test_sizes_spaces_and_braces_change_no_name() -> None:
     [
         (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(v)", "confirmed"),
         (r"m\ddot x + c\dot x + kx + k_3x^3 = -N_0\mu(w)", "confirmed"),
-        (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(w)", "misprint"),
+        (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(w)", "convention"),
         (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(v_0)", "misprint"),
         (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu(x)", "unread"),
         (r"(m\ddot x + c\dot x + kx + k_3x^3)/N_0 = \mu(x)", "unread"),
@@ -84,7 +84,7 @@ def test_the_argument_of_a_friction_law_is_read(text: str, status: str) -> None:
         (
             r"m\ddot x + c{\dot x} + {k}x + k_3x^3 = N_0{\mu(w)}, \dot x = \dot x",
             "motion x",
-            "misprint",
+            "convention",
         ),
         (r"m\ddot x + c\dot x + kx + k_3x^3 = N_0{\mu}, \dot x = \dot x", "motion x", "confirmed"),
         (r"\dot x = 2x, m\ddot x + c\dot x + kx + k_3x^3 = N_0\mu", "motion x", "failed"),
@@ -200,15 +200,15 @@ def test_a_law_of_another_speed_is_read_again_as_one_of_the_sliding_speed() -> N
 
 def test_a_derivative_changes_sign_with_a_coordinate_that_is_reversed() -> None:
     """∂V/∂x is a force along x of the print, and f(x) is printed in it."""
-    found = rows(
-        PAGE,
+    prints = [
         ("energy V", "U = kx^2/2 + k_3x^4/4"),
         ("motion x", r"m\ddot x + c\dot x + \frac{\partial U}{\partial x} + N_0\mu = 0"),
         ("definition", "f(x) = kx + k_3x^3"),
         ("motion x", r"m\ddot x + c\dot x + f(x) = -N_0\mu"),
         ("acceleration x", r"\ddot x = -\frac1m\frac{d}{dt}(c x) - f(x)/m - N_0\mu/m"),
         ("stiffness 1 1", "k_t = f'(x)"),
-    )
+    ]
+    found = verdicts.check(paper(prints, conventions={"x": "reversed"}), PAGE).rows
     assert [it.status for it in found] == ["confirmed"] * 2 + ["definition"] + ["confirmed"] * 3
 
 

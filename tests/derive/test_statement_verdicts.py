@@ -7,15 +7,19 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
 pytest.importorskip("sympy")
 
+import spragsym as ss
+from spragsym.cli import cli
 from spragsym.derive import pages
 from spragsym.derive.statements import verdicts
 from tests.oracles.printed import Print, paper, rows
 
 #: A pendulum on a cart, whose angle is 0 where it hangs.
-CART = pages.read(Path(__file__).parents[2] / "validation/papers/cart_pole/page.py")
+PAGE = Path(__file__).parents[2] / "validation/papers/cart_pole/page.py"
+CART = pages.read(PAGE)
 T = r"T = \frac12(m_c+m_p)\dot x^2 + m_p l\dot x\dot\theta\cos\theta + \frac12 m_p l^2\dot\theta^2"
 PLACES = r"x_p = x + l\sin\theta, \quad y_p = -l\cos\theta"
 KNOWN: list[Print] = [
@@ -119,3 +123,48 @@ def test_a_wrong_definition_is_blamed_by_its_rates() -> None:
     assert (defined.status, defined.edits[0]["new"]) == ("misprint", "sin(theta)")
     assert [it.status for it in others] == ["confirmed"] * 2
     assert (own.status, own.repaired) == ("misprint", "V = m_p*g*y_p")
+
+
+RIGHT = r"(m_c + m_p)\ddot x + m_p l\ddot\theta\cos\theta - m_p l\dot\theta^2\sin\theta = f"
+HOSTILE = [
+    " + ".join(rf"{number} m_c\ddot x" for number in range(900)) + " = f",
+    r"\max(x, " * 40 + "l" + ")" * 40 + " = f",
+    "(" * 300 + "x" + ")" * 300 + " = f",
+    r"\sin(" * 200 + "x" + ")" * 200 + " = f",
+    "7" * 5000 + r"\ddot x = f",
+    r"((((x^{100})^{100})^{100})^{100})^{100} = f",
+]
+
+
+@pytest.mark.thorough
+def test_a_row_that_is_too_large_costs_itself(tmp_path: Path) -> None:
+    """Its time or its size is told, others stand, and the exit code tells it from a row that is
+    wrong.
+    """
+    texts = [RIGHT, *HOSTILE, RIGHT.replace("- m_p", "+ m_p")]
+    prints = [f"about = 'motion x'\nlatex = '''{text}'''\n" for text in texts]
+    prints += [f"about = 'motion x'\nsympy = 'ax*{it} = f'\n" for it in ("1e400", "1e-400")]
+    doubling = "".join(rf"d_{{{i + 1}}} = d_{{{i}}}^2 + d_{{{i}}}, \quad " for i in range(60))
+    prints += [f"about = 'definition'\nlatex = '''d_0 = \\cos\\theta, \\quad {doubling}'''\n"]
+    entries = [f"[[statement]]\nid = '{number}'\n{text}" for number, text in enumerate(prints)]
+    file = tmp_path / "paper.toml"
+    file.write_text("\n".join(entries), encoding="utf-8")
+    found = ss.check(file, PAGE, row_limit=2.0)
+    assert found.status == ("confirmed", *["unread"] * 6, "misprint", *["unread"] * 3)
+    said = [it.evidence for it in found.rows if it.status == "unread"]
+    assert all("too large" in it or "a power higher" in it for it in said), said
+    for kept, code in ((entries[:1], 0), (entries[3:5], 3), (entries[3:8:4], 1)):
+        file.write_text("\n".join(kept), encoding="utf-8")
+        result = CliRunner().invoke(cli, ["check", str(file), "--model", str(PAGE)])
+        assert result.exit_code == code, result.output
+
+
+def test_a_print_of_more_equations_than_entries_is_unread() -> None:
+    """No equation is passed over, though all but one are right."""
+    text = rf"{RIGHT} \\ \ddot x\cos\theta + l\ddot\theta + g\sin\theta = 0"
+    whole = rows(CART, ("motion", text))[0]
+    more = rows(
+        CART, ("motion", text + r" \\ \ddot x\cos\theta + 2l\ddot\theta + g\sin\theta = 0")
+    )[0]
+    assert whole.status == "confirmed"
+    assert (more.status, "give the others statements" in more.evidence) == ("unread", True)

@@ -121,7 +121,7 @@ def test_an_applied_force_is_counted_in_the_potential_or_not(
 def test_an_energy_is_repaired_in_the_reading_that_it_is_nearest_to() -> None:
     """A sign is one edit, in V without the applied force; a force along another way is none."""
     row = _judged("energy V", f"V = {SPRINGS}".replace("x - y", "x + y"), "units", COUPLING)
-    assert (row.status, [it["kind"] for it in row.edits]) == ("misprint", ["sign"])
+    assert (row.status, [it["kind"] for it in row.edits]) == ("convention", ["sign"])
     assert "F_L" not in row.difference
     wrong = _judged("energy V", f"V = {SPRINGS} + F_L*x", "units", COUPLING)
     assert wrong.status == "misprint"
@@ -469,7 +469,7 @@ def test_an_energy_keeps_its_constant() -> None:
         "h", "(F_L/k_c)"
     )
     row = _judged("energy V", text, "units", COUPLING)
-    assert row.status == "misprint"
+    assert row.status == "convention"  # and what is right without one
     assert row.repaired in (text.replace("y + x", "y - x"), text.replace("y + x", "-y + x"))
 
 

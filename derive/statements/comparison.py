@@ -21,7 +21,7 @@ from ..algebra import Pair
 from .book import with_defined
 from .derivatives import expressions
 from .identities import is_zero, quotients
-from .objects import LAMBDA
+from .objects import LAMBDA, derived
 from .reading import BEGUN, Item
 from .repair import Values, evaluated, same, same_but_for_constant, same_but_for_factor
 from .samples import in_motion, numeric
@@ -148,6 +148,8 @@ class Comparison:
             if subject.is_value:
                 meanings = {one.entry: one.said for one in subject.readings} or {entry: ""}
                 sampled = dict(zip(meanings, item.readings or (target,), strict=True))
+                if (coupled := self._coupled(tree, place)) is not None:
+                    meanings, sampled = {sign * coupled: "with other accelerations in it"}, {}
                 if factors and subject.factor == "constant":
                     free = self._constant(self.exactly(tree))
                     for reading, said in [*meanings.items()]:
@@ -158,11 +160,12 @@ class Comparison:
             print_values = evaluated(tree, self.values)
             is_entry = any(same(print_values, it) for it in sampled.values())
             symbol = item.derivation.names.get(equation.left.value, S.Zero)
-            if factors and not is_entry and subject.factor == "monomial" and symbol.is_Symbol:
+            is_equation = subject.factor in ("parameters", "monomial")
+            if factors and not is_entry and is_equation and symbol.is_Symbol:
                 slope = sp.expand(sp.diff(entry, symbol))
                 if slope != 0 and not slope.has(symbol):  # solved for it
                     meanings[entry / slope] = ""
-            if factors and not is_entry and subject.factor in ("parameters", "monomial"):
+            if factors and not is_entry and is_equation:
                 own = self.exactly(tree)
                 if subject.steady:  # whose entries hold the laws of the normal forces
                     own = own.xreplace(self.laws(subject.side))
@@ -186,6 +189,18 @@ class Comparison:
         values = self.item.values
         targets = ((sampled[it] if it in sampled else numeric(it, values), it) for it in meanings)
         return Component(tree, tuple(targets), left, meanings)
+
+    def _coupled(self, tree: Node, place: int) -> Expr | None:
+        """The equation of motion solved for an acceleration, where the print has others on its
+        right; else None.
+        """
+        derivation, subject = self.item.derivation, self.item.subject
+        second = derivation.accelerations[place] if place < len(derivation.accelerations) else None
+        others = {*derivation.accelerations} - {second}
+        if self.item.statement.word != "acceleration" or not self.exactly(tree).has(*others):
+            return None
+        row = derived(derivation, f"motion, {subject.side}").entries[place]
+        return sp.expand(second - row / sp.diff(row, second))
 
     def _combined(
         self, own: Expr, own_values: Values, bases: Sequence[Expr], place: int

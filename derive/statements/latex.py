@@ -41,10 +41,12 @@ _ROMAN = (
     r"\textrm",
     r"\mathop",
     r"\mbox",
+    r"\hbox",
     r"\rm",
 )
 _BOLD = (r"\mathbf", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 _ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
+_ACCENTS |= {r"\mathscr": r"\mathcal"}
 _ACCENTS |= dict.fromkeys((r"\boldsymbol", r"\bm", r"\pmb", r"\mathbb", r"\underline"), r"\mathbf")
 _WORDS = ("", "where", "with", "and", "for", "if", "when")  #: between equations
 _BETWEEN = ("\\\\", r"\quad", r"\qquad", ",", ";", r"\Rightarrow", r"\Leftrightarrow", r"\eqno")
@@ -221,10 +223,13 @@ class _LatexReader:
         self.size, self.has_roots = len(vocabulary.coordinates), vocabulary.has_roots
         self.gives_names = vocabulary.gives_names
         for text, page in vocabulary.renamed.items():
-            name, power = self.name(here := Cursor(nested(text)))
+            name, power, here = None, None, Cursor(())
+            with suppress(Unread):
+                name, power = self.name(here := Cursor(nested(text)))
             if name is None or here.item is not None or (power and name.sup):
                 said = "list one letter or word, with indices, dots or primes"
-                raise Unread(f"{text} under [symbols] is not one name; {said}", 0)
+                self.names.unread = f"{text} under [symbols] is not one name; {said}"
+                continue  # for statements without it
             name = name if power is None else replace(name, sup=_label(power))
             if page in tree.FUNCTIONS and page not in self.names.symbols:
                 self.names.functions[name] = page

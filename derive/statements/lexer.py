@@ -158,7 +158,7 @@ def _tokens(text: str) -> list[tuple[str, int, int, str]]:
     # Parts of the source that print nothing, or only lay the equations out.
     unprinted = re.compile(
         rf"""%[^\n]* | ^\s*(?:\$\$?|\\\[|\\\() | (?:\$\$?|\\\]|\\\))\s*$
-        | \\(?:label|tag|hspace|vspace|phantom)\*?\s*\{{[^{{}}]*\}}
+        | \\(?:label|tag|hspace|vspace|[hv]?phantom)\*?\s*\{{[^{{}}]*\}}
         | \\left\s*\\\{{(?=\s*\\begin\{{{aligned}\}}) | \\(?:begin|end)\{{{aligned}\}}
         (?:\s*\\right\s*\\\}})?
         | \\(?:left|right)\s*\. | (?<=\\\\)\s*(?:\[[^\]]*\]|\\hline)

@@ -83,6 +83,8 @@ class Names:
         self.renamed: dict[Name, Node] = {}
         #: why a meaning can't be read, as of names that only the other form of the page has
         self.refused: dict[Name, str] = {}
+        #: what is wrong with a name under [symbols] that can't be read
+        self.unread = ""
         #: functions by their printed names, as SymPy calls them
         self.functions: dict[Name, str] = {}
         #: names in the columns of coordinates, rates and accelerations, by the words for these;
@@ -117,7 +119,8 @@ class Names:
             remedy = f"say what it is under [symbols]{name.remedy}"
             if self.has_roots:
                 remedy += ", an eigenvalue as lam or frequency"
-            raise Unread(f"{name} is no name of the page; {remedy}", at[0])
+            said = f"{name} is no name of the page; {remedy}"
+            raise Unread("; ".join(filter(None, (said, self.unread))), at[0])
         return found
 
     def known(self, name: Name, at: tuple[int, int]) -> Node | None:

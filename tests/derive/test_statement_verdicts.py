@@ -168,3 +168,26 @@ def test_a_print_of_more_equations_than_entries_is_unread() -> None:
     )[0]
     assert whole.status == "confirmed"
     assert (more.status, "give the others statements" in more.evidence) == ("unread", True)
+
+
+@pytest.mark.parametrize(
+    ("about", "text", "old", "new"),
+    [
+        (  # the other acceleration on the right
+            "acceleration theta",
+            r"\ddot\theta = -\frac{\ddot x\cos\theta + g\sin\theta}{l}",
+            r"+ g",
+            r"- g",
+        ),
+        ("motion x", RIGHT.replace("f", r"f\hphantom{x}"), "- m_p", "+ m_p"),
+        ("equilibrium theta", r"g = \frac{0}{m_p l\sin\theta}", "0", "m_p"),
+    ],
+)
+def test_an_equation_is_read_in_every_way_that_papers_mean_it(
+    about: str, text: str, old: str, new: str
+) -> None:
+    """Solved for something, and beside a name under [symbols] that can't be read."""
+    symbols = {r"\frac{a}{b}": "l", r"\mathscr{L}": "energy L"}
+    assert rows(CART, (about, text), renamed=symbols)[0].status == "confirmed"
+    fault = rows(CART, ("energy V", r"V = -m_p g l\cos\theta"), (about, text.replace(old, new, 1)))
+    assert fault[1].status in ("misprint", "failed", "convention")

@@ -8,7 +8,6 @@ quantities. Headings, units, words of codes and axes follow from them.
 from __future__ import annotations
 
 import enum
-import html
 import math
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
@@ -20,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .core.options import Options
+from .core.shown import html_text
 from .numerics.interval_arrays import IntArray
 
 if TYPE_CHECKING:
@@ -528,12 +528,12 @@ def _size(shape: tuple[int, ...]) -> str:
 def as_html(table: Table) -> str:
     """A table as a notebook shows it."""
     if not table.header:
-        return f"<p>{html.escape(table.title)}</p>"
-    head = "".join(f"<th>{html.escape(name)}</th>" for name in table.header)
+        return f"<p>{html_text(table.title)}</p>"
+    head = "".join(f"<th>{html_text(name)}</th>" for name in table.header)
     body = "".join(
-        f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows
+        f"<tr>{''.join(f'<td>{html_text(cell)}</td>' for cell in row)}</tr>" for row in table.rows
     )
-    caption = f"<caption>{html.escape(table.title)}</caption>"
+    caption = f"<caption>{html_text(table.title)}</caption>"
     return f"<table>{caption}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 

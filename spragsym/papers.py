@@ -4,7 +4,6 @@ HTML.
 
 from __future__ import annotations
 
-import html
 import importlib.util
 import os
 import sys
@@ -17,8 +16,10 @@ from typing import TYPE_CHECKING, Any
 
 from .core.errors import MissingExtraError, ParameterError, SweepError, require_kind
 from .core.limits import limit_memory, limit_time
+from .core.shown import html_text, markdown_code, markdown_text
 from .display import Table, as_html
 from .files.storage import resolved
+from .files.text import text_of, toml_of
 from .models.load import load, page_of, require_trust, shipped
 from .models.parameters import POSITIVE, as_number
 from .motion.sweeps.workers import pool
@@ -107,14 +108,16 @@ class PaperCheck:
         >>> PaperCheck("A paper", "kang_nam", (), ()).to_markdown().splitlines()[0]
         '# A paper'
         """
-        lines = [f"# {self.paper or 'Printed equations'}", ""]
-        lines += [f"Held against the page `{self.model}`: {self.summary()}.", ""]
-        lines += [f"- {convention}" for convention in self.conventions]
+        lines = [f"# {markdown_text(self.paper or 'Printed equations')}", ""]
+        lines += [f"Held against the page {markdown_code(self.model)}: {self.summary()}.", ""]
+        lines += [f"- {markdown_text(convention)}" for convention in self.conventions]
         lines += ["", "| row | where | about | verdict |", "|---|---|---|---|"]
-        lines += [f"| {it.id} | {it.where} | {it.about} | {it.status} |" for it in self.rows]
+        cells = ((row.id, row.where, row.about, row.status) for row in self.rows)
+        lines += [f"| {' | '.join(map(markdown_text, row))} |" for row in cells]
         for row in self.rows:
-            lines += ["", f"## {row.id}", "", f"{row.about}: **{row.status}**", ""]
-            lines += [f"- {title}: `{text}`" for title, text in fields(row).items()]
+            lines += ["", f"## {markdown_text(row.id)}", ""]
+            lines += [f"{markdown_text(row.about)}: **{row.status}**", ""]
+            lines += [f"- {title}: {markdown_code(text)}" for title, text in fields(row).items()]
         return "\n".join(lines) + "\n"
 
     def to_html(self) -> str:
@@ -129,13 +132,13 @@ class PaperCheck:
         >>> "<h1>A paper</h1>" in PaperCheck("A paper", "kang_nam", (), ()).to_html()
         True
         """
-        parts = ["<!doctype html>", f"<meta charset=utf-8><title>{html.escape(self.paper)}</title>"]
-        parts += [f"<h1>{html.escape(self.paper or 'Printed equations')}</h1>"]
+        parts = ["<!doctype html>", f"<meta charset=utf-8><title>{html_text(self.paper)}</title>"]
+        parts += [f"<h1>{html_text(self.paper or 'Printed equations')}</h1>"]
         said = (f"Held against {self.model}: {self.summary()}.", *self.conventions)
-        parts += [f"<p>{html.escape(text)}</p>" for text in said]
+        parts += [f"<p>{html_text(text)}</p>" for text in said]
         parts += [self._table(lambda row: row.repaired)]
         for row in self.rows:
-            parts += [f"<h2>{html.escape(row.id)}: {row.status}</h2><dl>"]
+            parts += [f"<h2>{html_text(row.id)}: {row.status}</h2><dl>"]
             parts += [
                 f"<dt>{title}</dt><dd>{self._shown(title, text)}</dd>"
                 for title, text in fields(row).items()
@@ -149,7 +152,7 @@ class PaperCheck:
 
         is_formula = title in ("Read as", "Derived", "Printed less derived", "Right")
         formula = rendered(text, self.coordinates) if is_formula else None
-        return formula or f"<code>{html.escape(text)}</code>"
+        return formula or f"<code>{html_text(text)}</code>"
 
     def _table(self, right: Callable[[Row], str]) -> str:
         """A row for each statement, with what is right in place of it."""
@@ -245,8 +248,9 @@ def check(
         raise MissingExtraError("a check of printed equations", "SymPy", "derive")
     from .derive.statements import papers
 
+    text = text_of(path, what="the file of a paper", may_hold=None)
     try:
-        read = papers.read(path)
+        read = papers.paper_of(path.name, text, toml_of)
     except papers.PaperError as error:
         raise ParameterError(str(error)) from error
     if model is None and not read.model:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeAlias
@@ -59,34 +59,31 @@ class Paper:
 
 
 def read(path: Path) -> Paper:
-    """Read a file of statements.
+    """The paper in a file of this project; those of others come through ``spragsym.papers``."""
+    return paper_of(path.name, path.read_text(encoding="utf-8"), tomllib.loads)
+
+
+def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
+    """The paper in the text of a file, whose data ``data_of`` reads.
 
     Raises
     ------
     PaperError
-        If the file can't be read or a key is wrong, with line, key and remedy.
+        If it is no TOML or a key is wrong, with line, key and remedy.
     """
     try:
-        largest = 1 << 20
-        if path.stat().st_size > largest:
-            raise PaperError(f"{path.name} has more than {largest} bytes; split the paper")
-        text = path.read_text(encoding="utf-8-sig")
-        data = tomllib.loads(text)
-    except OSError as error:
-        raise PaperError(f"{path.name} can't be opened: {error.strerror}; give a file") from error
-    except UnicodeDecodeError as error:
-        raise PaperError(f"{path.name} is no text in UTF-8; save it as UTF-8") from error
-    except tomllib.TOMLDecodeError as error:
-        raise PaperError(f"{path.name} is no TOML: {error}; LaTeX stands in ''' '''") from error
-    lines = text.splitlines()
+        data = data_of(text)
+    except ValueError as error:
+        raise PaperError(f"{name} is no TOML: {error}; LaTeX stands in ''' '''") from error
+    lines = text.split("\n")
 
     def refuse(key: str, message: str, after: int = 0) -> PaperError:
         begin = re.compile(rf"\s*[\[\"']*{re.escape(key)}\b")
         found = (n for n, line in enumerate(lines[after:], after + 1) if begin.match(line))
         line = next(found, after or 1)
-        return PaperError(f"{path.name}, line {line}, key {key}: {message}")
+        return PaperError(f"{name}, line {line}, key {key}: {message}")
 
-    for key in data.keys() - {"paper", "model", "symbols", "conventions", "statement"}:
+    for key in sorted(data.keys() - {"paper", "model", "symbols", "conventions", "statement"}):
         raise refuse(key, "is unknown; allowed are paper, model, symbols, conventions, statement")
     texts = {key: data.get(key, "") for key in ("paper", "model")}
     for key, value in texts.items():
@@ -100,17 +97,23 @@ def read(path: Path) -> Paper:
         tables[key] = table = data.get(key, {})
         if not isinstance(table, dict) or not all(isinstance(it, str) for it in table.values()):
             raise refuse(key, f"is no table of texts; {said}")
-    if not isinstance(entries, list) or not entries:
+    if (
+        not isinstance(entries, list)
+        or not entries
+        or not all(isinstance(it, dict) for it in entries)
+    ):
         raise refuse("statement", "there is none; begin each with [[statement]]")
     begins = [
         n for n, line in enumerate(lines) if line.replace(" ", "").startswith("[[statement]]")
     ]
     found: list[Statement] = []
+    ids: set[str] = set()
     for number, entry in enumerate(entries):
         after = begins[number] if number < len(begins) else 0
-        problem = _problem(entry, {it.id for it in found})
+        problem = _problem(entry, ids)
         if problem is not None:
             raise refuse(problem[0], problem[1], after)
+        ids.add(entry["id"])
         rest = {key: entry[key] for key in entry.keys() - {"latex", "sympy"}}
         sympy = entry.get("sympy", "")
         if "latex" in entry:

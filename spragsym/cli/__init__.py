@@ -25,6 +25,7 @@ from ..core.errors import (
     latin,
 )
 from ..core.interrupts import ending
+from ..core.shown import visible
 
 __all__ = ["COMMANDS", "cli", "main"]
 
@@ -153,7 +154,7 @@ def _run(arguments: list[str], debug: bool) -> int:
             cli.main(arguments, prog_name="spragsym")
         with ending(), warnings.catch_warnings():
             warnings.showwarning = lambda message, *_: click.echo(
-                f"spragsym: warning: {message}", err=True
+                f"spragsym: warning: {visible(str(message))}", err=True
             )
             plain = False if "NO_COLOR" in os.environ else None
             with cli.make_context("spragsym", arguments, color=plain) as context:
@@ -171,7 +172,7 @@ def _run(arguments: list[str], debug: bool) -> int:
         with suppress(OSError, ValueError):
             if debug:
                 traceback.print_exc()
-            line = " ".join(message.split())
+            line = " ".join(visible(message).split())
             click.echo(
                 f"spragsym: {line if len(line) <= 2000 else f'{line[:500]} … {line[-500:]}'}",
                 err=True,

@@ -18,6 +18,7 @@ import click
 from ..article.drawn import DRAWN
 from ..core.errors import ParameterError, one_of
 from ..core.progress import advance, show_progress
+from ..core.shown import visible
 from ..core.type_variables import T
 from ..display import aligned
 from ..models.load import load, page_of
@@ -248,7 +249,7 @@ def _check_paper(
         table = [(it.id, it.where or it.about, it.status, it.repaired or it.note) for it in rows]
         _print_rows("right", table)
         for convention in found.conventions:
-            click.echo(convention, err=True)
+            click.echo(visible(convention), err=True)
         click.echo(f"{len(rows)} statements: {found.summary()}", err=True)
     wrong = {row.status for row in rows if not row.is_expected}
     if wrong:
@@ -284,7 +285,7 @@ def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]]) -> None:
         **dict.fromkeys(("misprint", "convention"), "yellow"),
         "corrected": "magenta",
     }
-    table = [("row", "where", "status", last), *rows]
+    table = [("row", "where", "status", last), *(tuple(map(visible, row)) for row in rows)]
     lines = aligned([row[:3] for row in table])
     begin = max(map(len, lines)) + 2
     for line, (*_, status, remark) in zip(lines, table, strict=True):
@@ -320,9 +321,9 @@ def _fields(row: Mapping[str, Any]) -> dict[str, str]:
 
 def _print_in_full(row: str, status: str, said: Mapping[str, str]) -> None:
     """Print all fields of one row."""
-    click.echo(f"{row}: {status}")
+    click.echo(visible(f"{row}: {status}"))
     for title, text in said.items():
-        click.echo(wrapped(f"  {title}: {text}", 4))
+        click.echo(wrapped(visible(f"  {title}: {text}"), 4))
 
 
 def _print_table(rows: Sequence[Mapping[str, Any]]) -> None:

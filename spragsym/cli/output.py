@@ -4,7 +4,6 @@ overwritten with --force only.
 
 from __future__ import annotations
 
-import json
 import math
 import shutil
 import sys
@@ -19,6 +18,7 @@ from click.core import ParameterSource
 
 from ..core.errors import TargetError
 from ..core.progress import show_progress
+from ..core.shown import json_text
 from ..display import aligned
 from ..files.storage import OVERWRITING, probe, put
 
@@ -102,7 +102,7 @@ def print_json(thing: object) -> None:
     """Print JSON; NaN and infinities, which JSON does not have, become null."""
     # Greek letters are escaped if the stream can't write them.
     escaped = not (getattr(sys.stdout, "encoding", None) or "utf").lower().startswith("utf")
-    click.echo(json.dumps(_plain(thing), indent=1, ensure_ascii=escaped, allow_nan=False))
+    click.echo(json_text(_plain(thing), indent=1, ascii_only=escaped))
 
 
 def _plain(thing: object) -> object:

@@ -7,9 +7,17 @@ import re
 import unicodedata
 from collections.abc import Iterable
 
+from .shown import visible
+
 
 class SpragsymError(Exception):
-    """Base of every error that this package raises on purpose."""
+    """Base of every error that this package raises on purpose.
+
+    Its text shows names and texts of files without characters that are not printed.
+    """
+
+    def __str__(self) -> str:
+        return visible(super().__str__())
 
 
 class ParameterError(SpragsymError, ValueError):

@@ -11,21 +11,39 @@ import errno
 import hashlib
 import json
 import os
+import stat
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
 from io import FileIO
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 from filelock import lock_descriptor
 
 from ..core.errors import DamageWarning, ParameterError, SpragsymError, StoreError, SweepError
 from .storage import provenance, write_all
-from .text import printed
+from .text import has_shape, json_of, printed
 
 #: One point of a sweep: its measured values and, if it failed, why.
 Record: TypeAlias = tuple[list[float], str]
+
+
+@dataclass(frozen=True)
+class _Points:
+    """What is known of the points of a sweep: their number, and the numbers that each has."""
+
+    total: int
+    width: int | None
+
+    def read(self, point: object) -> tuple[int, Record] | None:
+        """The index and the record of a point; None where it is none of the sweep's."""
+        if not has_shape(point, (int, [int | float], str)):
+            return None
+        index, values, reason = cast("tuple[int, list[float], str]", point)
+        is_one = 0 <= index < self.total and len(values) in (0, self.width or len(values))
+        return (index, (values, reason)) if is_one else None
 
 
 def path_of(target: Path) -> Path:
@@ -35,10 +53,10 @@ def path_of(target: Path) -> Path:
 
 @contextmanager
 def journal(
-    target: Path, fingerprint: str, total: int
+    target: Path, fingerprint: str, total: int, width: int | None = None
 ) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
     """Open the journal of ``target``: finished points of earlier runs, and a function that stores
-    one more.
+    one more. A point is one of ``total``, and has no numbers or ``width`` of them.
 
     Every line is written before the next task begins. When the body ends without an error, having
     written the target, the journal is removed; an error says how many points are kept. A line that
@@ -55,7 +73,7 @@ def journal(
     path = path_of(target)
     with ExitStack() as stack:
         file, data = _opened(stack, path)
-        done = _begun(file, path, fingerprint, data)
+        done = _begun(file, path, fingerprint, data, _Points(total, width))
 
         def keep(index: int, record: Record) -> None:
             _append(file, path, _line(fingerprint, [index, *record]))
@@ -100,8 +118,7 @@ def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
                 if not _locked(file, path) or os.path.samestat(
                     os.fstat(file.fileno()), path.stat()
                 ):
-                    file.seek(0)
-                    return file, file.readall() or b""
+                    return file, _whole(file, path)
             file.close()  # it was renamed or removed between opening and locking
     except StoreError:
         raise
@@ -109,6 +126,17 @@ def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
         raise StoreError(
             f"{path} cannot be read and written: {error.strerror}; give another path"
         ) from error
+
+
+def _whole(file: FileIO, path: Path) -> bytes:
+    """All bytes of a journal."""
+    about, largest = os.fstat(file.fileno()), 1 << 32
+    if not stat.S_ISREG(about.st_mode) or about.st_size > largest:
+        raise StoreError(
+            f"{path} is no file, or has more than {largest} bytes; remove it, or give another path"
+        )
+    file.seek(0)
+    return file.read(about.st_size) or b""
 
 
 def _locked(file: FileIO, path: Path) -> bool:
@@ -148,12 +176,16 @@ def _checksum(key: str, text: bytes) -> bytes:
 
 
 def _content(key: str, line: bytes) -> Any:
-    """The content of a line; None if the checksum is wrong."""
+    """The content of a line; None if the checksum is wrong, or it is no JSON."""
     checksum, _, text = line.partition(b" ")
-    return json.loads(text) if checksum == _checksum(key, text) else None
+    with suppress(ValueError):
+        return json_of(text) if checksum == _checksum(key, text) else None
+    return None
 
 
-def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int, Record]:
+def _begun(
+    file: FileIO, path: Path, fingerprint: str, data: bytes, expected: _Points
+) -> dict[int, Record]:
     """The undamaged points of this sweep; warns of damage and makes the file ready for appending.
 
     Raises
@@ -166,15 +198,15 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
     *lines, cut = data.split(b"\n")
     points, damaged, owner = dict[int, Record](), list[int](), None
     for number, line in enumerate(lines, 1):
-        point, other = _content(fingerprint, line), _content("", line)
-        if point is not None:
-            index, values, reason = point
-            printed(str(path), reason)
-            points[index] = (values, reason)
-        elif other is None:
-            damaged.append(number)
+        point, other = expected.read(_content(fingerprint, line)), _content("", line)
+        if point is not None and point[0] not in points:
+            index, record = point
+            printed(str(path), record[1])
+            points[index] = record
+        elif has_shape(other, {"journal": int, "fingerprint": str}):
+            owner = other["fingerprint"]
         else:
-            owner = other.get("fingerprint", owner)
+            damaged.append(number)
     head = _line("", {"journal": 1, "fingerprint": fingerprint, **provenance()})
     ours = owner == fingerprint or bool(points)
     if not ours and owner is not None and damaged:
@@ -195,8 +227,8 @@ def _begun(file: FileIO, path: Path, fingerprint: str, data: bytes) -> dict[int,
         warnings.warn(
             f"{path}: {len(damaged)} damaged line{'s' * (len(damaged) > 1)} ({shown}): not as "
             "written, by their "
-            f"checksums; the {len(points)} points of the other lines are good, and what is "
-            "lost is computed again",
+            f"checksums or parts; the {len(points)} points of the other lines are good, and what "
+            "is lost is computed again",
             DamageWarning,
             stacklevel=2,
         )

@@ -22,8 +22,8 @@ import shutil
 import stat
 import threading
 import time
-from collections.abc import Callable, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from io import FileIO
 from pathlib import Path
@@ -37,7 +37,7 @@ from ..core.errors import DamagedError, MissingExtraError, ParameterError, Store
 from ..core.interrupts import held
 from ..display import Column
 from ..generated import SOURCE_HASH
-from .text import FilePath, path_text, printed
+from .text import FilePath, contents, path_text, printed
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -212,9 +212,15 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """
     content = verified(path)
     if path.suffix != ".nc":
-        columns, attributes = _read_csv(printed(str(path), content.decode(), allowed="\n"))
+        text = printed(str(path), content.decode(errors="replace"), allowed="\n")
+        with _as_written(path):
+            columns, attributes = _read_csv(text)
     else:
-        with xarray().open_dataset(io.BytesIO(content), engine="h5netcdf") as dataset:
+        netcdf = xarray()
+        with (
+            _as_written(path),
+            netcdf.open_dataset(io.BytesIO(content), engine="h5netcdf") as dataset,
+        ):
             columns = {name: dataset[name].values.ravel() for name in dataset.variables}
             attributes = dict(dataset.attrs)
     for name, values in columns.items():
@@ -242,6 +248,18 @@ def read_own(path: Path, key: str) -> dict[str, Any]:
     return columns
 
 
+@contextmanager
+def _as_written(path: Path) -> Iterator[None]:
+    """Context that refuses content of another structure than that of :func:`write`."""
+    try:
+        yield
+    except (ValueError, LookupError, TypeError, AttributeError, OSError, csv.Error) as error:
+        raise DamagedError(
+            f"{path} holds no columns as they are written ({error!r:.60}); remove it to compute "
+            "it again, or give another path"
+        ) from error
+
+
 def verified(path: Path) -> bytes:
     """The content of a file without its checksum, which is verified.
 
@@ -250,10 +268,11 @@ def verified(path: Path) -> bytes:
     StoreError
         If it can't be read; DamagedError if the checksum is missing or wrong.
     """
+    largest = 1 << 32  # bytes
     try:
-        data = resolved(path).read_bytes()
-    except OSError as error:
-        raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
+        data = contents(resolved(path), largest, "another path")
+    except ParameterError as error:
+        raise StoreError(str(error)) from error
     covered, mark, _ = data.rpartition(_TRAILER)
     if not mark:
         raise DamagedError(
@@ -340,10 +359,10 @@ def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
     return target
 
 
-def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
+def put(path: FilePath, data: bytes | str, *, made: bool = False, private: bool = False) -> None:
     """Write a file atomically; a former file is replaced and its mode kept.
 
-    ``made`` says that missing folders are made.
+    ``made`` says that missing folders are made, ``private`` that only this user may read the file.
 
     Raises
     ------
@@ -356,7 +375,7 @@ def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
         if made:
             target.parent.mkdir(parents=True, exist_ok=True)
         _remove_left(target.parent)
-        _replace(target, data.encode() if isinstance(data, str) else data)
+        _replace(target, data.encode() if isinstance(data, str) else data, private)
         _settle(target.parent)
     except OSError as error:
         for folder in new:  # empty ones that were made for it, from the innermost on
@@ -369,10 +388,10 @@ def put(path: FilePath, data: bytes | str, *, made: bool = False) -> None:
         raise StoreError(f"{target} cannot be written: {error.strerror}; {cure}") from error
 
 
-def _replace(target: Path, data: bytes) -> None:
+def _replace(target: Path, data: bytes, private: bool) -> None:
     """Write data to a temporary file, flush it to the disk and rename it to the target."""
     temporary = _beside(target.parent)
-    number = _opened(temporary)
+    number = _opened(temporary, 0o600 if private else 0o666)
     try:
         with open(number, "wb", buffering=0) as file:
             write_all(file, data)
@@ -398,9 +417,9 @@ def _beside(folder: Path) -> Path:
     return folder / f".spragsym-{os.getpid()}-{secrets.token_hex(8)}"
 
 
-def _opened(path: Path) -> int:
+def _opened(path: Path, mode: int = 0o666) -> int:
     """The descriptor of a new file; an error if the name exists, even as a link to nothing."""
-    return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
+    return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), mode)
 
 
 def _remove_left(folder: Path) -> None:

@@ -9,26 +9,30 @@ from __future__ import annotations
 import hashlib
 import importlib
 import importlib.util
-import json
 import os
 import re
 import shlex
 import sys
 import threading
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache, partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from ..core.errors import ParameterError, ParameterTypeError, StoreError, hint
-from ..files.text import contents, printed
+from ..files.text import contents, json_of, printed, text_of
 from .model import Model, parameter_class
 
 #: The default model.
 USUAL = "kang_nam"
 #: Name of the model that adds dampers beside the springs, by the name of the one without.
 WITH_DAMPERS = {"kang_nam": "damped"}
+
+#: Files of a folder that hold its code.
+NEEDED = ("_broadcast.py", "algebra.py")
+#: Largest size in bytes of a file of a folder, more than any generated one has.
+_LARGEST = 64 << 20
 
 _LOADED: dict[str, Model] = {}
 _LOCK = threading.RLock()
@@ -44,6 +48,14 @@ def _shipped_folder() -> Path:
     return Path(importlib.import_module("spragsym.generated").__path__[0]) / "models"
 
 
+@cache
+def _about(name: str) -> dict[str, Any]:
+    """What ``model.json`` of a shipped model says."""
+    text = (_shipped_folder() / name / "model.json").read_text(encoding="utf-8")
+    about: dict[str, Any] = json_of(text)
+    return about
+
+
 def page_of(model: Model, pages: Path) -> Path:
     """Path of the page of a model: among the shipped ``pages``, or in the model's folder."""
     if model.where == model.name:
@@ -57,7 +69,7 @@ def mechanism(model: Model) -> str:
     """
     folder = _shipped_folder() / model.where if model.where in shipped() else Path(model.where)
     path = folder / f"{model.name}.svg"
-    return path.read_text(encoding="utf-8") if path.is_file() else ""
+    return text_of(path, _LARGEST) if path.is_file() else ""
 
 
 def load(name: str | os.PathLike[str]) -> Model:
@@ -123,8 +135,7 @@ def load(name: str | os.PathLike[str]) -> Model:
         )
     with _LOCK:
         if where in shipped():
-            about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
-            files = dict[str, bytes]()
+            about, files = _about(text), dict[str, bytes]()
         else:
             about, files = _verified(folder)
         known_model = _LOADED.get(where)
@@ -162,8 +173,7 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
             f"{folder} holds no model.json; give a folder that `spragsym derive PAGE.py --out "
             "DIR` wrote"
         )
-    largest = 64 << 20  # bytes, more than any generated file has
-    data = contents(path, largest)
+    data = contents(path, _LARGEST)
     # The digest is that of model.json with a placeholder at its own place; the digests of all other
     # files are part of the content.
     digest = re.search(rb'"digest": "([0-9a-f]{64})"', data)
@@ -175,16 +185,23 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
         raise StoreError(
             f"{path} is damaged: it is not as it was written; derive its model page again"
         )
-    about = printed(str(path), json.loads(data), allowed="\n")
-    current = json.loads((_shipped_folder() / "stick_slip" / "model.json").read_bytes())
-    missing = sorted(current.keys() - about.keys())
-    if missing:
+    try:
+        about = printed(str(path), json_of(data), allowed="\n")
+    except ParameterError:
+        raise
+    except ValueError as error:
+        raise StoreError(f"{path} is no JSON ({error}); derive its model page again") from error
+    current = [_about(name) for name in shipped()]
+    missing = sorted(set.intersection(*map(set, current)) - {*about} if type(about) is dict else ())
+    if missing or not _is_alike(about, current):
+        parts = f", and does not say {', '.join(missing)}" * bool(missing)
         raise StoreError(
-            f"{path} is of another version of spragsym, and does not say {', '.join(missing)}; "
-            "derive its model page again"
+            f"{path} is of another version of spragsym{parts}; derive its model page again"
         )
-    if not re.fullmatch(r"\w[\w .-]*", about["name"]) or any(
-        Path(name).name != name for name in about["files"]
+    if (
+        not re.fullmatch(r"\w[\w .-]*", about["name"])
+        or not {*NEEDED} <= {*about["files"]}
+        or any(Path(name).name != name for name in about["files"])
     ):
         raise StoreError(
             f"{path} names a model or a file that is none; derive its model page again"
@@ -193,12 +210,35 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
     for name, digest_of_file in about["files"].items():
         if not (folder / name).is_file():
             raise StoreError(f"{folder / name} is missing; derive its model page again")
-        files[name] = contents(folder / name, largest)
+        files[name] = contents(folder / name, _LARGEST)
         if hashlib.sha256(files[name]).hexdigest() != digest_of_file:
             raise StoreError(
                 f"{folder / name} is not as it was written; derive its model page again"
             )
     return about, files
+
+
+def _is_alike(held: object, examples: Sequence[object]) -> bool:
+    """Whether data have the structure of examples: the keys that all of these have, and in each
+    place, of a key or of a list, a kind that one of them has there.
+    """
+    kind = float if type(held) is int else type(held)
+    same = [one for one in examples if (float if type(one) is int else type(one)) is kind]
+    if isinstance(held, dict):
+        tables = [one for one in same if isinstance(one, dict)]
+        every = [part for one in tables for part in one.values()]
+        return (
+            bool(tables)
+            and set.intersection(*map(set, tables)) <= {*held}
+            and all(
+                _is_alike(part, [one[name] for one in tables if name in one] or every)
+                for name, part in held.items()
+            )
+        )
+    if isinstance(held, list):
+        parts = [part for one in same if isinstance(one, list) for part in one]
+        return bool(same) and all(not parts or _is_alike(part, parts) for part in held)
+    return bool(same)
 
 
 def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) -> Model:
@@ -224,7 +264,7 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
     # A path may hold bytes that are no text in the locale.
     content = b"\0".join([os.fsencode(where), *(files[name] for name in sorted(files))])
     package = f"spragsym_model_{hashlib.sha256(content).hexdigest()[:16]}"
-    for name in ("", "_broadcast", "algebra"):
+    for name in ("", *(file.removesuffix(".py") for file in NEEDED)):
         whole = f"{package}.{name}".rstrip(".")
         if whole in sys.modules:
             continue
@@ -237,7 +277,11 @@ def _module(where: str, files: Mapping[str, bytes]) -> ModuleType:
         try:
             code = compile(files[f"{name}.py"], module.__file__, "exec")
             exec(code, module.__dict__)  # noqa: S102  # a model's folder is code
-        except BaseException:
+        except BaseException as error:
             del sys.modules[whole]
-            raise
+            if not isinstance(error, Exception):
+                raise
+            raise StoreError(
+                f"{module.__file__} does not run ({error!r:.80}); derive its model page again"
+            ) from error
     return sys.modules[f"{package}.algebra"]

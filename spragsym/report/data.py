@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import os
 import re
-import tomllib
 from collections.abc import Callable, Iterator, Mapping, Set
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,7 +15,7 @@ from typing import Any
 from ..core.errors import ParameterError, SpragsymError, hint
 from ..core.type_variables import T
 from ..design.sampling import Correlation, dependence
-from ..files.text import FilePath, brake_text, path_text, printed
+from ..files.text import FilePath, brake_text, path_text, printed, toml_of
 from ..models.load import USUAL, WITH_DAMPERS, require_trust, shipped
 from ..models.parameters import FINITE, Range, Ranges
 from ..models.quantities import Quantities, quantities
@@ -167,8 +166,8 @@ class _FileReader:
     def _table(self) -> dict[str, Any]:
         """The table [brake], the only one in the file."""
         try:
-            content = tomllib.loads(self.text)
-        except (ValueError, RecursionError) as error:  # also for numbers that are too long
+            content = toml_of(self.text)
+        except ValueError as error:
             raise ParameterError(self._syntax(str(error))) from error
         if not content:
             raise ParameterError(

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from .._version import __version__
 from ..core.errors import ParameterError
 from ..files.storage import put
-from ..files.text import FilePath, path_text, printed, text_of
+from ..files.text import FilePath, json_of, path_text, printed, text_of
 from ..models import Model
 from ..models.field import Field
 from ..models.load import load, shipped
@@ -130,7 +130,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
         RecursionError,
     )
     try:
-        content = printed(name, json.loads(text))
+        content = printed(name, json_of(text))
         version, body = content["spragsym"], _text(content["result"])
         is_sealed = content.get("format", 1) <= FORMAT and "sha256" in content
         if is_sealed and _digest(body) != content["sha256"]:
@@ -144,7 +144,7 @@ def open(path: str | os.PathLike[str], model: Model | None = None) -> Any:
     version_reason = f"this is {__version__}"
     if is_sealed:
         try:
-            return json.loads(body, object_hook=partial(_read, model))
+            return json_of(body, partial(_read, model))
         except ParameterError:
             raise
         except wrong as error:

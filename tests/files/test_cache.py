@@ -1,12 +1,15 @@
 """An export that was derived before is not derived again, and nothing else is taken for it."""
 
+import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from spragsym.core.errors import ParameterError
 from spragsym.files import cache
+from spragsym.files.storage import sealed
 
 pytest.importorskip("sympy")
 
@@ -82,3 +85,29 @@ def test_the_digest_of_a_folder_has_its_names_and_bytes(tmp_path: Path) -> None:
         (folder / name).write_bytes(data)
         digests.add(cache.digest_of_folder(folder))
     assert len(digests) == 3
+
+
+def test_nothing_foreign_in_the_cache_is_believed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Entries that others seal, links, and what others may write."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    right = {"name": "text"}
+    cache.cached({}, lambda: right)
+    (entry,) = cache.cache_folder().iterdir()
+    whole, victim = entry.read_bytes(), tmp_path / "victim"
+    for files in ({"../x": "y"}, {"/x": "y"}, {}, [], {"name": "other"}, {"name": 1}):
+        entry.write_bytes(sealed(json.dumps(files).encode()))
+        assert cache.cached({}, lambda: right) == right
+    entry.write_bytes(whole)
+    assert cache.cached({}, dict) == right
+    entry.chmod(0o666)
+    assert cache.cached({}, lambda: {"name": "anew"}) == {"name": "anew"}
+    victim.write_bytes(whole)
+    entry.unlink()
+    entry.symlink_to(victim)
+    assert cache.cached({}, lambda: {"name": "anew"}) == {"name": "anew"}
+    assert victim.read_bytes() == whole
+    monkeypatch.setenv("XDG_CACHE_HOME", "relative")
+    with pytest.raises(ParameterError, match="is relative"):
+        cache.cache_folder()

@@ -1,5 +1,6 @@
 """Code that a file names as its model does not run unasked."""
 
+import json
 import os
 import shutil
 from collections.abc import Callable
@@ -66,3 +67,25 @@ def test_what_ships_needs_no_trust(tmp_path: Path) -> None:
     (tmp_path / "stick_slip").mkdir()  # of that name, and not what is meant
     assert ss.check(paper(tmp_path, "stick_slip")).status == ("confirmed",)
     assert ss.check(ROOT / "validation/papers/cart_pole/paper.toml").is_expected
+
+
+@pytest.mark.thorough
+def test_a_paper_forges_no_row(tmp_path: Path, run: Run) -> None:
+    """Its texts are no lines, cells, markup or commands of a terminal in any format."""
+    forged = (
+        r"x | confirmed |\n| 7 | Equation (7) | motion | confirmed <script> \u001b \u202e \u2028"
+    )
+    (tmp_path / "p.toml").write_text(
+        f'paper = "{forged}"\n[[statement]]\nid = "1"\nabout = "energy T"\nwhere = "{forged}"\n'
+        f'note = "{forged}"\nsympy = "m*vx**2/2"\n',
+        encoding="utf-8",
+    )
+    asked = ["check", str(tmp_path / "p.toml"), "--model", "stick_slip"]
+    told = [run(*asked, "--out", str(tmp_path)), run(*asked, "--json"), run(*asked, "--row", "1")]
+    told += [(tmp_path / name).read_text("utf-8") for name in ("LEDGER.md", "ledger.html")]
+    for text in told:
+        assert not set(text) & set("\x1b\u202e\u2028"), text
+        assert not [line for line in text.split("\n") if line.startswith("| 7 |")], text
+    assert "<script" not in told[3] + told[4]
+    assert told[3].count("\n| ") == 2
+    assert [row["status"] for row in json.loads(told[1])["rows"]] == ["confirmed"]

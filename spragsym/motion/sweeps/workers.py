@@ -28,7 +28,7 @@ from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 
-from ...core.errors import ParameterError, ParameterTypeError, SweepError
+from ...core.errors import DamagedError, ParameterError, ParameterTypeError, SweepError
 from ...core.interrupts import heard
 from ...core.progress import advance
 from ...files import storage
@@ -120,13 +120,19 @@ def made_or_loaded(
         if not target.is_file() or storage.OVERWRITING.get():
             return None
         columns = storage.read_own(target, hashed)
-        return assembled([columns[name] for name in names], columns[text], columns)
+        try:
+            return assembled([columns[name] for name in names], columns[text], columns)
+        except (LookupError, ValueError) as error:
+            raise DamagedError(
+                f"{target} has other columns than were written ({error!r:.60}); remove it to "
+                "compute it again, or give another path"
+            ) from error
 
     if (result := loaded()) is not None:
         clear(target, hashed, total)
         return result
     storage.check_target(target, 100_000 + 1000 * total)
-    with journal(target, hashed, total) as (done, keep):
+    with journal(target, hashed, total, len(names)) as (done, keep):
         if (result := loaded()) is None:  # else another process has finished it in the meantime
             result = compute(done, keep)
             result.save(target)

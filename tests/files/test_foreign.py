@@ -1,0 +1,168 @@
+"""What comes from outside passes one reader, what is shown one writer for each format."""
+
+import ast
+import json
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+import spragsym as ss
+from spragsym.core.shown import html_text, json_text, markdown_code, markdown_text, visible
+from spragsym.files import cache
+from spragsym.files.text import contents, json_of, toml_of
+from tests.support import ROOT
+
+Run = Callable[..., str]
+#: Modules that read by other means, and what: nothing of these is foreign.
+OTHERS = {
+    "spragsym/files/text.py": "the reader itself",
+    "spragsym/article/ledger.py": "files of the package",
+    "spragsym/figures/cycles.py": "a file of the package",
+    "spragsym/orbits/proofs.py": "the output of a process of its own",
+    "spragsym/orbits/ball_proof.py": "the input of a process of its own",
+    "spragsym/motion/sweeps/workers.py": "messages of processes of its own",
+    "spragsym/models/load.py": "code whose digests were verified, if it is trusted",
+    "derive/pages.py": "a page that is trusted",
+    "derive/emit/write.py": "the mark of a derived folder, bounded there",
+    "derive/statements/papers.py": "papers of this project",
+    "derive/kang_nam/library.py": "our own files",
+    "derive/kang_nam/bounds.py": "our own files",
+}
+READERS = {
+    "exec",
+    "eval",
+    "compile",
+    "tomllib.loads",
+    "tomllib.load",
+    "json.loads",
+    "json.load",
+    "pickle.loads",
+    "pickle.load",
+}
+
+
+def _readers() -> Iterator[str]:
+    for room in ("spragsym", "derive"):
+        for path in sorted((ROOT / room).rglob("*.py")):
+            name = path.relative_to(ROOT).as_posix()
+            if name.startswith(("spragsym/derive/", "spragsym/generated/")):
+                continue
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                called = isinstance(node, ast.Call | ast.Attribute | ast.Name)
+                if called and ast.unparse(getattr(node, "func", node)) in READERS:
+                    yield name
+
+
+def test_nothing_goes_around_the_reader() -> None:
+    assert {*_readers()} <= {*OTHERS}
+
+
+def test_a_device_or_a_pipe_ends(tmp_path: Path) -> None:
+    if not hasattr(os, "mkfifo"):
+        pytest.skip("no pipes here")
+    os.mkfifo(tmp_path / "paper.toml")
+    with pytest.raises(ss.errors.ParameterError, match="more than 1000 bytes"):
+        contents("/dev/zero", 1000)
+    assert contents(tmp_path / "paper.toml") == b""  # no one writes
+    for ask in (ss.check, ss.open, ss.Study.from_file):
+        with pytest.raises(ss.errors.ParameterError):
+            ask("/dev/zero")
+
+
+@pytest.mark.parametrize(
+    ("read", "text", "reason"),
+    [
+        (json_of, "[" * 200 + "]" * 200, "more than 100 levels"),
+        (json_of, "[" * 100_000, "more than 100 levels"),
+        (json_of, "1e400", "beyond double precision"),
+        (toml_of, "a = 1e-400", "beyond double precision"),
+        (toml_of, f"a = {'[' * 101}{']' * 101}", "more than 100 levels"),
+        (toml_of, ".".join(101 * "a") + " = 1", "more than 100 parts"),
+        (toml_of, "a = " + 5000 * "9", "digits"),
+    ],
+)
+def test_data_are_bounded(read: Callable[[str], object], text: str, reason: str) -> None:
+    with pytest.raises(ValueError, match=reason):
+        read(text)
+    assert json_of("[[1.5e-300]]") == [[1.5e-300]]
+
+
+HOSTILE = "\x1b]0;evil\x07a\r\n| 7 | forged | <script>\u202e\u2028\x85`x`"
+
+
+def test_no_format_shows_a_command_a_line_or_markup() -> None:
+    for write in (visible, markdown_text, markdown_code, html_text):
+        shown = write(HOSTILE)
+        assert shown.isprintable(), write
+        assert write is visible or "<script>" not in shown
+    assert "|" not in markdown_text(HOSTILE).replace("\\|", "")
+    assert "<" not in html_text(HOSTILE)
+    text = json_text({"a": HOSTILE})
+    assert text.isprintable()
+    assert json.loads(text)["a"] == HOSTILE
+
+
+@pytest.mark.thorough
+def test_no_row_of_a_paper_is_forged(tmp_path: Path, run: Run) -> None:
+    pytest.importorskip("sympy")
+    body = json.dumps({"where": HOSTILE, "note": HOSTILE}, ensure_ascii=True)
+    where, note = (json.dumps(one) for one in json.loads(body).values())
+    paper = tmp_path / "paper.toml"
+    paper.write_text(
+        f'paper = {where}\nmodel = "stick_slip"\n'
+        f'[[statement]]\nid = "1"\nabout = "energy T"\nsympy = "m*vx**2/2"\nnote = {note}\n'
+        f'[[statement]]\nid = "2"\nabout = "other"\nlatex = "x"\nwhere = {where}\n',
+        encoding="utf-8",
+    )
+    shown = [run("check", str(paper), "--out", str(tmp_path / "out"))]
+    found = ss.check(paper)
+    shown += [found.to_markdown(), found.to_html(), str(found), repr(found)]
+    shown += [run("check", str(paper), "--row", "2"), run("check", str(paper), "--json")]
+    for text in shown:
+        assert all(line.isprintable() for line in text.split("\n"))
+        assert not any(line.startswith("| 7 |") for line in text.split("\n"))
+    assert "<script>" not in found.to_markdown() + found.to_html()
+    assert found.rows[0].status == "confirmed"
+
+
+@pytest.fixture
+def entries(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of a cache with one entry."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    assert cache.cached({"of": 1}, lambda: {"a.txt": "right"}) == {"a.txt": "right"}
+    return tmp_path / "spragsym"
+
+
+@pytest.mark.parametrize("files", [{"../x": "evil"}, {"/x": "evil"}, {}, ["a.txt"], {"a.txt": 1}])
+def test_no_entry_that_others_made_is_believed(entries: Path, files: object) -> None:
+    (entry,) = entries.glob("*.json")
+    head, _, _ = entry.read_bytes().partition(b"\n")
+    entry.write_bytes(head + b"\n" + json.dumps(files).encode())
+    assert cache.cached({"of": 1}, lambda: {"a.txt": "again"}) == {"a.txt": "again"}
+    assert cache.cached({"of": 1}, lambda: {"a.txt": "third"}) == {"a.txt": "again"}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links and modes as POSIX has them")
+def test_no_link_is_followed_and_no_folder_of_others_is_used(entries: Path) -> None:
+    (entry,) = entries.glob("*.json")
+    target = entries.parent / "target"
+    target.write_text("kept", encoding="utf-8")
+    entry.unlink()
+    entry.symlink_to(target)
+    assert cache.cached({"of": 1}, lambda: {"a.txt": "again"}) == {"a.txt": "again"}
+    assert target.read_text(encoding="utf-8") == "kept"
+    entries.chmod(0o777)
+    made = iter("12")
+    for number in "12":
+        assert cache.cached({"of": 1}, lambda: {"a.txt": next(made)}) == {"a.txt": number}
+
+
+def test_a_relative_cache_is_no_cache(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", "cache")
+    assert cache.cached({"of": 1}, lambda: {"a.txt": "1"}) == {"a.txt": "1"}
+    assert not [*tmp_path.iterdir()]
+    with pytest.raises(ss.errors.ParameterError, match="absolute path"):
+        cache.cache_folder()

@@ -97,11 +97,10 @@ def _by_fmu(name: str, p: Any, start: Any) -> list[float]:
     import fmpy
 
     names = [*p.model.starting]
-    given = dict(zip(names, start, strict=True)) | {
+    # A clock has a rate of its own, which no start gives.
+    given = dict(zip(names, start, strict=False)) | {
         each: float(getattr(p, each)) for each in p.model.parameters
     }
-    if SYSTEMS[name].clock:
-        given.pop(names[-1])
     found = fmpy.simulate_fmu(
         _fmu(name),
         start_values=given,

@@ -607,6 +607,11 @@ class Onsets(Points):
     when : ndarray of str
         The sign of ``crossing`` in words, where it is proved: this pair makes the state unstable as
         the parameter goes ``"up"`` or ``"down"``; else empty.
+    unstable_before, unstable_after : ndarray of int
+        How many λ have a positive real part at slightly smaller and at slightly larger values of
+        the parameter; −1 where that is undecided. Where neither is 0, the onset is one of a state
+        that is unstable on both sides, and the cycle that is born is too, whatever
+        ``criticality``.
     why : tuple of str
         Why the criticality of an onset is undecided; empty where it is decided.
     """
@@ -619,6 +624,8 @@ class Onsets(Points):
         Column("side", "1", "side on which flutter is"),
         Column("criticality", "1", "supercritical, subcritical or undecided", row="behind"),
         Column("when", "1", "direction of the parameter in which it sets in", row="behind"),
+        Column("unstable_before", "1", "growing eigenvalues at smaller values", row="beside"),
+        Column("unstable_after", "1", "growing eigenvalues at larger values", row="beside"),
         Column("lyapunov", "", "first Lyapunov coefficient", row="beside"),
         Column("lyapunov_error", "", "bound on its error", row="beside"),
         Column("crossing", "", "derivative of the growth by the parameter", row="beside"),
@@ -652,6 +659,24 @@ class Onsets(Points):
         """
         decided = np.abs(self.crossing) > self.crossing_error
         return np.where(decided, np.where(self.crossing > 0, "up", "down"), "")
+
+    @cached_property
+    def unstable_before(self) -> IntArray:
+        """How many λ grow at slightly smaller values of the parameter; −1 if undecided."""
+        return self._unstable("unstable_before", "down")
+
+    @cached_property
+    def unstable_after(self) -> IntArray:
+        """How many λ grow at slightly larger values of the parameter; −1 if undecided."""
+        return self._unstable("unstable_after", "up")
+
+    def _unstable(self, name: str, growing: str) -> IntArray:
+        """Those of a closed form, or the others of the normal form and the pair where it grows."""
+        if (own := self._own(name)) in self._values:
+            return np.asarray(self._values[own])
+        others = of_forms(self.normal_forms, "others", -1).astype(int)
+        undecided = (self.when == "") | (others < 0)
+        return np.where(undecided, -1, others + 2 * (self.when == growing))
 
     @cached_property
     def criticality(self) -> NDArray[np.str_]:

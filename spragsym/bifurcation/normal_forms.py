@@ -16,6 +16,7 @@ Derivatives come from Taylor polynomials: along u = z q + z̄ q̄ + ½ g z² + h
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -27,7 +28,15 @@ import numpy as np
 from ..models.field import Mode
 from ..models.forces import presses_either, undecorated
 from ..numerics import balls, contractors
-from ..numerics.arithmetic import Complex, Matrix, Number, as_complex, dot, linear_solution
+from ..numerics.arithmetic import (
+    Complex,
+    Matrix,
+    Number,
+    as_complex,
+    characteristic,
+    dot,
+    linear_solution,
+)
 from ..numerics.balls import XP, Ball, UndecidedSign, ball
 from ..numerics.interval_arrays import (
     ComplexArray,
@@ -43,6 +52,7 @@ from ..numerics.jets import Jet, gradient, variables
 from ..statics import namespaces
 from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Values
+from ..statics.stability import routh_column
 
 #: Bits of all balls; the box around the point leaves about fifty significant ones.
 BITS = 106
@@ -67,6 +77,8 @@ class NormalForm:
     reach : float
         |z| of u = z q + z̄ q̄ at which a sliding speed first reaches 0, to first order, in floats;
         infinite without friction.
+    others : int
+        How many other λ have a positive real part; −1 where that is undecided.
     along, square, mean : ndarray
         Floats: ∂u/∂parameter of the equilibrium, and g and h as defined above in this module.
     """
@@ -83,6 +95,7 @@ class NormalForm:
     along: FloatArray
     square: ComplexArray
     mean: FloatArray
+    others: int
 
 
 def normal_form(
@@ -118,7 +131,27 @@ def normal_form(
         _floats(along).real,
         _floats(square),
         _floats(mean).real,
+        _others_growing(A, pair.omega),
     )
+
+
+def _others_growing(A: Matrix, omega: Any) -> int:
+    """How many eigenvalues with a positive real part A has beside the pair ± i ω, by Routh's array;
+    −1 if a sign in it is undecided.
+    """
+    size = len(A)
+    unit = [[-1 if row == column else 0 for column in range(size)] for row in range(size)]
+    quotient = list[Any]()  # by λ² + ω², the highest coefficient first
+    for coefficient in characteristic(A, unit)[:1:-1]:
+        before = omega * omega * quotient[-2] if len(quotient) > 1 else 0
+        quotient.append(coefficient - before)
+    try:
+        signs = [balls.sign(_ball(entry)) for entry in routh_column(quotient[::-1])]
+    except ZeroDivisionError:
+        return -1
+    if 0 in signs:
+        return -1
+    return sum(one != other for one, other in itertools.pairwise(signs))
 
 
 class _Side:

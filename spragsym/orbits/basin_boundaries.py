@@ -234,8 +234,9 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
         none = (
-            "none that grows in one direction only: where friction falls with speed, the mass may "
-            "swing there as well"
+            "none that grows in one direction only. Where a pair of eigenvalues grows as well, the "
+            "stable manifold has too few dimensions to bound a basin; unstable_before and "
+            "unstable_after of ss.flutter_onsets say from where on"
         )
         raise ParameterError(
             "one divergent equilibrium is needed to follow its stable manifold, there are: "

@@ -438,18 +438,25 @@ def _growing(a: list[Any]) -> Matrix:
     the number of positive real roots. Routh's array is that of the polynomial times λ + 1, whose
     root −1 makes the sum of all roots nonzero; with the sum 0 the array would end.
     """
-    b = [low + high for low, high in zip([*a, 0], [0, *a], strict=True)][::-1]
-    rows = [b[::2], b[1::2]]
-    while rows[-1]:
-        rows.append(_reduced(*rows[-2:]))
     sturm = [a[::-1], [*derivative(a)][::-1]]
     while len(sturm[-1]) > 1:
         sturm.append([-entry for entry in _reduced(_reduced(*sturm[-2:]), sturm[-1])])
     return [
-        [row[0] for row in rows[:-1]],
+        routh_column(a),
         [part[-1] for part in sturm],
         [part[0] for part in sturm],
     ]
+
+
+def routh_column(a: list[Any]) -> list[Any]:
+    """Leading column of Routh's array of λ + 1 times the polynomial with coefficients ``a``, the
+    lowest first: it changes its sign once for each root with a positive real part.
+    """
+    b = [low + high for low, high in zip([*a, 0], [0, *a], strict=True)][::-1]
+    rows = [b[::2], b[1::2]]
+    while rows[-1]:
+        rows.append(_reduced(*rows[-2:]))
+    return [row[0] for row in rows[:-1]]
 
 
 def _reduced(one: list[Any], two: list[Any]) -> list[Any]:

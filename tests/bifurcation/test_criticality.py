@@ -295,3 +295,31 @@ def test_a_box_over_which_a_law_has_no_bound_is_left_to_more_digits(stick_slip: 
     one, other = coefficients(Balance(ss.load("stick_slip")), given, ends, ("V",))
     assert other is None
     assert one.lyapunov == pytest.approx(by_floats(stick_slip)[0].lyapunov, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("page", "vary", "given"),
+    [
+        ("stick_slip", "V", {}),
+        ("damped", "mu0", {"theta0": 0.7}),
+        ("mode_coupling", "mu0", {}),
+        ("kang_nam", "theta0", {"mu0": 0.1}),
+        ("kang_nam", "mu0", {"theta0": np.radians(30.0)}),
+    ],
+)
+def test_how_many_eigenvalues_grow_on_either_side(
+    page: str, vary: str, given: dict[str, float]
+) -> None:
+    """Against the eigenvalues of the states a little below and above, also on saddles."""
+    model = ss.load(page)
+    p = ss.Parameters.article(**given) if page == "kang_nam" else model.Parameters(**given)
+    onsets = ss.flutter_onsets(p, vary)
+    assert len(onsets) >= 1
+    for row in range(len(onsets)):
+        found = []
+        for side in (-1e-3, 1e-3):
+            eq = ss.equilibria(p.replace(**{vary: float(onsets[vary][row]) * (1 + side)}))
+            places = np.array([eq[name] for name in model.coordinates])
+            off = np.abs(places - onsets.state(row)[:, None]).max(axis=0)
+            found.append(int((eq.damped_eigenvalues[np.nanargmin(off)].real > 0).sum()))
+        assert [onsets.unstable_before[row], onsets.unstable_after[row]] == found

@@ -147,6 +147,8 @@ def test_onsets_have_the_same_keys(name: str, run: Run) -> None:
         "omega",
         "criticality",
         "when",
+        "unstable_before",
+        "unstable_after",
         "lyapunov",
         "lyapunov_error",
         "crossing",

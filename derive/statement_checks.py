@@ -335,10 +335,11 @@ def _check_places(page: Page) -> None:
                 f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that "
                 f"stays, as V{f': {Limit.PLANE}' if sliding.belt.free_symbols & rates else ''}",
             )
-        if sliding.belt == 0 and not own:
+        if sliding.belt == 0 and not own and sliding.holds is None:
             raise PageError(
                 sliding.line,
-                "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V",
+                "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V, "
+                "or friction that holds, by slip=… and holds=…",
             )
         if not page.contacts:
             raise PageError(

@@ -17,9 +17,9 @@ from ..models.parameters import ParameterSet
 from ..numerics.interval_arrays import FloatArray
 from ..numerics.vectors import magnitude
 from ..statics.balance import Balance
-from ..statics.forces import filled
+from ..statics.forces import filled, resting
 from ..statics.search import columns
-from .shares import belt_speeds, held
+from .shares import held
 from .tubes import Place, Tubes, in_turn
 
 
@@ -40,8 +40,7 @@ def connected(p: ParameterSet, one: FloatArray, other: FloatArray, near: FloatAr
     bool
         False if that is not proved.
     """
-    speeds = zip(p.model.frictions, belt_speeds(p), strict=False)
-    holding = [entry["name"] for entry, speed in speeds if entry["holds"] and not np.any(speed)]
+    holding = resting(p)
     own, shares = held(p, holding), [named("held", name) for name in holding]
     balance = Balance(own.model, law="friction_at_speed")
     rows = [balance.parameters.index(name) for name in shares]

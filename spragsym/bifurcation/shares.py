@@ -10,21 +10,10 @@ from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
-import numpy as np
-
 from ..models.forces import named, presses_either, undecorated
 from ..models.model import Model, parameter_class
 from ..models.parameters import ParameterSet
 from ..numerics.arithmetic import Number
-
-
-def belt_speeds(p: ParameterSet) -> Sequence[Any]:
-    """Sliding speeds of a mass at rest, for all frictions."""
-    model = p.model
-    levels = model.algebra.borders(
-        *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
-    )
-    return levels[len(model.contacts) :]
 
 
 def held(p: ParameterSet, holding: Sequence[str] | None = None) -> ParameterSet:
@@ -56,6 +45,9 @@ def _model_held(model: Model, holding: tuple[str, ...]) -> type[ParameterSet]:
         "high_open": False,
     }
     about["parameters"] = [*about["parameters"], *({"name": name, **share} for name in shares)]
+    about["frictions"] = [
+        {**entry, "holds": None} if entry["name"] in holding else entry for entry in model.frictions
+    ]
     about["contacts"] = [
         {**entry, "border": None} if presses_either(entry) else entry for entry in model.contacts
     ]

@@ -38,19 +38,21 @@ from ..numerics.interval_arrays import (
 from ..numerics.vectors import TURN, state_difference
 from ..results.points import Points, StickingStates
 from ..statics.balance import NEGLIGIBLE
-from ..statics.forces import Evaluation
+from ..statics.forces import Evaluation, belt_speeds, resting
 from .defining_systems import Augmented, Condition, Family, slope
 from .paths import QuasiStaticContinuation
 from .points import arranged, isolated, nothing
-from .shares import belt_speeds, held
+from .shares import held
 from .sticking_regions import NotLinear, line, region
 from .sticking_sets import Patches, StickingSystem, sets, sets_of
 
 
 @question
 def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStates:
-    """All states in which friction holds the mass on a belt at rest, V = 0, as intervals of each
+    """All states in which friction holds what lies on belts at rest, V = 0, as intervals of each
     coordinate.
+
+    Where other belts move, their frictions slide: then some parts stick and others slide.
 
     Parameters
     ----------
@@ -74,7 +76,7 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     ModelError
         For a model without friction that holds.
     ParameterError
-        If the belt moves, or a parameter is missing or an array.
+        If all belts move on which friction holds, or a parameter is missing or an array.
     ConvergenceError
         If folds, or states at a limit of the force, are not all decided, as where states just touch
         that limit, or if the sign of a prescribed normal force is not known.
@@ -93,22 +95,22 @@ def sticking_states(p: ParameterSet, *, method: Method = "auto") -> StickingStat
     (array([-0.6]), array([0.6]))
     """
     model = p.model
-    holding = [entry for entry in model.frictions if entry["holds"]]
-    if not holding:
+    if not any(entry["holds"] for entry in model.frictions):
         raise ModelError(
             f"in {model.name} friction holds nothing; a page says what it holds by "
             "page.friction(…, holds=…)"
         )
-    for speed, entry in zip(belt_speeds(p), model.frictions, strict=False):
-        if np.any(speed):
-            belt = entry["belt"]
-            raise ParameterError(
-                f"the belt moves at {belt} = {speed}, and what sticks rides with it; take "
-                f"parameters with {belt} = 0"
-            )
-    own, names = held(p), [entry["name"] for entry in holding]
+    names = resting(p)
+    if not names:
+        told = zip(belt_speeds(p), model.frictions, strict=False)
+        belt, speed = next((entry["belt"], speed) for speed, entry in told if entry["holds"])
+        raise ParameterError(
+            f"the belt moves at {belt} = {speed}, and what sticks rides with it; take "
+            f"parameters with {belt} = 0"
+        )
+    own = held(p, names)
     others_open = any(entry["border"] and entry["name"] not in names for entry in model.contacts)
-    if len(holding) > 1 or others_open:
+    if len(names) > 1 or others_open:
         try:
             return region(p, own)
         except NotLinear:

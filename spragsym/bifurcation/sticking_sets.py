@@ -94,7 +94,8 @@ class StickingSystem:
         self.given = columns(own, balance.parameters)
         self.rows = [balance.parameters.index(name) for name in shares]
         self.closed = frozenset(k for k in balance.opens if balance.indicators[k])
-        holding = [k for k, entry in enumerate(own.model.frictions) if entry["holds"]]
+        frictions = enumerate(own.model.frictions)
+        holding = [k for k, entry in frictions if named("held", entry["name"]) in shares]
         #: Indices of the frictions that hold, and of their contacts.
         self.holding = holding
         self.rubbed = [balance.contacts.index(own.model.frictions[k]["name"]) for k in holding]

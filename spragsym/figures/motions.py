@@ -18,7 +18,6 @@ from scipy import ndimage
 import spragsym as ss
 
 from ..article.assumed import MU0_RANGE, D, Parameters, V
-from ..bifurcation.shares import belt_speeds
 from ..core.errors import ParameterError, require_kind
 from ..generated import laws
 from ..models import Model
@@ -30,6 +29,7 @@ from ..motion.simulation import row_of
 from ..motion.sweeps import Basin, Sweep, Workers, rms_sweep, sensitivity
 from ..numerics.interval_arrays import BoolArray
 from ..orbits import Cycle
+from ..statics.forces import belt_speeds
 from .curves import first_fold
 from .planes import draw_bifurcation_set
 from .style import (

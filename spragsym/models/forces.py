@@ -169,7 +169,11 @@ def inertia_error(M: FloatArray, names: Sequence[str], given: FloatArray) -> Par
     parameters, ``given`` of shape (P, N); None if all are.
     """
     constant = bool((M == M[:1]).all())
-    positive = np.linalg.eigvalsh(M[:1] if constant else M)[:, 0] > 0
+    M = M[:1] if constant else M
+    # What is not finite is no matter of signs.
+    finite = np.isfinite(M).all(axis=(1, 2))
+    positive = ~finite
+    positive[finite] = np.linalg.eigvalsh(M[finite])[:, 0] > 0
     if positive.all():
         return None
     values = zip(names, given[:, positive.argmin()].tolist(), strict=True)

@@ -11,6 +11,8 @@ reason, the node is replaced by its two children.
 
 from __future__ import annotations
 
+import sys
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
@@ -45,9 +47,15 @@ class BoxOptions(Options):
     ----------
     budget : int, optional
         Maximum number of boxes examined for one parameter point; the remaining ones are undecided.
-        The default depends on the question: 20,000 for equilibria of up to two coordinates, 200,000
-        for those of more and for points in up to three unknowns, 1,000,000 in four, 500,000 in
-        more.
+        The default depends on the question: for equilibria there is none, for points it is 200,000
+        in up to three unknowns, 1,000,000 in four, 500,000 in more.
+    seconds : float
+        Processor time for one parameter point after which the remaining boxes are undecided, if
+        there is no maximum number of boxes. Points of one call share it by the boxes that each
+        takes.
+    folded : int
+        Undecided boxes at one point after which a search there ends, if there is no maximum number
+        of boxes, and beyond which only their hull is kept.
     node_budget : int
         Maximum number of boxes examined for several points together, before these are separated.
     narrow : float, optional
@@ -70,6 +78,8 @@ class BoxOptions(Options):
     """
 
     budget: int | None = limit(None)
+    seconds: float = option(3.0, 0.01)
+    folded: int = limit(2000)
     node_budget: int = limit(400)
     narrow: float | None = option(None, 2.0**-50, 0.5)
     margin: float = option(0.05, 2.0**-20, 0.5)
@@ -86,8 +96,6 @@ class EquationSystem:
     ``residuals`` and ``jacobian`` must be defined. The defaults of all others are trivial.
     """
 
-    #: Default maximum number of boxes for a parameter point.
-    usual_budget = 20_000
     #: −low and high, (2, n), of the domain in which F is evaluated.
     limits: Any = np.inf
 
@@ -187,7 +195,8 @@ def search(
 
     ``region``, (2, n, points or 1), are −low and high of the box to search. ``low`` and ``high``,
     (parameters, points), are the parameters, which may be intervals. ``budget`` and ``narrow``
-    replace those of the system's options.
+    replace those of the system's options; without a ``budget`` the options ``seconds`` and
+    ``folded`` end the search.
     """
     points, options = tree(low, high), system.options
     first = Pairs(region.max(axis=2, keepdims=True).astype(float), np.zeros(1, dtype=int))
@@ -207,7 +216,7 @@ def search(
             system,
             points,
             beyond,
-            budget or options.budget or system.usual_budget,
+            budget or options.budget,
             rules,
             regions,
             system.prepared(points.bounds),
@@ -235,7 +244,7 @@ class _Search:
     system: EquationSystem
     points: Tree
     limits: FloatArray
-    budget: int
+    budget: int | None
     rules: Rules
     #: The region of each node, (2, n, nodes), if it is not the same for all points.
     regions: FloatArray | None
@@ -247,6 +256,8 @@ class _Search:
 
     def __post_init__(self) -> None:
         self.work = np.zeros(self.points.size.size, dtype=int)
+        self.left = np.zeros_like(self.work)
+        self.begun = time.thread_time()
         self.plan = self.system.plan(self.parameters)
 
     def run(self, start: Pairs) -> None:
@@ -272,7 +283,11 @@ class _Search:
         if self.plan is None or self.points.size.tolist() != [1] or not self.system.covered_by_plan:
             return start
         self.looks, ends = self.plan.rounds(
-            start.ends, self.parameters, self.limits, self.rules, (self.budget, 2 * CHUNK)
+            start.ends,
+            self.parameters,
+            self.limits,
+            self.rules,
+            (self.budget or sys.maxsize, 2 * CHUNK),
         )
         self.work[0] = self.looks
         unique, where, undecided, left = (
@@ -280,7 +295,7 @@ class _Search:
         )
         self.unique.append(unique)
         self.where.append(where)
-        self.undecided.append(undecided)
+        self._leave(undecided)
         return left
 
     def look(self, pairs: Pairs) -> Pairs:
@@ -337,8 +352,11 @@ class _Search:
     def _decided(self, given: FloatArray, pairs: Pairs) -> tuple[FloatArray, Judged]:
         """The boxes widened by a margin, and the result of interval Newton over these."""
         parameters, single = self._at(pairs.nodes), self.points.size[pairs.nodes] == 1
-        most = np.where(single, self.budget, self.system.options.node_budget)
-        spent = self.work[pairs.nodes] > most
+        spent = np.where(
+            single,
+            self._has_spent(pairs.nodes),
+            self.work[pairs.nodes] > self.system.options.node_budget,
+        )
         if self.plan is not None:
             marks = single, spent
             return self.plan.decided(
@@ -354,6 +372,18 @@ class _Search:
         boxes = Looked(given, pairs.ends, wide, middle, values, slopes, single, spent)
         return wide, judged(boxes, self.rules)
 
+    def _has_spent(self, nodes: IntArray) -> BoolArray:
+        """Nodes of one point whose boxes, or their share of the time, reach the limit."""
+        if self.budget is not None:
+            return self.work[nodes] > self.budget
+        options, per_box = self.system.options, (time.thread_time() - self.begun) / self.looks
+        return (self.work[nodes] * per_box > options.seconds) | (self.left[nodes] > options.folded)
+
+    def _leave(self, pairs: Pairs) -> None:
+        """Put boxes to the undecided ones."""
+        np.add.at(self.left, pairs.nodes, 1)
+        self.undecided.append(pairs)
+
     def _divided(self, pairs: Pairs, verdicts: Int8Array, along: IntArray) -> Pairs:
         """Pairs for the next steps: boxes bisected in the unknown ``along``, nodes replaced by
         their children, or contracted boxes unchanged. Undecided ones go to the results.
@@ -362,7 +392,7 @@ class _Search:
         verdicts[hopeless] = BoxVerdict.UNDECIDED
         rows = {which: np.flatnonzero(verdicts == which) for which in BoxVerdict}
         if rows[BoxVerdict.UNDECIDED].size:
-            self.undecided.append(pairs[rows[BoxVerdict.UNDECIDED]])
+            self._leave(pairs[rows[BoxVerdict.UNDECIDED]])
         halved, parted = rows[BoxVerdict.HALVED], rows[BoxVerdict.PARTED]
         remaining = _bisected(pairs[halved], along[halved])
         if rows[BoxVerdict.AGAIN].size:

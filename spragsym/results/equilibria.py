@@ -120,7 +120,7 @@ class Equilibria(OfStates):
         The other points' boxes, with the reason for each.
     remarks : tuple of str
         Why the result is not complete: what is known of these boxes, and what was searched where
-        that is not everything.
+        that is not everything; and states whose stability is not told.
     touching : ndarray of str
         Of a model with several contacts: those that touch, as ``"front, rear"``. Of one that
         presses on either of two faces: ``"face"``, where N is not negative, or ``"opposite face"``.
@@ -280,7 +280,9 @@ class Equilibria(OfStates):
         where = {"sliding": "of sliding", "rest": "at rest"}.get(self.regime, f"in {self.regime}")
         caption = f"{counted(states[0].size, 'equilibrium', 'equilibria')} {where}"
         caption += f" of {number} points" * bool(self.count.shape)
-        return in_rows(caption + not_all(self), self._schema, states[0].size, columns)
+        # What is complete may have states of which something is not told.
+        told = not_all(self) or "".join(f"; {remark}" for remark in self.remarks)
+        return in_rows(caption + told, self._schema, states[0].size, columns)
 
     def data(self) -> dict[str, NDArray[Any]]:
         """A row for each equilibrium: the parameters that vary over the points, its stability and

@@ -18,6 +18,7 @@ import numpy as np
 
 from ..models.forces import named, undecorated
 from ..models.model import Model, Touching, label_of
+from ..models.parameters import ParameterSet
 from ..numerics import jets
 from ..numerics.arithmetic import Matrix, Number, is_zero, odd_coefficients, part_of
 from ..numerics.interval_arrays import (
@@ -84,8 +85,6 @@ class Forces:
             dict.fromkeys(itertools.chain(*reversed(about["arguments"].values())))
         )
         self.n = len(self.coordinates)
-        #: Most boxes to search for one point.
-        self.usual_budget = 20_000 if self.n < 3 else 200_000
         self.springs = len(about["springs"])
         #: For each torsion spring, the number of the spring whose direction turns it.
         self.torsions: list[int] = [entry["spring"] for entry in about["torsions"]]
@@ -559,3 +558,18 @@ def filled(rows: Matrix, shape: Shape) -> FloatArray:
         for j, entry in enumerate(row):
             found[i, j] = entry
     return found
+
+
+def belt_speeds(p: ParameterSet) -> Sequence[Any]:
+    """Sliding speeds of a mass at rest, for all frictions."""
+    model = p.model
+    levels = model.algebra.borders(
+        *np.zeros(2 * len(model.coordinates)), *model.arguments(p, "motion")
+    )
+    return levels[len(model.contacts) :]
+
+
+def resting(p: ParameterSet) -> list[str]:
+    """Names of the contacts on which friction holds, with belts that stand still."""
+    each = zip(p.model.frictions, belt_speeds(p), strict=False)
+    return [entry["name"] for entry, speed in each if entry["holds"] and not np.any(speed)]

@@ -31,8 +31,6 @@ class SearchOptions(BoxOptions, DigitOptions):
     open_clusters : int
         Clusters at one point with that many undecided parts, after which further clusters are left
         as one undecided box each.
-    folded : int
-        Undecided boxes at one point beyond which only their hull is kept.
     near : float
         Half-width of the searched region where no bound on the states is proved, in units of the
         largest length of the model.
@@ -50,9 +48,9 @@ class SearchOptions(BoxOptions, DigitOptions):
         polar coordinates around its anchor.
     samples : int
         Values of a parameter between which floats look for onsets if the search is not complete.
-    budget, node_budget, narrow, margin, shrunk, spread, small, pole, pieces
-        Options of the search over boxes: how many boxes one point may take, and when a box is
-        halved; see :class:`spragsym.numerics.boxes.BoxOptions`.
+    budget, seconds, folded, node_budget, narrow, margin, shrunk, spread, small, pole, pieces
+        Options of the search over boxes: how many boxes, or how much time, one point may take, and
+        when a box is halved; see :class:`spragsym.numerics.boxes.BoxOptions`.
     depth, parts
         Options of the search in ball arithmetic: most halvings of a box, and most parts.
 
@@ -70,7 +68,6 @@ class SearchOptions(BoxOptions, DigitOptions):
     clusters: int | None = limit(None, 0)
     open_parts: int = limit(32, 0)
     open_clusters: int = limit(3, 0)
-    folded: int = limit(2000)
     near: float = option(10.0, 1e-3)
     rounds: int = limit(200)
     cell_rounds: int = limit(8)

@@ -259,7 +259,7 @@ def _in_pieces(
     count = bounds.shape[1]
     bounded = outer < FARTHEST * 1e-6
     near = np.maximum(
-        balance.options.near * _scales(balance, bounds),
+        balance.options.near * lengths(balance, bounds),
         # a bound that excludes a neighbourhood of 0: states are farther away
         np.where(bounded, -10 * outer, 0.0)[::-1],
     )
@@ -288,7 +288,7 @@ def halved(bounds: Intervals, row: int) -> Intervals:
     return Intervals(ends)
 
 
-def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
+def lengths(balance: Balance, bounds: Intervals) -> FloatArray:
     """The largest known length at each point: of springs, to their anchors, or to an equilibrium.
 
     At least 1, unless all lengths are far smaller, as in another unit. Equilibria are those at

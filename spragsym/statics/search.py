@@ -5,7 +5,7 @@ returned too, with the reason in plain words.
 """
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -38,8 +38,9 @@ from ..numerics.vectors import state_difference
 from ..results import Equilibria, Undecided
 from . import stability
 from .balance import NEGLIGIBLE, Balance
-from .forces import as_intervals
+from .forces import as_intervals, belt_speeds
 from .namespaces import XP
+from .nearer import FOUND, nearer
 from .options import SearchOptions
 from .polar import around_anchors, stiff_points, turned_points
 from .precise_balance import (
@@ -206,7 +207,7 @@ def roots_of(
     in_angles, found_in_angles = turned_points(balance, given, box)
     in_tension, found_in_tension = stiff_points(balance, given, box)
     rest = np.flatnonzero(~(found_in_angles | found_in_tension))
-    others = _by_boxes(balance, given[:, rest], box[:, :, rest]).numbered(rest)
+    others = nearer(balance, given[:, rest], box[:, :, rest], _by_boxes).numbered(rest)
     found = refined(balance, given, in_angles.concatenated(in_tension, others))
     found = decided_at_edges(balance, given, on_contact_side(balance, given, found))
     return reduced_by_turns(balance.periodic, found), box, complete
@@ -246,10 +247,13 @@ def _arranged(
     balance, given = parts[0][0], columns(p, parts[0][0].parameters)
     searched = np.max([part for *_, part, _ in parts], axis=0)
     complete: BoolArray = np.logical_and.reduce([whole for *_, whole in parts])
+    still = _still(p, [one for one, *_ in parts])
     classified, touching, reasons = list[tuple[Any, ...]](), list[str](), list[str]()
+    untold = list[str]()
     for own, roots, _, _ in parts:
         at = given[:, roots.point]
         classified.append(stability.classified(own, roots.middle, at, roots.ends))
+        untold += _untold(own, roots.middle, at, classified[-1][2])
         touching += [own.touching] * roots.point.size
         reasons += kinds_of(own, given[:, roots.undecided_point], roots.undecided)
     found = parts[0][1].concatenated(*(roots for _, roots, *_ in parts[1:]))
@@ -273,7 +277,7 @@ def _arranged(
         "eigenvalues": placed(eigenvalues[order], np.nan),
         "error": placed(found.error, np.nan),
         "region": np.moveaxis(spans_of(searched), 0, 1).reshape(*p.shape, balance.n, 2),
-        "whole": complete.reshape(p.shape),
+        "whole": complete.reshape(p.shape) & ~still,
     }
     if p.model.has_regimes:
         ours["touching"] = placed(np.array(touching, dtype=str)[order], "")
@@ -286,8 +290,58 @@ def _arranged(
         count.reshape(p.shape),
         decided.reshape(p.shape),
         _undecided_boxes(found, reasons, p.shape),
-        (*summed(reasons), *of_region(balance, searched, complete)),
+        (
+            *summed(reasons),
+            *untold,
+            *((HELD,) if still.any() else ()),
+            *((FOUND,) if KINDS["wide"] in reasons else ()),
+            *of_region(balance, searched, complete),
+        ),
         Held(held, found.ends),
+    )
+
+
+#: The remark on points at which a belt stands still on which friction holds.
+HELD = (
+    "a belt stands still on which friction holds: listed are states at the coefficient of sliding; "
+    "those that friction holds form sets around them, which sticking_states gives"
+)
+
+
+def _still(p: ParameterSet, balances: Sequence[Balance]) -> BoolArray:
+    """Points at which a belt stands still on which friction holds, of a contact that touches."""
+    out = np.zeros(p.shape, dtype=bool)
+    each = zip(p.model.frictions, belt_speeds(p), strict=False)
+    for entry, speed in each if any(entry["holds"] for entry in p.model.frictions) else ():
+        touches = any(one.indicators[one.contacts.index(entry["name"])] for one in balances)
+        if entry["holds"] and touches:
+            out |= np.broadcast_to(speed, p.shape) == 0
+    return out
+
+
+def _untold(
+    balance: Balance, states: FloatArray, given: FloatArray, undamped: NDArray[Any]
+) -> Iterator[str]:
+    """A remark on states that have no finite eigenvalues, with the values that are to blame."""
+    rows = np.flatnonzero(stability.without_eigenvalues(balance, states, given, undamped))
+    if not rows.size:
+        return
+    first = rows[0]
+    far = np.flatnonzero(stability.extreme(given[:, first]))
+    values = [At(balance.parameters[k], (float(given[k, first]),), "g") for k in far] or [
+        At(name, (float(value),), "g", unit="rad" * balance.model.is_angle(name))
+        for name, value in zip(balance.coordinates, states[:, first], strict=True)
+    ]
+    why = (
+        "masses, stiffnesses or dampers leave the range of floats"
+        if far.size
+        else "the kinetic energy is not positive for all rates there, or forces have no slope"
+    )
+    yield Remark(
+        f"{rows.size} of {undamped.shape[0]} states have no eigenvalues, and no stability, at "
+        + ", ".join(["{}"] * len(values))
+        + f": {why}",
+        *values,
     )
 
 
@@ -330,7 +384,7 @@ KINDS = {
     ),
     "wide": (
         "left from a search that ended before it was small enough to be decided: a smaller range "
-        "or a smaller box helps, or in Python a larger budget of ss.SearchOptions"
+        "or a smaller box helps, or in Python more seconds, or a larger budget, of ss.SearchOptions"
     ),
 }
 

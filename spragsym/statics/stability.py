@@ -193,7 +193,9 @@ def classified(
     for row, signs in _with_digits(balance, given, ends, ~proved, test_of):
         codes[row], proved[row] = _types_by_signs(signs, real[:, row], even[:, row])
     M, G, K = linearization(balance, states, given, damping=False)
-    if error := inertia_error(M, balance.parameters, given):
+    if (error := inertia_error(M, balance.parameters, given)) and not _moves(
+        balance, states, given
+    ):
         raise error
     if balance.gyroscopic:
         every = roots(M, G, K)
@@ -211,15 +213,60 @@ def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> ComplexArray:
     """
     n = M.shape[-1]
     zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
-    companion = np.block([[zero, unit], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
-    finite = np.isfinite(companion).all(axis=(-2, -1), keepdims=True)
-    out: ComplexArray = np.linalg.eigvals(np.where(finite, companion, 0.0)).astype(complex)
-    return np.where(finite[..., 0], out, np.nan)
+    return _eigenvalues(np.block([[zero, unit], [-_by_mass(M, K), -_by_mass(M, C)]]))
 
 
 def squares(M: FloatArray, K: FloatArray) -> ComplexArray:
-    """The roots κ = −λ² of det(K − κ M), unsorted."""
-    return np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    """The roots κ = −λ² of det(K − κ M), unsorted; NaN where an entry is not finite."""
+    return _eigenvalues(_by_mass(M, K))
+
+
+def _by_mass(M: FloatArray, A: FloatArray) -> FloatArray:
+    """M⁻¹ A, NaN where M is singular or an entry is not finite."""
+    regular = np.isfinite(M).all(axis=(-2, -1), keepdims=True)
+    regular &= np.linalg.slogdet(np.where(regular, M, 0.0))[0][..., None, None] != 0
+    return np.where(regular, np.linalg.solve(np.where(regular, M, np.eye(M.shape[-1])), A), np.nan)
+
+
+def _eigenvalues(A: FloatArray) -> ComplexArray:
+    """The eigenvalues of matrices, NaN where an entry is not finite."""
+    finite = np.isfinite(A).all(axis=(-2, -1), keepdims=True)
+    out: ComplexArray = np.linalg.eigvals(np.where(finite, A, 0.0)).astype(complex)
+    return np.where(finite[..., 0], out, np.nan)
+
+
+def _moves(balance: Balance, states: FloatArray, given: FloatArray) -> bool:
+    """Whether the mass matrix of each state that lacks a positive one is positive beside it: then a
+    place is singular, as the middle of polar coordinates, and no parameter is to blame.
+    """
+    M, *_ = linearization(balance, states, given, damping=False)
+    rows = [row for row in range(len(M)) if inertia_error(M[[row]], (), given[:0, [row]])]
+    for row in rows:
+        at = states[:, [row]]
+        beside = at + np.random.default_rng(0).uniform(-1e-3, 1e-3, (len(at), 8)) * scale_of(at)
+        M, *_ = linearization(balance, beside, np.repeat(given[:, [row]], 8, axis=1), False)
+        if inertia_error(M, (), given[:0, [row] * 8]):
+            return False
+    return True
+
+
+def without_eigenvalues(
+    balance: Balance, states: FloatArray, given: FloatArray, undamped: ComplexArray
+) -> BoolArray:
+    """States whose eigenvalues, with or without damping, are not finite numbers."""
+    out: BoolArray = ~np.isfinite(undamped).all(axis=1)
+    # Only then do dampers alone leave the range of floats.
+    rows = np.flatnonzero(extreme(given).any(axis=0) & ~out)
+    if rows.size:
+        every = roots(*linearization(balance, states[:, rows], given[:, rows]))
+        out[rows] = ~np.isfinite(every).all(axis=1)
+    return out
+
+
+def extreme(given: FloatArray) -> BoolArray:
+    """Values so large or small that products of some of them leave the range of floats."""
+    size = np.abs(given)
+    return (size > 1e100) | ((size < 1e-100) & (size > 0))
 
 
 def linearization(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from tests.oracles.contact_pages import BLOCKS, PAD, SNAP
+from tests.oracles.contact_pages import BLOCKS, PAD, SNAP, STACK
 from tests.oracles.user_pages import model_of, replaced
 
 pytest.importorskip("sympy")
@@ -110,3 +110,21 @@ x = page"""
         assert found.complete
         np.testing.assert_allclose(found["x_low"], low, rtol=1e-12)
         np.testing.assert_allclose(found["x_high"], high, rtol=1e-12)
+
+
+def test_what_sticks_on_a_block_beside_what_slides_on_a_belt() -> None:
+    """x_1 by |F| ≤ 0.6 · 0.5, and k_2 x_2 + x_1 = 0.4: a line of states. ``equilibria`` has those of
+    sliding alone, and says so; a page may say of dry friction that its belt stands still.
+    """
+    model = model_of(STACK, "stack")
+    found = ss.sticking_states(model.Parameters())
+    assert found.complete
+    ends = [found[f"{name}_{end}"][0] for name in ("x_1", "x_2") for end in ("low", "high")]
+    assert ends == pytest.approx([-0.3, 0.3, 0.1 / 1.5, 0.7 / 1.5], abs=1e-12)
+    eq = ss.equilibria(model.Parameters(V=np.array([0.0, 0.3])))
+    assert not eq.whole.any()
+    assert "sticking_states" in eq.remarks[0]
+    single = ss.load("coulomb_stick_slip").Parameters(V=np.array([0.0, 0.1]))
+    assert ss.equilibria(single).whole.tolist() == [False, True]
+    both = ss.sticking_states(model.Parameters(V=0.0))
+    assert [both.x_2_low[0], both.x_2_high[0]] == pytest.approx([-0.6, 0.6])

@@ -289,3 +289,29 @@ def balanced(K: Any, loads: Any, legs: list[Leg]) -> Iterator[tuple[tuple[str, .
         gaps = [np.dot(leg.g, q) + leg.c for leg in legs]
         if all((gap <= 0) == touches for gap, touches in zip(gaps, some, strict=True)):
             yield tuple(leg.name for leg, touches in zip(legs, some, strict=True) if touches), q
+
+
+#: A block on a block on a belt; between the blocks nothing moves the friction.
+STACK = '''r"""Two blocks.
+
+::
+
+    stacked
+"""
+
+from spragsym.derive.model import Page, sgn
+
+page = Page("A block that rests on a block on a belt.")
+m = page.unit("m", "kg", "mass")
+k = page.unit("k", "N/m", "stiffness")
+l = page.unit("l", "m", "length")
+V = page.parameter("V", "m/s", "belt", ">= 0", 0.3)
+x_1 = page.coordinate("x_1", "m", "upper")
+x_2 = page.coordinate("x_2", "m", "lower")
+page.kinetic(m * (page.rate(x_1) ** 2 + 2 * page.rate(x_2) ** 2) / 2)
+page.spring(k, along=x_1)
+page.spring(3 * k / 2, along=x_2)
+upper, lower = (page.normal_force(N * k * l, name=name) for name, N in (("upper", 1 / 2), ("lower", 1)))
+page.friction(x_1 - x_2, 0, slip=lambda v: 0.4 * sgn(v), holds=0.6, on=upper)
+page.friction(x_2, V, slip=lambda v: 0.4 * sgn(v), holds=0.6, on=lower)
+'''

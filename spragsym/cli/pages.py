@@ -233,15 +233,24 @@ def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
     """The explorer's page of a model, at the user's data if there are any."""
     _, p = model.cases()[0]
     about: dict[str, Any] = {}
+    given = study
     if study is not None:
-        damped, study = study, study.undamped()
+        study = study.undamped()
         p = study.kind.parameter_set(study.values)
         about = {"presets": [(f"Your data: {study.source}", p)], **_units(study)}
-        if damped is not study:
-            about["source"] += " Its damping is left out, which moves no state."
+        if given is not study:
+            about["source"] += (
+                " Its damping is left out, which moves no state: growth, stability and motion here "
+                "are those without its dampers; spragsym equilibria --data has them with these."
+            )
     from ..explorer import explorer_page
 
-    return explorer_page(model, **about, onsets=_map(model, p, study) if onsets else ("", ""))
+    if given is not None:  # the map is of the very brake, as the command beside it
+        model_of_map, p = load(given.model), given.kind.parameter_set(given.values)
+    else:
+        model_of_map = model
+    drawn = _map(model_of_map, p, given) if onsets else ("", "")
+    return explorer_page(model, **about, onsets=drawn)
 
 
 def _map(model: Model, p: ParameterSet, study: Study | None) -> tuple[str, str]:

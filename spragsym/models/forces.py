@@ -171,8 +171,8 @@ def inertia_error(M: FloatArray, names: Sequence[str], given: FloatArray) -> Par
     constant = bool((M == M[:1]).all())
     M = M[:1] if constant else M
     # What is not finite is no matter of signs.
-    finite = np.isfinite(M).all(axis=(1, 2))
-    positive = ~finite
+    finite = np.logical_and.reduce(np.isfinite(M), axis=(1, 2))
+    positive = np.ones(len(M), dtype=bool)
     positive[finite] = np.linalg.eigvalsh(M[finite])[:, 0] > 0
     if positive.all():
         return None

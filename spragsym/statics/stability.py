@@ -223,8 +223,8 @@ def squares(M: FloatArray, K: FloatArray) -> ComplexArray:
 
 def _by_mass(M: FloatArray, A: FloatArray) -> FloatArray:
     """M⁻¹ A, NaN where M is singular or an entry is not finite."""
-    regular = np.isfinite(M).all(axis=(-2, -1), keepdims=True)
-    regular &= np.linalg.slogdet(np.where(regular, M, 0.0))[0][..., None, None] != 0
+    finite: BoolArray = np.logical_and.reduce(np.isfinite(M), axis=(-2, -1), keepdims=True)
+    regular = finite & (np.linalg.slogdet(np.where(finite, M, 0.0))[0][..., None, None] != 0)
     return np.where(regular, np.linalg.solve(np.where(regular, M, np.eye(M.shape[-1])), A), np.nan)
 
 
@@ -254,12 +254,12 @@ def without_eigenvalues(
     balance: Balance, states: FloatArray, given: FloatArray, undamped: ComplexArray
 ) -> BoolArray:
     """States whose eigenvalues, with or without damping, are not finite numbers."""
-    out: BoolArray = ~np.isfinite(undamped).all(axis=1)
+    out: BoolArray = np.logical_or.reduce(~np.isfinite(undamped), axis=1)
     # Only then do dampers alone leave the range of floats.
     rows = np.flatnonzero(extreme(given).any(axis=0) & ~out)
     if rows.size:
         every = roots(*linearization(balance, states[:, rows], given[:, rows]))
-        out[rows] = ~np.isfinite(every).all(axis=1)
+        out[rows] = np.logical_or.reduce(~np.isfinite(every), axis=1)
     return out
 
 

@@ -2,6 +2,7 @@
 Hopf points and certificates against equations written by hand, fifty digits and the search.
 """
 
+import math
 from typing import Any
 
 import numpy as np
@@ -173,3 +174,24 @@ def test_certificates_of_stability_for_any_page(
 ) -> None:
     p = ss.load(page).Parameters(**given)
     assert ss.certify(p, "stable").outcome == outcome
+
+
+def test_dampers_are_no_part_of_the_theorem() -> None:
+    """A brake whose dampers outweigh what the theorem of the friction law alone tells."""
+    p = ss.load("damped").Parameters(
+        theta0=math.radians(130),
+        mu0=0.12,
+        kappa=5e-4,
+        alpha=0.9,
+        sigma=0.2,
+        beta=0.0,
+        zeta_x=0.019,
+        zeta_y=0.02,
+        zeta_s=0.002,
+        V=0.0017,
+        d=6940.0,
+    )
+    by_closed_form, by_search = ss.equilibria(p), ss.equilibria(p, method="search")
+    assert by_closed_form.stability[0] == by_search.stability[0] == "stable"
+    assert by_closed_form.growth[0] == pytest.approx(by_search.growth[0], rel=1e-9)
+    assert by_search.growth[0] < -9e-3

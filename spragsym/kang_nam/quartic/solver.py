@@ -18,6 +18,7 @@ from ...core.errors import BackendError, ConvergenceError, one_of
 from ...core.questions import NotInClosedForm
 from ...core.type_variables import T
 from ...generated.quantities import PARAMETERS
+from ...models.load import USUAL
 from ...models.parameters import as_count
 from ...numerics.columns import reuse_memory
 from ...numerics.interval_arrays import (
@@ -75,7 +76,9 @@ class _Closed(Linearizing):
         ``derive/kang_nam/routh.py``.
         """
         found = super().linearized(eq, states)
-        return found.with_sign(self._grows(eq, states, found.sign)) if self.contact else found
+        # It is proved for the article's friction law and no other damping.
+        applies = self.contact and eq.parameters.model.where == USUAL
+        return found.with_sign(self._grows(eq, states, found.sign)) if applies else found
 
     def _grows(self, eq: Equilibria, states: tuple[IntArray, ...], sign: Int8Array) -> Int8Array:
         """The sign of the growth of states in contact; as given where the theorem does not apply.

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 from scipy import ndimage
@@ -28,7 +27,6 @@ from ..motion import Trajectory, simulate
 from ..motion.simulation import row_of
 from ..motion.sweeps import Basin, Sweep, Workers, rms_sweep, sensitivity
 from ..numerics.interval_arrays import BoolArray
-from ..orbits import Cycle
 from ..statics.forces import belt_speeds
 from .curves import first_fold
 from .planes import draw_bifurcation_set
@@ -300,8 +298,9 @@ def draw_spectrum(
     *,
     shown: _Pair | None = None,
 ) -> Line2D:
-    """Draw the spectrum of a motion up to the highest frequency with more than 1 % of the largest
-    amplitude; returns the line. ``shown`` as for :func:`draw_motion`.
+    """Draw the spectrum of a motion, through a Hann window, up to the highest frequency with more
+    than 1 % of the largest amplitude; of whole periods of a cycle its harmonics, as stems. Returns
+    the line. ``shown`` as for :func:`draw_motion`.
     """
     require_kind("motion", motion, Trajectory, "one of ss.simulate(...)")
     ax, found = own_axes(ax), motion.spectrum(0.0, of=of)
@@ -309,29 +308,19 @@ def draw_spectrum(
         _frequency(motion.model),
         (f"amplitude of {_own(motion, of)[0]}", 1.0),
     )
-    line = _line(ax, found.frequency, found.amplitude, shown, 0.9)
     # At rest all amplitudes are 0, and there is no last one.
     last = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max()).max(initial=0)
-    end = shown[0][1] * found.frequency[min(2 * last + 8, found.frequency.size - 1)]
+    end = 2 * last + 8
+    if found.window == "Hann":
+        line = _line(ax, found.frequency, found.amplitude, shown, 0.9)
+    else:
+        end = last + 1
+        line = _line(ax, found.frequency[:end], found.amplitude[:end], shown)
+        line.set(linestyle="", marker="o", markersize=3)
+        ax.vlines(line.get_xdata(), 0.0, line.get_ydata(), color=BLUE, linewidth=1.4)
+    end = shown[0][1] * found.frequency[min(end, found.frequency.size - 1)]
     ax.set(xlim=(0, end), ylim=(0, None))
     return line
-
-
-def draw_harmonics(cycle: Cycle, of: str, ax: Axes, *, shown: _Pair) -> LineCollection:
-    """Draw the amplitudes of the harmonics of a cycle as stems, up to the last one above 0.5 % of
-    the largest; returns the stems. ``shown`` as for :func:`draw_motion`.
-    """
-    (x_title, x_unit), (y_title, y_unit) = shown
-    samples = 1024
-    states = cycle.samples(np.arange(samples) * cycle.period / samples)
-    row = states[cycle.field.model.components.index(of)]
-    amplitude = 2 * y_unit * np.abs(np.fft.rfft(row))[1:] / samples
-    amplitude = amplitude[: np.flatnonzero(amplitude >= 0.005 * amplitude.max())[-1] + 1]
-    places = x_unit * np.arange(1, amplitude.size + 1) / cycle.period
-    stems = ax.vlines(places, 0.0, amplitude, color=BLUE, linewidth=1.4)
-    ax.plot(places, amplitude, "o", color=BLUE, markersize=3)
-    ax.set(xlim=(0, places[-1] + places[0]), ylim=(0, None), xlabel=x_title, ylabel=y_title)
-    return stems
 
 
 @styled
@@ -388,10 +377,11 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Scales | No
             for each in model.about["parameters"]
             if each["role"] == "motion"
         )
+    window = "" if late.periods else ", through a Hann window"
     return figure.describe(
         f"""A motion of {model.name}, {moved}. Left: each coordinate over time; middle and right,
         after the time {after}: its rate over it, with the speed of the belt dotted, and its
-        spectrum."""
+        spectrum{window}."""
     )
 
 

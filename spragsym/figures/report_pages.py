@@ -36,7 +36,7 @@ from ..report.texts import sections, verdict
 from ..results import BifurcationSet, Points
 from ..statics.stability import NEUTRAL_GROWTH
 from .curves import curves_between, draw_branches, draw_path, mark_folds
-from .motions import draw_harmonics, draw_phase, draw_spectrum, steady_belts
+from .motions import draw_phase, draw_spectrum, steady_belts
 from .planes import draw_onset_curves, draw_plane, growth_of_oscillations, on_undecided
 from .style import (
     BLACK,
@@ -275,13 +275,10 @@ def _of_motion(report: Facts, lives: Oscillation) -> Rows:
     )
     unit_of_rate, hertz = ("kHz", 1e-3) if lives.frequency_hz >= 1e3 else ("Hz", 1.0)
     shown = (f"frequency in {unit_of_rate}", hertz / time), (f"amplitude of {place[0]}", size)
+    what = f"the amplitude of {name} at each frequency, through a Hann window"
     if lives.kind == "cycle":
         what = f"{name} moves at multiples of {lives.frequency_hz * hertz:.4g} {unit_of_rate} alone"
-        stems = partial(draw_harmonics, lives.motion, name, shown=shown)
-        yield picture(stems), f"Its spectrum: {what}."
-    else:
-        spectrum = partial(draw_spectrum, motion, name, shown=shown)
-        yield picture(spectrum), f"Its spectrum: the amplitude of {name} at each frequency."
+    yield picture(partial(draw_spectrum, motion, name, shown=shown)), f"Its spectrum: {what}."
 
 
 def picture(draw: Callable[[Any], Any]) -> str:

@@ -24,7 +24,7 @@ from ..core.errors import ParameterError
 from ..core.remarks import At, Remark
 from ..display import Column
 from ..numerics.arithmetic import Number
-from ..numerics.vectors import WholeTurns, in_one_turn
+from ..numerics.vectors import WholeTurns, in_one_turn, makes_turns
 from .forces import forces_of, of_statics, presses_either, undecorated
 from .parameters import FloatArray
 
@@ -239,6 +239,25 @@ class Field:
         """The state at a position without speeds; a clock has the phase 0 and its own rate."""
         still = (*position, *(0.0,) * (self.size - len(position)))
         return (*still[:-1], self.clock(constants)) if self.clock else still
+
+    def resting_mode(self, position: Sequence[float], constants: Values) -> Mode:
+        """The mode of a state without speeds. Friction holds there what does not slide at all: what
+        a belt carries along moves, however slowly.
+        """
+        state = (*position, *(0.0,) * (self.size - len(position)))
+        mode = self.initial_mode(state, constants)
+        for border in self.stays(mode):
+            if slides := border.level(state, constants, mode):
+                mode = (*mode[: border.place], 2 * (slides > 0) - 1, *mode[border.place + 1 :])
+        return mode
+
+    @property
+    def marker(self) -> int | None:
+        """Index of the coordinate whose whole turns mark the rounds of a motion: the phase of a
+        clock, or a leading angle; None if neither makes turns.
+        """
+        index = len(self.coordinates) - 1 if self.clock else self.lead
+        return index if makes_turns(index, self.periodic) else None
 
     @cached_property
     def sticking_borders(self) -> tuple[Border, ...]:

@@ -189,9 +189,11 @@ def rest_near(problem: Problem, position: FloatArray) -> Equilibrium | None:
     equilibria in which friction holds.
     """
     field, constants = problem.field, problem.constants
-    at_rest = [*position.tolist(), *np.zeros(len(position))]
-    here, found = field.initial_mode(at_rest, constants), list[tuple[float, FloatArray, Mode]]()
-    sliding = here if field.stays(here) else field.mode_at_rest(at_rest, constants)
+    numbers = position.tolist()
+    here, found = field.resting_mode(numbers, constants), list[tuple[float, FloatArray, Mode]]()
+    sliding = here
+    if not field.stays(here):
+        sliding = field.mode_at_rest(field.at_rest(numbers, constants), constants)
     for mode in dict.fromkeys((sliding, here)):
         with suppress(ConvergenceError):
             state = equilibrium_near(field, constants, position, mode)
@@ -223,7 +225,7 @@ def equilibrium_near(
     far = 1e6
     for _ in range(most_steps):
         state = [*q.tolist(), *[0.0] * n]
-        mode = kept or field.initial_mode(state, constants)
+        mode = kept or field.resting_mode(state[:n], constants)
         residual = field.rates(state, constants, mode)[n:]
         jacobian = field.matrix(state, constants, mode)[n:, :n]
         try:

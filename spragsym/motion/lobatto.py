@@ -11,7 +11,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 from ..models.parameters import FloatArray
-from ..numerics.interval_arrays import IndexArray
+from ..numerics.interval_arrays import ComplexArray, IndexArray
 
 #: Degree of the polynomial of a step: 12 represents a Taylor step of order 20 up to rounding, and
 #: DOP853's dense output has degree 7.
@@ -31,6 +31,13 @@ def lobatto() -> tuple[FloatArray, FloatArray]:
 def unit_points() -> FloatArray:
     """The Lobatto points in [0, 1]."""
     return (lobatto()[0] + 1) / 2
+
+
+@cache
+def _to_coefficients() -> FloatArray:
+    """Matrix from values at the Lobatto points to Legendre coefficients."""
+    found = np.linalg.inv(legendre.legvander(lobatto()[0], DEGREE))
+    return np.asarray(found, dtype=float)
 
 
 def sample_times(begin: FloatArray | float, end: FloatArray | float) -> FloatArray:
@@ -76,14 +83,32 @@ class PiecewisePolynomial:
         share = np.where(hit.any(axis=-1, keepdims=True), hit, share)
         return (self.states[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)
 
+    def _by_steps(self, row: int) -> FloatArray:
+        """A component at the points of each step, (steps, DEGREE + 1)."""
+        of_steps = np.arange(len(self.steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)
+        return self.states[row, of_steps]
+
     def slopes(self, row: int) -> FloatArray:
         """Time derivative of a component at the samples; at the end of a step that of the next."""
-        points, _ = lobatto()
-        to_coefficients = np.linalg.inv(legendre.legvander(points, DEGREE))
-        to_derivatives = legendre.legval(points, legendre.legder(to_coefficients))
-        of_steps = np.arange(len(self.steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)
-        slopes = self.states[row, of_steps] @ to_derivatives * (2 / np.diff(self.steps))[:, None]
+        to_derivatives = legendre.legval(lobatto()[0], legendre.legder(_to_coefficients()))
+        slopes = self._by_steps(row) @ to_derivatives * (2 / np.diff(self.steps))[:, None]
         return np.append(slopes[:, :-1].ravel(), slopes[-1, -1])
+
+    def fourier(self, row: int, rates: FloatArray) -> ComplexArray:
+        """Integrals over time of a component times exp(−i rate (t − t_0)), at each of the rates.
+
+        Of Legendre's polynomial P_n over [−1, 1] times exp(−i κ s) that is 2 (−i)^n j_n(κ).
+        """
+        from scipy.special import spherical_jn  # slow to import
+
+        coefficients = self._by_steps(row) @ _to_coefficients().T
+        middles = (self.steps[1:] + self.steps[:-1]) / 2 - self.t[0]
+        halves, found = np.diff(self.steps) / 2, np.zeros(len(rates), dtype=complex)
+        shifts = np.exp(-1j * rates[:, None] * middles)
+        for n, factor in enumerate(2 * (-1j) ** np.arange(DEGREE + 1)):
+            waves = shifts * spherical_jn(n, rates[:, None] * halves)
+            found += factor * waves @ (halves * coefficients[:, n])
+        return found
 
     def after(self, begin: float) -> PiecewisePolynomial:
         """The part after a given time; the step that contains this time is shortened."""

@@ -5,14 +5,15 @@ Statistics are accumulated during an integration by heyoka, or computed from sam
 
 import math
 from dataclasses import dataclass
+from dataclasses import field as attribute
 
 import numpy as np
 
 from ..display import Column
 from ..models.field import Field
 from ..models.parameters import FloatArray, as_count
-from ..numerics.interval_arrays import IndexArray
-from ..numerics.vectors import makes_turns
+from ..numerics.interval_arrays import ComplexArray, IndexArray
+from ..numerics.vectors import TURN
 from ..results.result import Result
 from .lobatto import PiecewisePolynomial
 
@@ -42,7 +43,7 @@ class MotionStatistics:
     reach : tuple of float
         Smallest and largest x.
     passages_t, passages : ndarray, shapes (j,) and (j, 2 n)
-        Times and states at which a periodic x passes a whole turn.
+        Times and states at which the phase of a clock, or else a periodic x, passes a whole turn.
     lead : int
     """
 
@@ -83,9 +84,13 @@ def statistics_of(
     maxima, minima = samples(maxima_t).T, samples(minima_t).T
     extrema = np.concatenate([x[[0, -1]], maxima[:, lead], minima[:, lead]])
     passages_t = np.empty(0)
-    if makes_turns(lead, field.periodic):
-        half_turns = PiecewisePolynomial(t, np.sin(x[None] / 2))
-        passages_t = np.sort(half_turns.zeros())[-KEPT_EXTREMA:]
+    if field.marker is not None and field.clock:  # one step may be of many turns
+        (begin, end), turn = states[field.marker, [0, -1]] / TURN, TURN / states[-1, 0]
+        passages_t = t[0] + turn * (np.arange(math.ceil(begin), math.floor(end) + 1) - begin)
+    elif field.marker is not None:
+        half_turns = PiecewisePolynomial(t, np.sin(states[[field.marker]] / 2))
+        passages_t = np.sort(half_turns.zeros())
+    passages_t = passages_t[-KEPT_EXTREMA:]
     return MotionStatistics(
         float(t[0]),
         float(t[-1]),
@@ -105,22 +110,38 @@ def statistics_of(
 
 @dataclass(frozen=True, eq=False)
 class Spectrum(Result):
-    """Amplitude spectrum over frequency, in cycles per unit of time. A sine of amplitude A has the
-    peak A if its frequency is on a bin.
+    """Amplitude spectrum over frequency, in cycles per unit of time.
+
+    Over whole periods these are the Fourier coefficients: the motion is its mean and the sum of
+    amplitude cos(2π frequency (t − t_0) + phase). Through a window a sine of amplitude A has the
+    peak A if its frequency is on a bin; lines closer than two bins are not told apart.
+
+    Attributes
+    ----------
+    frequency, amplitude, phase : ndarray, shape (k,)
+        From the frequency 0 on, at which the amplitude is 0.
+    window : str
+        "Hann" or "whole periods".
     """
 
-    schema = (Column("frequency", "1/s", "cycles per unit of time"),)
+    schema = (
+        Column("frequency", "1/s", "cycles per unit of time"),
+        Column("phase", "rad", "phase of the cosine at the beginning"),
+    )
 
     frequency: FloatArray
     amplitude: FloatArray
+    phase: FloatArray = attribute(default_factory=lambda: np.empty(0))
+    window: str = "Hann"
 
     def peak(self) -> float:
-        """Frequency of the largest amplitude, interpolated between bins by a parabola through the
-        logarithms of three amplitudes.
+        """Frequency of the largest amplitude; through a window, interpolated between bins by a
+        parabola through the logarithms of three amplitudes.
         """
         k = int(np.argmax(self.amplitude))
         step = float(self.frequency[1] - self.frequency[0])
-        if not 0 < k < self.amplitude.size - 1 or (self.amplitude[k - 1 : k + 2] <= 0).any():
+        inner = self.window == "Hann" and 0 < k < self.amplitude.size - 1
+        if not inner or (self.amplitude[k - 1 : k + 2] <= 0).any():
             return float(self.frequency[k])
         left, middle, right = np.log(self.amplitude[k - 1 : k + 2])
         bend = left - 2 * middle + right
@@ -136,6 +157,21 @@ def spectrum_of(samples: PiecewisePolynomial, row: int, points: int) -> Spectrum
     values = samples(t)[row]
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(points) / points)
     deviation = values - (window @ values) / window.sum()
-    amplitude = 2 * np.abs(np.fft.rfft(deviation * window)) / window.sum()
     frequency = np.asarray(np.fft.rfftfreq(points, float(t[1] - t[0])), dtype=float)
-    return Spectrum(frequency, np.asarray(amplitude, dtype=float))
+    return _of_coefficients(frequency, 2 * np.fft.rfft(deviation * window) / window.sum(), "Hann")
+
+
+def harmonics_of(samples: PiecewisePolynomial, row: int, periods: int, count: int) -> Spectrum:
+    """Fourier coefficients of one component of a motion over whole periods, of the mean and
+    ``count`` harmonics. The polynomials of the steps are integrated exactly.
+    """
+    harmonics = np.arange(count + 1)
+    span = float(samples.t[-1] - samples.t[0])
+    frequency: FloatArray = np.asarray(harmonics * periods / span, dtype=float)
+    coefficients = 2 / span * samples.fourier(row, 2 * np.pi * frequency)
+    coefficients[0] = 0.0
+    return _of_coefficients(frequency, coefficients, "whole periods")
+
+
+def _of_coefficients(frequency: FloatArray, found: ComplexArray, window: str) -> Spectrum:
+    return Spectrum(frequency, np.abs(found), np.angle(found), window)

@@ -223,11 +223,11 @@ class RestSets:
         """
         model = self.p.model
         field, constants = model.field, model.field.constants(self.p.scalars(*self.p.ranges))
-        ends = [field.at_rest(position.tolist(), constants) for position in (one, other)]
-        if not all(field.stays(field.initial_mode(end, constants)) for end in ends):
+        positions = [position.tolist() for position in (one, other)]
+        if not all(field.stays(field.resting_mode(each, constants)) for each in positions):
             return False
         if field.clock:
-            one, other = map(np.array, ends)
+            one, other = (np.array(field.at_rest(each, constants)) for each in positions)
             return held_along(field, constants, one, other, np.append(near, 0.0)) or None
         if self.boxes is not None:
             places = [

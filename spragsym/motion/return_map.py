@@ -1,8 +1,9 @@
 """The cycle that a motion approaches, by its return map (Poincaré map).
 
 The section is where x is largest; x is the first coordinate that moves on the cycle. For an x that
-rotates in one direction the section is where it passes a whole turn. Periodic coordinates are
-compared modulo a turn.
+rotates in one direction the section is where it passes a whole turn, and with a clock where that
+does: a motion that friction holds at its largest x does not pass through that. Periodic coordinates
+are compared modulo a turn.
 
 :func:`on_cycle` looks for two returns that are close to each other. Shooting (:class:`Onward`) then
 computes the closed orbit near them, and its least period, so that a cycle is never counted twice.
@@ -29,7 +30,6 @@ from ..numerics.vectors import (
     WholeTurns,
     in_one_turn,
     magnitude,
-    makes_turns,
     state_difference,
 )
 from . import integrators
@@ -127,7 +127,7 @@ class Onward:
             raise ConvergenceError("Newton's method left the range of numbers") from error
         if rests(orbit):
             raise ConvergenceError("the orbit is an equilibrium")
-        if orbit.lead != self.field.lead:
+        if not self.field.clock and orbit.lead != self.field.lead:
             raise ConvergenceError("another coordinate marks the rounds of the orbit")
         start = orbit.state
         shifted, rates = off_jumps(orbit), orbit.rate(start)
@@ -203,10 +203,10 @@ def section(states: FloatArray, fixed: int) -> FloatArray:
 
 
 def _marks(statistics: MotionStatistics, fixed: int) -> tuple[FloatArray, FloatArray]:
-    """Times and states at which a motion passes the section: x is largest, or, if ``fixed`` is x
-    itself, passes a whole turn.
+    """Times and states at which a motion passes the section: x is largest, or, if ``fixed`` is a
+    coordinate, that passes a whole turn.
     """
-    if fixed != statistics.lead:
+    if fixed >= len(statistics.last) // 2:
         return statistics.maxima_t, statistics.maxima
     return statistics.passages_t, statistics.passages
 
@@ -216,6 +216,8 @@ def leads(statistics: MotionStatistics, problem: Problem) -> bool:
     not fallen to less than half during the motion.
     """
     options, (low, high) = problem.options, statistics.reach
+    if problem.field.clock and len(statistics.passages) >= options.returns:
+        return True
     if high - low <= options.noise * problem.rtol * magnitude(statistics.last):
         return False
     if len(statistics.passages) >= options.returns:
@@ -232,10 +234,13 @@ def leads(statistics: MotionStatistics, problem: Problem) -> bool:
 def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
     """The outcome of a motion that is on a cycle or approaches one; None for other motions."""
     options, tol = onward.problem.options, onward.problem.options.settled
-    periodic, lead = onward.problem.field.periodic, statistics.lead
+    field, lead = onward.problem.field, statistics.lead
+    periodic, marker = field.periodic, field.marker
     # An x that rotates in one direction has no maxima.
-    turning = len(statistics.maxima) < options.returns and makes_turns(lead, periodic)
-    fixed = lead if turning else len(statistics.last) // 2 + lead
+    turning = marker is not None and (
+        field.clock is not None or len(statistics.maxima) < options.returns
+    )
+    fixed = marker if turning and marker is not None else len(statistics.last) // 2 + lead
     times, places = _marks(statistics, fixed)
     if len(times) < options.returns:
         return None
@@ -245,11 +250,11 @@ def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
     places[:, fixed] = TURN * np.round(places[-1, fixed] / TURN) if turning else 0.0
     states = section(places, fixed)
     # Scales: ranges of the components over maxima and minima, at least 1 % of that of x, or of a
-    # turn.
-    extent = np.ptp(
-        section(_near(np.vstack([places, statistics.minima]), places[-1], periodic), fixed), axis=0
-    )
-    scale = np.maximum(extent, 1e-2 * (TURN if turning else extent[lead]) + 1e-300)
+    # turn, or of what moves most beside a clock.
+    all_places = np.vstack([places, statistics.maxima, statistics.minima])
+    extent = np.ptp(section(_near(all_places, places[-1], periodic), fixed), axis=0)
+    unit = TURN if turning else extent[lead]
+    scale = np.maximum(extent, 1e-2 * (magnitude(extent) if field.clock else unit) + 1e-300)
     states /= scale
     for k in _candidates(states, options.close):
         period = float(times[-1] - times[-1 - k])
@@ -381,10 +386,13 @@ def _same_size(
 def _described(cycle: Closed, regime: Regime, rate: float, distance: float) -> Outcome:
     """The outcome: with averages over one period of the cycle, and its state on the section."""
     orbit, (mean, rms) = cycle.orbit, cycle.orbit.moments()
-    turning, top = cycle.fixed == orbit.field.lead, orbit.top
-    state = cycle.state if turning or top is None else top.state
+    state, zero, led = cycle.state, cycle.fixed, orbit
+    if orbit.field.clock:
+        led = orbit.with_lead()
+    if cycle.fixed != led.field.lead and (top := led.top) is not None:
+        state, zero = top.state, len(cycle.state) // 2 + led.field.lead
     state = in_one_turn(state, orbit.field.periodic)
-    state[cycle.fixed] = 0.0
+    state[zero] = 0.0
     return Outcome(
         regime,
         rate=rate,

@@ -700,5 +700,6 @@ def growth(orbit: Orbit) -> float:
 
 
 def rounding(orbit: Orbit) -> float:
-    """Estimated rounding error of the gaps of an orbit."""
-    return 4e-16 * magnitude(orbit.states) * math.sqrt(orbit.period)
+    """Estimated rounding error of the gaps of an orbit: of the states, and of the period."""
+    of_time = np.spacing(orbit.guess.interval) / 2 * magnitude([*map(orbit.rate, orbit.states)])
+    return float(max(4e-16 * magnitude(orbit.states) * math.sqrt(orbit.period), of_time))

@@ -25,6 +25,7 @@ from ..models.parameters import (
     POSITIVE,
     FloatArray,
     ParameterSet,
+    as_count,
     as_number,
     as_numbers,
     degrees,
@@ -36,7 +37,7 @@ from ..statics.search import rest_index
 from . import integrators
 from .classify import classify
 from .lobatto import PiecewisePolynomial
-from .measures import MotionStatistics, Spectrum, spectrum_of, statistics_of
+from .measures import MotionStatistics, Spectrum, harmonics_of, spectrum_of, statistics_of
 from .options import MotionOptions
 from .problem import MAX_STEPS, RELATIVE_TOLERANCE, Event, Problem, prepare
 from .regimes import Outcome, Regime
@@ -180,6 +181,9 @@ class Trajectory(Named):
     implicit : bool
         True if the motion is stiff: the steps of ``backend`` collapsed, and SciPy's Radau
         integrated it.
+    periods : int
+        Number of periods of a cycle that it consists of, as of ``cycle.trajectory()``; 0 for other
+        motions.
     """
 
     schema = (
@@ -204,6 +208,7 @@ class Trajectory(Named):
     backend: str
     error: FloatArray | None = None
     implicit: bool = False
+    periods: int = 0
 
     @property
     def components(self) -> tuple[str, ...]:
@@ -345,7 +350,10 @@ class Trajectory(Named):
         events = self.events
         if events is not None:
             events = events.select(events.t >= transient)
-        return replace(self, t=late.t, state=late.states, events=events, error=error)
+        periods = 0 if transient else self.periods
+        return replace(
+            self, t=late.t, state=late.states, events=events, error=error, periods=periods
+        )
 
     def mean(self, transient: float | None = None, *, of: str | None = None) -> float:
         """Time average of a coordinate or rate after ``transient``.
@@ -766,17 +774,20 @@ class Trajectory(Named):
     def spectrum(
         self, transient: float | None = None, *, of: str | None = None, points: int = 4096
     ) -> Spectrum:
-        """Amplitude spectrum of a coordinate or rate after ``transient``; frequencies are in cycles
-        per unit of time.
+        """Amplitude spectrum of a coordinate or rate after ``transient``, through a Hann window;
+        of whole periods of a cycle the Fourier coefficients. Frequencies are in cycles per unit of
+        time.
 
         Parameters
         ----------
         transient : float, optional
-            Time before which the motion is ignored, by default three quarters of its end time.
+            Time before which the motion is ignored, by default three quarters of its end time, or
+            of whole periods 0.
         of : str, optional
             A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
         points : int
-            Number of equidistant points of which the spectrum is taken.
+            Number of equidistant points of which the spectrum is taken; of whole periods there are
+            ``points`` // 64 harmonics.
 
         Returns
         -------
@@ -786,10 +797,14 @@ class Trajectory(Named):
         --------
         >>> import spragsym as ss
         >>> tr = ss.simulate(ss.load("stick_slip").Parameters(V=0.2), t_end=200.0)
-        >>> round(tr.spectrum().peak(), 3)
-        0.116
+        >>> round(tr.spectrum().peak(), 3), tr.spectrum().window
+        (0.116, 'Hann')
         """
-        return spectrum_of(self.after(transient).samples, row_of(of, self.components), points)
+        row = row_of(of, self.components)
+        if self.periods and not transient:
+            count = as_count("points", points, 64, 2**20) // 64
+            return harmonics_of(self.samples, row, self.periods, count)
+        return spectrum_of(self.after(transient).samples, row, points)
 
     def decay_rate(self, transient: float = 0.0, *, of: str | None = None) -> float:
         """Exponential decay rate of the swings of a coordinate after ``transient``, negative if
@@ -1032,7 +1047,15 @@ def _error(found: Trajectory, problem: Problem) -> FloatArray:
             # The second run's own error is at most a quarter of this one's. (Of SciPy's tightest
             # run it is up to a ninth, as its interpolant's error does not fall with the tolerance.)
             difference = np.abs(found.state - states).max(axis=0) / (1.0 - 0.25)
-            return np.maximum.accumulate(difference)
+            rates = [found.samples.slopes(row) for row in range(len(states))]
+            # Times are rounded, too: of the samples, and of the steps that they belong to.
+            error = difference + 2 * np.spacing(found.t) * np.abs(rates).max(axis=0)
+            if found.events:  # from a border to the step's end, samples are of the mode before
+                steps, begins = found.samples.steps, found.events.t
+                ends = steps[np.minimum(np.searchsorted(steps, begins), len(steps) - 1)]
+                late = np.abs(found(ends).T - found.events.state).max(axis=1)
+                np.maximum.at(error, np.searchsorted(found.t, begins, side="right") - 1, late)
+            return np.maximum.accumulate(error)
     return np.full(found.t.shape, np.nan)
 
 

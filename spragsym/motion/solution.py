@@ -30,6 +30,10 @@ from .problem import Event, Problem, kinds_of
 #: time, in the motion's unit, is below rounding.
 AT_ONCE = 1e-8
 
+#: A border is not passed longer ago than this, in the motion's unit of time. What a belt of speed V
+#: holds passes its limit by OVERSHOOT/V.
+LATEST = 2.0
+
 
 class Crossing(NamedTuple):
     """A border crossing: time, index of the border, sign of its level after the crossing, state,
@@ -141,6 +145,11 @@ class CarriedState:
         if border.jumps is not None and border.jumps(*at):
             if border.slopes is not None:
                 delay, on_border = self.saltation(border, (mode, after))
+                if not delay < LATEST:
+                    raise ConvergenceError(
+                        "a border is passed so slowly that rounding hides where, at "
+                        f"{field.place(self.state, '.3g')}; give larger speeds, or 0"
+                    )
                 if any(not after[slot] for slot in others):
                     self.project(after)
             elif self.directions is not None:
@@ -209,15 +218,18 @@ class CarriedState:
         first, rate = newton_step(self.state)
         if not rate:
             return None
-        delay, longest = first, 1.0
-        if AT_ONCE < abs(delay) < longest:
+        delay, change = first, first
+        if AT_ONCE < abs(delay) < LATEST:
             for _ in range(5):
                 on_border, columns = self.later(mode, -delay)
+                before = change
                 change, rate_there = newton_step(on_border)
-                if abs(change) <= AT_ONCE:
+                # Steps that no longer shrink are rounding of the level.
+                rounding = abs(before) / 2 < abs(change) < 1e-3 * abs(first)
+                if abs(change) <= AT_ONCE or rounding:
                     return delay, on_border, columns, rate_there
                 delay += change
-                if not abs(delay) < longest:
+                if not abs(delay) < LATEST:
                     break
         columns = np.empty((len(self.state), 0)) if self.columns is None else self.columns
         return first, self.state, columns, rate
@@ -229,15 +241,17 @@ class CarriedState:
         columns, m = self.columns, len(self.state)
         whole = self.state if columns is None else np.append(self.state, columns)
         rates = rates_of(self.problem, mode, None if columns is None else self.directions)
-        # A step of 0.01, in the motion's unit of time, has an error below that of the integrators.
-        steps = math.ceil(abs(duration) / 0.01)
-        step = duration / steps
+        # In the motion's unit of time, steps of this have an error below that of the integrators.
+        steps = math.ceil(abs(duration) / 0.003)
+        step, moved = duration / steps, np.zeros_like(whole)  # apart, for its digits
         for _ in range(steps):
-            first = rates(0.0, whole)
-            second = rates(0.0, whole + step / 2 * first)
-            third = rates(0.0, whole + step / 2 * second)
-            last = rates(0.0, whole + step * third)
-            whole = whole + step / 6 * (first + 2 * second + 2 * third + last)
+            at = whole + moved
+            first = rates(0.0, at)
+            second = rates(0.0, at + step / 2 * first)
+            third = rates(0.0, at + step / 2 * second)
+            last = rates(0.0, at + step * third)
+            moved = moved + step / 6 * (first + 2 * second + 2 * third + last)
+        whole = whole + moved
         return whole[:m], whole[m:].reshape(m, -1)
 
 

@@ -28,7 +28,6 @@ from ..core.interrupts import held
 from ..models.field import JUMPED, OVERSHOOT, Border, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.arithmetic import Number, dot
-from ..numerics.vectors import makes_turns
 from .lobatto import sample_times, unit_points
 from .measures import KEPT_EXTREMA, MotionStatistics
 from .problem import (
@@ -249,7 +248,7 @@ def equations(
     return system, (state, given, mode), accelerations, Approach.of(xp.called, system[:m], roots)
 
 
-#: Number of the event "a periodic leading coordinate passes a whole turn", in place of a border's.
+#: Number of the event "the field's marker passes a whole turn", in place of a border's.
 PASSAGE = -2
 
 #: Motions that are integrated in parallel (SIMD) for statistics. Another number compiles other
@@ -331,8 +330,8 @@ class BatchIntegrator:
         self.constants = len(seen[1])
         lead = field.lead
         rates = [(-1, seen[0][len(field.coordinates) + lead])] if turning or measured else []
-        if measured and makes_turns(lead, field.periodic):
-            rates.append((PASSAGE, hy.sin(seen[0][lead] / 2.0)))
+        if measured and field.marker is not None:
+            rates.append((PASSAGE, hy.sin(seen[0][field.marker] / 2.0)))
         if turning:
             rates += [
                 (i, b.rate(seen[0], accelerations, *seen[1:]))
@@ -432,7 +431,7 @@ class BatchIntegrator:
 
     def _note_extremum(self, border: int, _: object, t: float, direction: int, lane: int) -> None:
         """Callback of an extremum: record that of a border's level, or (−1) of the leading
-        coordinate, or (PASSAGE) its passage of a whole turn.
+        coordinate, or (PASSAGE) the marker's passage of a whole turn.
         """
         self.solver.update_d_output(t)
         one = self.some[lane]

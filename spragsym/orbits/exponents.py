@@ -148,7 +148,7 @@ def lyapunov(
     if t_end is None:
         t_end = system.options.span * system.scales(state).time
     t_end = as_number("t_end", t_end, POSITIVE)
-    verdict = judged(system, state, times=(t_end,))
+    verdict = judged(system, state, times=system.looks(system.scales(state), t_end))
     whole = rates_along(system, state, t_end)
     late = whole.after(len(whole.logs) // 2)
     times = late.interval * np.arange(1, len(late.logs) + 1)
@@ -425,5 +425,6 @@ def _rates_along(system: System, state: FloatArray, span: float) -> Rates:
         speeds = np.log([norm(rate(field, each, constants)) for each in states])
         velocity, acceleration = np.split(rate(field, state, constants), 2)
         velocity = velocity[: m // 2]  # without that of a clock, which always moves
-        change = float(norm(acceleration) / norm(velocity)) if norm(velocity) else math.inf
+        drifts = norm(velocity) and not system.comes_to_a_border(state)
+        change = float(norm(acceleration) / norm(velocity)) if drifts else math.inf
     return Rates(logs, volumes, span, speeds, state, change, options=options)

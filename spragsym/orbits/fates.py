@@ -167,10 +167,10 @@ def _followed(system: System, begun: Fate, t_end: float | None) -> Fate:
     are defaults.
     """
     start = begun.end
-    scales, looks = system.scales(start), system.options.times
-    t_end = looks[-1] * scales.time if t_end is None else t_end
-    times = (*(t * scales.time for t in looks if t * scales.time < t_end / 2), t_end)
+    scales = system.scales(start)
+    times = None if t_end is None else system.looks(scales, t_end)
     verdict = judged(system, start, times=times)
+    t_end = system.options.times[-1] * scales.time if t_end is None else t_end
     scale, nearby = _time_scale(system, verdict)
     found = replace(begun, t=verdict.t, time_scale=scale, end=verdict.end)
     if verdict.decided:
@@ -191,6 +191,9 @@ def _followed(system: System, begun: Fate, t_end: float | None) -> Fate:
             error=error,
             trivial=int(np.flatnonzero(spectrum == 0)[0]) if moves else -1,
         )
+    if verdict.t > t_end:
+        why = "a belt carries it so slowly that it has not settled"
+        return replace(found, why=why, outcome=verdict.outcome)
     rates = rates_along(system, verdict.end, 0.2 * t_end, scales)
     # More time helps only if an exponent is already positive.
     if rates.undecided(t_end) and (rates.exponents[1:] > rates.error[1:]).any():
@@ -248,7 +251,8 @@ def _transient(system: System, start: FloatArray, t_end: float) -> str:
     """
     for i in range(1, system.options.neighbours + 1):
         offset = i * system.options.offset
-        neighbour = judged(system, system.beside(start, offset), times=(t_end,))
+        beside = system.beside(start, offset)
+        neighbour = judged(system, beside, times=system.looks(system.scales(start), t_end))
         if neighbour.decided:
             return (
                 f"it is a transient: a motion that begins {offset:.0e} beside it comes to "

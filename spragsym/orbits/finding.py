@@ -202,8 +202,8 @@ def cycle_near(
                 return _checked(found)
             if len(flow_result.extrema) > 2:
                 break
-        times = [t * scales.time for t in system.options.times[:attempts]]
-        verdict = judged(system, start, times=times)
+        first = [t * scales.time for t in system.options.times[:attempts]]
+        verdict = judged(system, start, times=first if attempts else None)
     except ConvergenceError as error:
         raise ConvergenceError(f"the motion can't be followed: {error}{_steep(system)}") from error
     if verdict.kind == Regime.LIMIT_CYCLE:
@@ -631,7 +631,7 @@ def attractor_exponents(system: System, verdict: FateVerdict) -> tuple[str, Floa
         return kind, unknown, unknown
     if limit.orbit is None:
         values, _ = spectrum_at_rest(
-            system.field, system.constants, limit.state, system.mode(limit.state)
+            system.field, system.constants, limit.state, system.resting_mode(limit.state)
         )
         rates = np.full(size, -np.inf)
         rates[: len(values)] = values.real

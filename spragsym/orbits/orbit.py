@@ -10,7 +10,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,8 +22,9 @@ from ..display import Column
 from ..files import storage
 from ..models.field import Field, Values
 from ..models.model import Model
-from ..models.parameters import FloatArray
+from ..models.parameters import FloatArray, as_count
 from ..motion.lobatto import PiecewisePolynomial
+from ..motion.measures import Spectrum
 from ..motion.scales import scales_of
 from ..motion.shooting import (
     Iterate,
@@ -231,7 +232,33 @@ class Cycle(Result):
         2.0
         """
         chosen = {"rtol": 1e-13, "backend": self.backend} | options
-        return motion_of(self.field, self.values, self.state, periods * self.period, **chosen)
+        motion = motion_of(self.field, self.values, self.state, periods * self.period, **chosen)
+        return replace(motion, periods=int(periods) if periods == int(periods) else 0)
+
+    def spectrum(self, *, of: str | None = None, harmonics: int = 64) -> Spectrum:
+        """Fourier coefficients of a coordinate or rate: amplitudes and phases of its harmonics,
+        without a window.
+
+        Parameters
+        ----------
+        of : str, optional
+            A coordinate or its rate, as ``"y"`` or ``"vx"``; by default the first coordinate.
+        harmonics : int
+            Number of harmonics.
+
+        Returns
+        -------
+        Spectrum
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> cycle = ss.cycle(ss.load("stick_slip").Parameters(V=0.2))
+        >>> cycle.spectrum().amplitude[1:4].round(4)
+        array([0.3662, 0.088 , 0.017 ])
+        """
+        points = 64 * as_count("harmonics", harmonics, 1, 2**14)
+        return self.trajectory().spectrum(of=of, points=points)
 
     def to_xarray(self) -> Dataset:
         """An ``xarray.Dataset`` of the samples of one period, with all other results as attributes

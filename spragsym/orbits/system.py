@@ -92,6 +92,11 @@ class System:
         """Units of the motion from a state."""
         return scales_of(self.field, self.constants, state.tolist())
 
+    def looks(self, scales: MotionScales, t_end: float) -> list[float]:
+        """Times up to ``t_end`` at which a fate is judged."""
+        times = (t * scales.time for t in self.options.times)
+        return [*(t for t in times if t <= t_end / 2), t_end]
+
     def beside(self, state: FloatArray, share: float) -> FloatArray:
         """A state that deviates by a share of the units of the motion, as anything but the rate of
         a clock may.
@@ -109,6 +114,21 @@ class System:
         """The mode of a state."""
         return self.field.initial_mode(state.tolist(), self.constants)
 
+    def resting_mode(self, state: FloatArray) -> Mode:
+        """The mode of an equilibrium."""
+        position = state[: len(self.field.coordinates)]
+        return self.field.resting_mode(position.tolist(), self.constants)
+
+    def comes_to_a_border(self, state: FloatArray) -> bool:
+        """True if a motion that goes on steadily from a state will leave its mode."""
+        numbers, constants, mode = state.tolist(), self.constants, self.mode(state)
+        velocity = magnitude(state[self.field.size // 2 :] / self.scales(state).places)
+        return any(
+            -border.sign(mode) * self.field.level_rate(border, numbers, constants, mode)
+            > self.options.steady * velocity
+            for border in self.field.borders
+        )
+
     def equilibrium(self, near: FloatArray) -> FloatArray:
         """The equilibrium found by Newton's method from a state or its coordinates; (m,)."""
         n = len(self.field.coordinates)
@@ -121,7 +141,7 @@ class System:
     def linearization(self, state: FloatArray) -> FloatArray:
         """Jacobian of the motion at an equilibrium, (m, m), in units of the motion."""
         scales = self.scales(state)
-        matrix = self.field.matrix(state.tolist(), self.constants, self.mode(state))
+        matrix = self.field.matrix(state.tolist(), self.constants, self.resting_mode(state))
         return matrix * scales.time * scales.states / scales.states[:, None]
 
 
@@ -170,17 +190,30 @@ def judged(
     times: Sequence[float] | None = None,
     rtol: float | None = None,
 ) -> FateVerdict:
-    """Fate of the motion from a state, judged at each of ``times`` until it is decided."""
-    state, begun, options = start, 0.0, system.options
-    for t_end in times or [t * system.scales(start).time for t in options.times]:
+    """Fate of the motion from a state, judged at each of ``times`` until it is decided. By default
+    these are those of the options, and later ones while what friction holds is carried slowly.
+    """
+    state, begun, options, scales = start, 0.0, system.options, system.scales(start)
+    looks = list(times or [t * scales.time for t in options.times])
+    while True:
+        t_end = looks.pop(0)
         motion = system.motion(state, t_end - begun, rtol=options.rtol if rtol is None else rtol)
-        check_range(system.field, motion.state[:, -1], system.scales(start).states)
+        check_range(system.field, motion.state[:, -1], scales.states)
         outcome = motion.outcome(0.5 * (t_end - begun), options=options)
         verdict = FateVerdict(outcome, motion.state[:, -1].copy(), t_end)
-        if verdict.decided:
-            break
+        if not looks and not times and _is_slow(system, motion, scales.time):
+            looks = [10 * t_end]
+        if verdict.decided or not looks:
+            return verdict
         state, begun = verdict.end, t_end
-    return verdict
+
+
+def _is_slow(system: System, motion: Trajectory, unit: float) -> bool:
+    """True if hardly anything has happened in a motion, but something will."""
+    events = 0 if motion.events is None else len(motion.events)
+    mean_step = motion.t[-1] / len(motion.samples.steps)
+    will = events or system.comes_to_a_border(motion.state[:, -1])
+    return bool(mean_step > 10 * unit and events < 100 and will and motion.t[-1] < 1e15 * unit)
 
 
 def verified(

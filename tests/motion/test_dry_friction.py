@@ -257,3 +257,39 @@ def test_what_stays_on_a_curved_border_is_kept_there() -> None:
         assert tr.sticking == pytest.approx(held / 30.0, abs=1e-9)
         shares.append(tr.sticking)
     assert shares[0] == pytest.approx(shares[1], abs=1e-6)
+
+
+@pytest.mark.parametrize("V", [1e-11, 1e-12])
+def test_what_a_slow_belt_carries_slips_as_ever_and_is_never_at_rest(V: float) -> None:
+    """From x = 0.6 to 0.2, and states within the stated error of the circle about x = 0.4."""
+    p = BRAKE.Parameters(V=V)
+    tr = ss.simulate(p, start=(0.6 - 1000 * V, V), t_end=1003.0, rtol=1e-12, estimate_error=True)
+    slides = tr.t > 1001.2
+    exact = 0.4 + 0.2 * np.cos(tr.t[slides] - 1000.0)
+    assert tr.error is not None
+    assert (np.abs(tr.state[0, slides] - exact) <= tr.error[slides]).all()
+    assert V == 1e-12 or tr.error.max() < 1e-4
+    stuck = ss.simulate(p, start=(0.6, V), t_end=10.0).events.of("stick").state
+    np.testing.assert_allclose(stuck, [[0.2, V]], atol=1e-11)
+    assert ss.fate(p).kind == "undecided"
+    two = ss.load("two_blocks").Parameters(V=V)
+    assert ss.fate(two).kind == "undecided"
+
+
+def test_a_motion_is_followed_until_a_slow_belt_lets_it_slip() -> None:
+    """From the state at rest, which the belt carries to x = 0.6 in 0.6/V: Δ = 0.2."""
+    found, V = ss.fate(BRAKE.Parameters(V=1e-6)), 1e-6
+    period = 0.4 / V + 2 * np.pi - 2 * np.arctan(0.2 / V)
+    assert (found.kind, found.outcome.period) == ("cycle", pytest.approx(period, rel=1e-12))
+
+
+def test_error_has_the_rounding_of_large_times() -> None:
+    """At t = 1e9 that is 1e-7, and the speed is 0.2."""
+    V = 1e-9
+    p, slips = BRAKE.Parameters(V=V), 0.4 / V
+    tr = ss.simulate(p, start=(0.2, V), t_end=slips + 3.0, rtol=1e-12, estimate_error=True)
+    slides = tr.t > slips + 0.1
+    exact = 0.4 + 0.2 * np.cos(tr.t[slides] - slips)
+    assert tr.error is not None
+    assert (np.abs(tr.state[0, slides] - exact) <= tr.error[slides]).all()
+    assert 2e-8 < tr.error[-1] < 2e-6

@@ -15,7 +15,7 @@ import mpmath
 import numpy as np
 import pytest
 import scipy.stats
-from scipy.integrate import solve_ivp
+from scipy.integrate import quad, solve_ivp
 from scipy.optimize import fsolve
 
 import spragsym as ss
@@ -985,3 +985,33 @@ def test_a_torus_is_seen_by_simulations_on_both_sides() -> None:
         )
         assert (late > 1.2 * early) == (side < 0)
         assert (late < 0.8 * early) == (side > 0)
+
+
+def test_harmonics_of_a_cycle_are_those_of_its_closed_form() -> None:
+    """Of a block that a belt carries from x = 0.2 to 0.6, and that slides back on a circle."""
+    V, slip = 0.1, 0.2
+    found = ss.cycle(ss.load("coulomb_stick_slip").Parameters(V=V))
+    radius, carried, phase = np.hypot(slip, V), 0.4 / V, np.arctan2(V, slip)
+    period = carried + 2 * np.pi - 2 * np.arctan(slip / V)
+
+    def place(t: float) -> float:
+        return 0.2 + V * t if t < carried else 0.4 + radius * float(np.cos(phase - t + carried))
+
+    spectrum = found.spectrum()
+    drawn = ss.figures.draw_spectrum(found.trajectory(3)).get_ydata()
+    for k in (1, 2, 3, 30):
+        weights = {"wvar": 2 * np.pi * k / period, "limit": 400, "epsabs": 1e-13}
+        parts = [
+            quad(place, *ends, weight=wave, **weights)[0]
+            for wave in ("cos", "sin")
+            for ends in ((0.0, carried), (carried, period))
+        ]
+        exact = 2 / period * np.hypot(parts[0] + parts[1], parts[2] + parts[3])
+        assert spectrum.amplitude[k] == pytest.approx(exact, abs=1e-12)
+        assert spectrum.frequency[k] == pytest.approx(k / period)
+        assert k == 30 or np.asarray(drawn)[k] == pytest.approx(exact, abs=1e-11)
+    t = np.linspace(0.0, found.period, 9)
+    waves = np.cos(2 * np.pi * spectrum.frequency * t[:, None] + spectrum.phase)
+    x = found.trajectory()(t)[0]
+    np.testing.assert_allclose(found.mean + waves @ spectrum.amplitude, x, atol=1e-5)
+    assert found.trajectory().after(1.0).spectrum(0.0).window == "Hann"

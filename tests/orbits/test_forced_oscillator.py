@@ -58,3 +58,13 @@ def test_it_creeps_to_the_end_of_what_friction_holds() -> None:
             ss.cycle(p, near=(start, 0.0))
     with pytest.raises(ss.errors.ConvergenceError, match="what Newton's method finds is rest"):
         ss.cycle(p, turns=1, near=(0.5, 0.0))
+
+
+def test_a_fate_is_the_same_for_every_time_after_the_motion_has_settled() -> None:
+    """Of a mass that friction holds where x is largest, by `lyapunov` as by `fate`."""
+    p = MODEL.Parameters(mu_s=1.2, mu_k=0.8, omega=0.45)
+    turn = 2 * np.pi / 0.45
+    for t_end in (300.0, 500.0, 1021.0, 4000.0, 41000.0):
+        found = ss.fate(p, t_end=t_end)
+        assert (found.kind, found.outcome.period) == ("cycle", pytest.approx(turn))
+    assert ss.lyapunov(p, t_end=300.0).kind == "cycle"

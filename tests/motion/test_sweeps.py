@@ -205,3 +205,18 @@ def test_the_page_on_clusters_runs(
         exec(cell, names)
     assert (len(cells), len(killed)) == (4, 1)
     assert capsys.readouterr().out.splitlines()[1:] == ["True", "True", "True"]
+
+
+@pytest.mark.thorough
+def test_basins_say_by_default_what_fates_are() -> None:
+    """Of a motion that decays for 10,000 units of time; with a t_end a remark counts the others."""
+    p = ss.Parameters.article(theta0=np.radians(30))
+    speeds = {"V": 0.5, "d": 4.0}
+    found = ss.basin(p, **speeds, x=[0.1], vx=[0.0])
+    fate = ss.fate(p, **speeds, start=(0.1, 0.0, 0.0, 0.0))
+    assert fate.kind == "rest"
+    assert [regime.name for regime, *_ in found.attractors] == ["EQUILIBRIUM"]
+    assert not found.remarks
+    short = ss.basin(p, **speeds, x=[0.1], vx=[0.0], t_end=200.0)
+    assert [regime.name for regime, *_ in short.attractors] == ["UNSETTLED"]
+    assert "1 of 1 motions have no limit by t = 200" in short.remarks[0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -14,9 +14,12 @@ from ...core.errors import ParameterTypeError
 from ...core.questions import model_of
 from ...display import Column, named_fields
 from ...models.parameters import FloatArray, ParameterSet, as_numbers
-from ...numerics.interval_arrays import IntArray
+from ...numerics.interval_arrays import BoolArray, IntArray
 from ...results.result import Named
+from ..options import MotionOptions
 from ..regimes import Outcome, Regime, RestSets, same_limit
+from ..scales import scales_of
+from ..simulation import initial_state
 from .many import Sweep, rms_sweep
 
 
@@ -40,8 +43,8 @@ class Basin(Named):
     sweep : Sweep
         All results.
     remarks : tuple of str
-        Attractors that may be the same: states of rest held by friction that are not proved to be
-        connected.
+        How many motions have no limit, and attractors that may be the same: states of rest held by
+        friction that are not proved to be connected.
     """
 
     schema = (
@@ -93,8 +96,10 @@ def basin(
     **starts
         Two of the coordinates and rates by their names, one axis each, as ``x=…, vx=…``: the grid
         has every value of one with every value of the other. Also the rest of the initial state, as
-        ``y0=…``, parameters, as ``V=0.5``, and options of :func:`rms_sweep`. A motion that has no
-        limit by ``t_end`` is ``Regime.UNSETTLED``. In the article's model deviations decay at the
+        ``y0=…``, parameters, as ``V=0.5``, and options of :func:`rms_sweep`. Without ``t_end``
+        motions are followed as by :func:`spragsym.fate`: those that are undecided at one of
+        ``options.times`` up to the next. A motion that has no limit by then, or by ``t_end``, is
+        ``Regime.UNSETTLED``, which a remark counts. In the article's model deviations decay at the
         rate μ₀ d exp(−d V) n, with the contact force n, which can take tens of thousands of time
         units.
 
@@ -140,7 +145,7 @@ def basin(
             )
     (one, first), (other, second) = axes.items()
     options = {one + "0": first[:, None], other + "0": second, **starts}
-    sweep = rms_sweep(p, **options)
+    sweep = rms_sweep(p, **options) if "t_end" in options else _looked_at(p, options)
     field = sweep.model.field
     one_limit = partial(
         same_limit,
@@ -149,6 +154,60 @@ def basin(
         sets=RestSets(p),
     )
     return Basin((one, other), (first, second), sweep=sweep, **_attractors(sweep, one_limit))
+
+
+def _looked_at(p: ParameterSet, options: dict[str, Any]) -> Sweep:
+    """The sweep with the limits of motions that are followed until they are decided, to each of the
+    times at which fates are judged.
+    """
+    chosen = options.get("options") or MotionOptions()
+    points = {
+        name: options[name] for name in options if name.removesuffix("0") in p.model.components
+    }
+    # What is thrown far takes ever more steps.
+    settings: dict[str, Any] = {"rtol": chosen.rtol, "max_steps": 1_000_000} | {
+        name: value for name, value in options.items() if name not in points
+    }
+    state = initial_state(p.model, None, points, p)
+    scales = scales_of(
+        p.model.field,
+        p.model.field.constants(p.scalars(*p.ranges)),
+        [float(np.ravel(value)[0]) for value in state.values()],
+    )
+    found: Sweep | None = None
+    for look in chosen.times:
+        t_end = look * scales.time
+        if found is None:
+            found = rms_sweep(p, t_end=t_end, transient=t_end / 2, **points, **settings)
+            continue
+        open_ = found.regime == Regime.UNSETTLED
+        if not open_.any():
+            break
+        some = {name: np.broadcast_to(found.inputs[name], open_.shape)[open_] for name in points}
+        later = rms_sweep(p, t_end=t_end, transient=t_end / 2, **some, **settings)
+        found = _with_later(found, open_, later)
+    assert found is not None
+    return found
+
+
+def _with_later(found: Sweep, open_: BoolArray, later: Sweep) -> Sweep:
+    """The sweep in which some motions are replaced by those of a longer one."""
+    measured = {name: values.copy() for name, values in found.measured.items()}
+    for name, values in measured.items():
+        values[open_] = later.measured[name]
+    regime, equilibrium = found.regime.copy(), found.equilibrium.copy()
+    regime[open_], equilibrium[open_] = later.regime, later.equilibrium
+    reason = found.reason.astype(object)
+    reason[open_] = later.reason
+    return replace(
+        found,
+        t_end=later.t_end,
+        transient=later.transient,
+        measured=measured,
+        regime=regime,
+        equilibrium=equilibrium,
+        reason=reason.astype(str),
+    )
 
 
 def _attractors(
@@ -173,14 +232,20 @@ def _attractors(
             if possibly_same:
                 unknown[label] = possibly_same
         labels[tuple(index)] = label
+    count = np.count_nonzero(sweep.regime == Regime.UNSETTLED)
+    open_ = f"{count} of {labels.size} motions have no limit by t = {sweep.t_end:g}"
+    open_ = f"{open_}: give a longer t_end, or ask ss.fate of a start"
     return {
         "attractor": labels,
         "attractors": tuple(
             (one.limit, one.equilibrium, one.cycle_mean, one.cycle_spread) for one in limits
         ),
-        "remarks": tuple(
-            f"attractor {one} is rest where friction holds, as {', '.join(map(str, others))}: no "
-            "path of such states between them is proved, and they may be one"
-            for one, others in unknown.items()
+        "remarks": (
+            *[open_] * bool(count),
+            *(
+                f"attractor {one} is rest where friction holds, as {', '.join(map(str, others))}: "
+                "no path of such states between them is proved, and they may be one"
+                for one, others in unknown.items()
+            ),
         ),
     }

@@ -1,0 +1,214 @@
+"""Every onset of squeal of a model of matrices along a parameter, proved by the main inertia theorem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy.linalg import lu_factor, lu_solve
+
+from ..core.progress import doing, tell
+from ..numerics.definite import Middle, Pencil, Series, Window, window
+from ..numerics.interval_arrays import BoolArray, ComplexArray
+from .options import MatrixOptions
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Values of the parameter from ``low`` to ``high`` at which ``count`` eigenvalues grow faster than
+    the threshold, and none as fast: proved.
+    """
+
+    low: float
+    high: float
+    count: int
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """A value of the parameter at which one eigenvalue, with its conjugate, passes the threshold."""
+
+    value: float
+    proof: Window
+
+
+@dataclass
+class Search:
+    """The proof over a range, by stretches about middles and windows about crossings.
+
+    What is left between them is halved until it is as narrow as the option ``least`` says.
+    """
+
+    pencil: Pencil
+    span: tuple[float, float]
+    growth: float
+    options: MatrixOptions
+    stretches: list[Stretch] = field(default_factory=list)
+    crossings: list[Crossing] = field(default_factory=list)
+    undecided: list[tuple[float, float]] = field(default_factory=list)
+
+    def run(self) -> Search:
+        """The search, to its end."""
+        low, high = self.span
+        gaps: list[tuple[float, float, float | None]] = [(low, high, None)]
+        least, left = self.options.least * (high - low), self.options.middles
+        with doing("onsets of squeal"):
+            while gaps:
+                gap = gaps.pop()
+                if gap[1] - gap[0] <= least or not left:
+                    self.undecided.append(gap[:2])
+                    continue
+                left -= 1
+                gaps += self._about(*gap)
+                tell(
+                    "{} onsets, {:.1%} of the range proved",
+                    len(self.crossings),
+                    1.0 - sum(b - a for a, b, _ in gaps) / (high - low),
+                )
+        self.stretches.sort(key=lambda one: one.low)
+        self.crossings.sort(key=lambda one: one.value)
+        self.undecided.sort()
+        return self
+
+    def _about(
+        self, low: float, high: float, guess: float | None
+    ) -> Iterator[tuple[float, float, float | None]]:
+        """What is left of a gap after a proof about its middle, or about the crossing in it; with the
+        value of the crossing that is next there, if one is foreseen.
+        """
+        t = 0.5 * (low + high) if guess is None else guess
+        middle = self._middle(t)
+        if middle is None:
+            for ends in ((low, t), (t, high)):
+                yield (*ends, None)
+            return
+        left = right = t
+        if guess is None:
+            signs, free = middle.values.real, self._near(middle, max(high - t, t - low))
+            sides = (Series(middle, signs, self.options.terms, free),) * 2
+            left, right = self._reached(sides, low, high)
+        elif (found := self._crossing(middle, low, high)) is not None:
+            left, right = found
+        for near, far, side in ((left, low, -1), (right, high, 1)):
+            if far * side > near * side:
+                ends = (far, near) if side < 0 else (near, far)
+                yield (*ends, self._foreseen(middle, ends))
+
+    def _middle(self, t: float) -> Middle | None:
+        """The eigenbasis at a value; None if floats have none."""
+        try:
+            middle = Middle(self.pencil, t, self.growth)
+        except np.linalg.LinAlgError:
+            return None
+        return middle if middle.is_finite else None
+
+    @staticmethod
+    def _near(middle: Middle, reach: float) -> BoolArray:
+        """The eigenvalues that pass the threshold within the reach, by floats to second order."""
+        steps = (reach * np.linspace(-1.0, 1.0, 17))[:, None] ** np.arange(3)
+        growth = (steps @ middle.paths).real
+        return ~((growth > 0).all(axis=0) | (growth < 0).all(axis=0))
+
+    def _reached(
+        self,
+        sides: tuple[Series, Series],
+        low: float,
+        high: float,
+        least: float = 0.0,
+        touching: int | None = None,
+    ) -> tuple[float, float]:
+        """Ends of the stretches about a middle, within the gap; the stretches are kept."""
+        t = sides[0].middle.t
+        ends = [t, t]
+        shortest = least or 1e-3 * self.options.least * (self.span[1] - self.span[0])
+        for index, (series, side, end) in enumerate(zip(sides, (-1, 1), (low, high), strict=True)):
+            limit = float(np.nextafter(abs(end - t), np.inf))
+            if (end - t) * side <= shortest:
+                continue
+            h = series.reach(side, limit, shortest, touching)
+            if h > 0:
+                stop = end if h == limit else float(np.nextafter(t + side * h, t))
+                start = t + side * least
+                self.stretches.append(Stretch(min(start, stop), max(start, stop), series.count))
+                ends[index] = stop
+        return ends[0], ends[1]
+
+    def _crossing(self, middle: Middle, low: float, high: float) -> tuple[float, float] | None:
+        """Ends of the proof about a crossing, which is kept; None if it can't be proved."""
+        index = int(np.abs(middle.values.real).argmin())
+        width = self.span[1] - self.span[0]
+        found = None
+        for power in range(3, 11):
+            found = window(middle, index, width * 10.0**-power)
+            if found is not None:
+                break
+        if found is None:
+            return None
+        self.crossings.append(Crossing(middle.t, found))
+        sides = list[Series]()
+        free = self._near(middle, max(high - middle.t, middle.t - low))
+        free[index] = True
+        for side in (-1, 1):
+            signs = middle.values.real.copy()
+            signs[index] = side * found.direction
+            sides.append(Series(middle, signs, self.options.terms, free))
+        left, right = self._reached((sides[0], sides[1]), low, high, found.half, index)
+        near = np.nextafter(found.half, 0.0)
+        return (
+            min(left, float(np.nextafter(middle.t - near, middle.t))),
+            max(right, float(np.nextafter(middle.t + near, middle.t))),
+        )
+
+    def _foreseen(self, middle: Middle, ends: tuple[float, float]) -> float | None:
+        """The value of a crossing in a gap, by floats from the eigenvalues beside it; None if none is
+        foreseen.
+        """
+        away = np.array(ends) - middle.t
+        near, far = away[np.abs(away).argsort()]
+        steps = np.linspace(near, min(far, max(4.0 * near, 0.02 * far), key=abs), 25)
+        along = steps[:, None] ** np.arange(3) @ middle.paths
+        passed = along.real * np.where(middle.values.real > 0, 1.0, -1.0) <= 0.0
+        if not passed.any():
+            return None
+        index = int(np.where(passed.any(axis=0), passed.argmax(axis=0), len(steps)).argmin())
+        step = int(passed[:, index].argmax())
+        value = polished(
+            self.pencil, self.growth, middle.t + float(steps[step]), abs(along[step, index].imag)
+        )
+        return value if value is not None and ends[0] < value < ends[1] else None
+
+
+def polished(pencil: Pencil, growth: float, value: float, frequency: float) -> float | None:
+    """The parameter at which an eigenvalue has the real part ``growth``, by Newton's method in floats."""
+    M, size = pencil.mass, len(pencil.mass)
+    s, step = complex(growth, frequency), np.inf
+    q: ComplexArray = np.ones(size, dtype=complex)
+    y = q.copy()
+    for turn in range(30):
+        D, S = pencil.at(value)
+        L = s * s * M + s * D + S
+        try:
+            factors = lu_factor(L, check_finite=False)
+        except (ValueError, np.linalg.LinAlgError):
+            return None
+        dL = 2.0 * s * M + D
+        for _ in range(3 if turn == 0 else 1):
+            q = lu_solve(factors, dL @ q, check_finite=False)
+            q /= np.linalg.norm(q)
+            y = lu_solve(factors, dL.T @ y, trans=1, check_finite=False)
+            y /= np.linalg.norm(y)
+        by_s = y @ (dL @ q)
+        by_t = y @ ((s * pencil.damping_slope + pencil.stiffness_slope) @ q)
+        away = -(y @ (L @ q)) / by_s
+        slope = -by_t / by_s
+        if not np.isfinite(away) or not np.isfinite(slope) or slope.real == 0.0:
+            return None
+        step = (growth - (s + away).real) / slope.real
+        value += float(step)
+        s = complex(growth, (s + away + slope * step).imag)
+        if abs(step) <= 4e-16 * max(abs(value), 1e-3 * abs(step)) or (
+            turn > 4 and abs(step) <= 1e-12 * abs(value)
+        ):
+            return value
+    return None

@@ -414,7 +414,7 @@ def _apart(
     moved = radii + r * np.abs(slopes)
     for one in some:
         room = np.abs(values - values[one]) - _COVER * (moved + moved[one])
-        room[one] = np.inf if len(some) == 1 else abs(values[one].imag) - _COVER * moved[one]
+        room[one] = abs(values[one].imag) - _COVER * moved[one] if values[one].imag else np.inf
         if not (room > 0).all():
             return False
     return True
@@ -442,30 +442,34 @@ def window(middle: Middle, index: int, half: float) -> Window | None:
     slope_rest = slope_rest + gamma(8) * middle.bound_in_pairs(np.abs(middle.slope))
     apart = np.abs(values - values[j])
     others = np.arange(len(values)) != j
-    theta = float((4.0 * r * size[others, j] / apart[others]).max(initial=1e-8))
-    if not theta < 1.0:
-        return None
+    moduli = np.abs(values)
 
-    def radii(reach: float, own: float) -> FloatArray:
-        """Radii of the discs, with the weight ``own`` of the eigenvalue's row, at \\|τ\\| ≤ reach."""
-        weight = np.ones(len(values))
-        weight[j] = own
+    def radii(reach: float, weight: FloatArray) -> FloatArray:
+        """Radii of the discs, with weights of the rows, for \\|τ\\| ≤ reach."""
         part = delta @ weight / weight
         small = (rest + reach * slope_rest) @ weight / weight
-        moduli = np.abs(values) + reach * np.abs(slopes)
-        away = (reach * (size @ weight) / weight + small + moduli * part) / (1.0 - part)
+        size_of = moduli + reach * np.abs(slopes)
+        away = (reach * (size @ weight) / weight + small + size_of * part) / (1.0 - part)
         return np.where(part < 0.5, _COVER * away, np.inf)
 
-    wide, centre = radii(r, 1.0 / theta), float(radii(0.0, 1.0 / theta)[j])
-    if not _apart(values, slopes, r, wide, {j, conjugate}):
+    # Weights by which the other discs have a quarter of their distance, and its own is smallest.
+    even = np.ones(len(values))
+    weight, apart[j] = np.where(others, 0.0, 1.0), 1.0
+    coupled = r * (size + slope_rest) + rest + moduli[:, None] * delta
+    for _ in range(8):
+        weight = np.where(others, 1e-14 + 4.0 * (coupled @ weight) / apart, 1.0)
+    if not weight.max() <= 1.0:
         return None
-    # Whether the others stay off the axis is asked of discs with equal weights.
-    even = radii(r, 1.0)
-    across = even + r * np.abs(slopes.real)
+    wide, centre = radii(r, weight), float(radii(0.0, weight)[j])
+    if not _apart(values, slopes, r, wide, {j}):
+        return None
+    # Discs with equal weights show that the others stay off the axis.
+    plain = radii(r, even)
     stays = others & (np.arange(len(values)) != conjugate)
-    if not _apart(values, slopes, r, even, {j, conjugate}):
+    off_axis = np.abs(values.real) > _COVER * (plain + r * np.abs(slopes.real))
+    if not _apart(values, slopes, r, plain, {j, conjugate}) or not off_axis[stays].all():
         return None
-    if not (np.abs(values.real) > _COVER * across)[stays].all():
+    if not wide[j] <= plain[j]:  # the one eigenvalue is the same in both
         return None
     bend = _COVER * 2.0 * float(wide[j]) / r
     slope = float(slopes[j].real)

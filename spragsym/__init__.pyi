@@ -30,6 +30,9 @@ from .design.tube_certificates import certify as certify
 from .explorer import explore as explore
 from .kang_nam.parameters import Parameters as Parameters
 from .kang_nam.parameters import PhysicalParameters as PhysicalParameters
+from .matrices.answers import modes as modes
+from .matrices.model import matrices as matrices
+from .matrices.options import MatrixOptions as MatrixOptions
 from .models import Model as Model
 from .models import load as load
 from .models.quantities import Scales as Scales

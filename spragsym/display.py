@@ -118,7 +118,7 @@ def own_name(model: Model, name: str) -> str:
 @lru_cache(maxsize=256)
 def columns_of_class(kind: type, model: Model) -> dict[str, Column]:
     """Columns that a class of results may have for a model, by name, the model's own among them."""
-    own, first = model.columns, model.coordinates[0]
+    own, first = model.columns, next(iter(model.coordinates), "")
     over = {
         "{q}": model.coordinates,
         "{y}": model.coordinates[1:],

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.errors import ParameterError
 from ..core.questions import Method, question
 from ..core.remarks import At, Remark
 from ..display import Column, own_name
@@ -94,6 +95,7 @@ def flutter_onsets(
     damping: bool | None = None,
     between: Ranges | None = None,
     within: Ranges | None = None,
+    threshold: float | None = None,
     options: SearchOptions | None = None,
     method: Method = "auto",
 ) -> Onsets:
@@ -113,6 +115,9 @@ def flutter_onsets(
         default True unless C is 0, decided for each combination of touching contacts.
     between, within, options, method
         As for :func:`spragsym.folds`; a closed form is there for (27) along θ₀.
+    threshold : float, optional
+        Growth in 1/s above which it counts, of matrices: see :func:`spragsym.matrices`, whose onsets
+        are :class:`spragsym.results.MatrixOnsets`, and whose options are ``MatrixOptions``.
 
     Returns
     -------
@@ -153,6 +158,10 @@ def flutter_onsets(
     >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
     ([0.101, 1.4035], ['supercritical', 'subcritical'])
     """
+    if threshold is not None:
+        raise ParameterError(
+            f"threshold = {threshold!r:.60} is for matrices; leave it out for {p.model.name}"
+        )
     name = p.model.one(vary)
     families = Family.every(p, (name,), between, within, options)
     found = together([_in_combination(family, damping) for family in families])

@@ -31,6 +31,7 @@ class Crossing:
 
     value: float
     proof: Window
+    partner: float  #: frequency of the mode that bends its eigenvalue most, by floats
 
 
 @dataclass
@@ -70,6 +71,16 @@ class Search:
         self.crossings.sort(key=lambda one: one.value)
         self.undecided.sort()
         return self
+
+    def merged(self) -> list[Stretch]:
+        """The stretches, those that touch and have one count as one, in order."""
+        out = list[Stretch]()
+        for one in self.stretches:
+            if out and out[-1].count == one.count and one.low <= out[-1].high:
+                out[-1] = Stretch(out[-1].low, max(out[-1].high, one.high), one.count)
+            else:
+                out.append(one)
+        return out
 
     def _about(
         self, low: float, high: float, guess: float | None
@@ -145,7 +156,7 @@ class Search:
                 break
         if found is None:
             return None
-        self.crossings.append(Crossing(middle.t, found))
+        self.crossings.append(Crossing(middle.t, found, _partner(middle, index)))
         sides = list[Series]()
         free = self._near(middle, max(high - middle.t, middle.t - low))
         free[index] = True
@@ -177,6 +188,18 @@ class Search:
             self.pencil, self.growth, middle.t + float(steps[step]), abs(along[step, index].imag)
         )
         return value if value is not None and ends[0] < value < ends[1] else None
+
+
+def _partner(middle: Middle, index: int) -> float:
+    """Frequency of the mode that bends an eigenvalue most, by perturbation to second order."""
+    p = middle.pairs
+    if index >= p or p < 2:
+        return float("nan")
+    B = middle.in_pairs(middle.slope)[:p, :p]
+    away = middle.values[:p] - middle.values[index]
+    away[index] = np.inf
+    bends = np.abs(B[index] * B[:, index] / np.where(away == 0, np.inf, away))
+    return float(middle.values[int(bends.argmax())].imag)
 
 
 def polished(pencil: Pencil, growth: float, value: float, frequency: float) -> float | None:

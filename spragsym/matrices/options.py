@@ -24,9 +24,9 @@ class MatrixOptions(Options):
     --------
     >>> import spragsym as ss
     >>> ss.MatrixOptions(middles=200).terms
-    14
+    9
     """
 
-    terms: int = limit(14, 2, 40)
+    terms: int = limit(9, 2, 40)
     least: float = option(1e-9, 1e-14, 0.1)
     middles: int = limit(10_000)

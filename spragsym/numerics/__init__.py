@@ -14,6 +14,7 @@ __all__ = [
     "columns",
     "contractors",
     "decimals",
+    "definite",
     "double_double",
     "interval_arrays",
     "jets",

@@ -88,19 +88,23 @@ class Pencil:
         """Most roundings of an element of D or S."""
         return 2 * max(len(self.damping), len(self.stiffness)) + 4
 
+    def companion(self, t: float, scale: float = 1.0) -> FloatArray:
+        """The matrix A of x′ = A x, in floats, with x = (q, q′/scale)."""
+        N, (D, S) = len(self.mass), self.at(t)
+        A = np.zeros((2 * N, 2 * N))
+        A[:N, N:] = scale * np.eye(N)
+        A[N:] = -np.linalg.solve(self.mass, np.hstack([S / scale, D]))
+        return A
+
     def eigenbasis(self, t: float) -> tuple[ComplexArray, ComplexArray]:
         """Eigenvalues λ and vectors q as columns, in floats: of each pair the one with Im λ > 0,
         then real ones.
         """
-        N, (D, S) = len(self.mass), self.at(t)
-        scale = np.sqrt(np.abs(S).max() / np.abs(self.mass).max())
-        A = np.zeros((2 * N, 2 * N))
-        A[:N, N:] = scale * np.eye(N)
-        A[N:] = -np.linalg.solve(self.mass, np.hstack([S / scale, D]))
-        values, vectors = np.linalg.eig(A)
+        scale = float(np.sqrt(np.abs(self.at(t)[1]).max() / np.abs(self.mass).max())) or 1.0
+        values, vectors = np.linalg.eig(self.companion(t, scale))
         values, vectors = values.astype(complex), vectors.astype(complex)
         kept = np.concatenate([np.flatnonzero(values.imag > 0), np.flatnonzero(values.imag == 0)])
-        return values[kept], vectors[:N, kept]
+        return values[kept], vectors[: len(self.mass), kept]
 
 
 def _sum(terms: Terms) -> FloatArray:

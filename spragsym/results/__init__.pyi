@@ -9,6 +9,8 @@ from ..design.margins import JumpMargin as JumpMargin
 from ..design.margins import Redesign as Redesign
 from ..design.probability import JumpProbability as JumpProbability
 from ..display import Column as Column
+from ..matrices.answers import MatrixOnsets as MatrixOnsets
+from ..matrices.answers import Modes as Modes
 from ..motion import Events as Events
 from ..motion import Outcome as Outcome
 from ..motion import Trajectory as Trajectory

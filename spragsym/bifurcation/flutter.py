@@ -116,8 +116,8 @@ def flutter_onsets(
     between, within, options, method
         As for :func:`spragsym.folds`; a closed form is there for (27) along θ₀.
     threshold : float, optional
-        Growth in 1/s above which it counts, of matrices: see :func:`spragsym.matrices`, whose onsets
-        are :class:`spragsym.results.MatrixOnsets`, and whose options are ``MatrixOptions``.
+        Growth in 1/s above which it counts, of :func:`spragsym.matrices` alone. Their onsets are
+        :class:`spragsym.results.MatrixOnsets`, and their options ``MatrixOptions``.
 
     Returns
     -------

@@ -117,6 +117,12 @@ def model_of(*things: Any) -> Model:
     return model
 
 
+def require_answered(name: str, *things: object) -> None:
+    """Raise ModelError if the model of a set of parameters has no answer to a question."""
+    for _, kind in _sets(things):
+        kind.model_of_class().require_answered(name)
+
+
 def _is_set(thing: object) -> bool:
     return hasattr(type(thing), "model_of_class")
 

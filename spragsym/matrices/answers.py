@@ -29,6 +29,9 @@ class _OfMatrices(Named, Rows):
     _held = "values"
     values: Mapping[str, NDArray[Any]]
 
+    def _shown(self) -> dict[str, Any]:
+        return self.data() | {"remarks": getattr(self, "remarks", ())}
+
     def data(self) -> dict[str, NDArray[Any]]:
         """The columns by name.
 
@@ -60,8 +63,8 @@ class MatrixOnsets(_OfMatrices):
     error : ndarray
         Bound on the error of the parameter.
     kind : ndarray of str
-        ``"flutter"`` where a pair of eigenvalues passes the threshold, ``"divergence"`` where a real
-        one does.
+        ``"flutter"`` where a pair of eigenvalues passes the threshold, ``"divergence"`` where a
+        real one does.
     direction : ndarray of str
         ``"up"`` where it grows faster than the threshold for larger values, ``"down"`` for smaller.
     partner : ndarray
@@ -113,7 +116,7 @@ def flutter_onsets(
     """The onsets of a model of matrices: all values at which an eigenvalue passes the threshold.
 
     ``vary`` is ``mu`` by default, over [0, 1]. The default of ``threshold`` is 0 if all modes are
-    damped at the lower end, else a share of the model's own damping, which a remark says.
+    damped without friction, else a share of the model's own damping, which a remark says.
     """
     if others:
         raise ParameterError(
@@ -130,7 +133,9 @@ def flutter_onsets(
     pencil = model.pencil(p, name)
     remarks = list[str]()
     if threshold is None:
-        growth, said = _default(np.linalg.eigvals(pencil.companion(span[0])))
+        # The model's own damping is that without friction.
+        own = p.replace(**{name: span[0]}).replace(mu=0.0)
+        growth, said = _default(model.pencil(own, "mu").eigenbasis(0.0)[0])
         remarks += said
     else:
         growth = as_number("threshold", threshold)
@@ -148,9 +153,10 @@ def flutter_onsets(
             )
     if found.undecided:
         gaps = np.array(found.undecided)
+        share = np.diff(gaps).sum() / (span[1] - span[0])
         remarks.append(
-            f"undecided in {len(gaps)} parts, {(gaps[:, 1] - gaps[:, 0]).sum() / (span[1] - span[0]):.1e} "
-            f"of the range, between {gaps.min():.10g} and {gaps.max():.10g}"
+            f"undecided in {len(gaps)} parts, {share:.1e} of the range, between {gaps.min():.10g} "
+            f"and {gaps.max():.10g}"
         )
     proofs = [one.proof for one in rows]
     frequency = np.array([one.frequency for one in proofs])
@@ -177,16 +183,17 @@ def flutter_onsets(
 
 
 def _default(values: ComplexArray) -> tuple[float, list[str]]:
-    """The threshold for eigenvalues at the beginning of a range, and a remark on it."""
+    """The threshold for eigenvalues without friction, and a remark on it."""
     size = np.abs(values)
     moving = size > 1e-6 * size.max()
-    ratio, size, rate = (-values.real / np.maximum(size, 1e-300))[moving], size[moving], -values.real
+    rate, size = -values.real[moving], size[moving]
+    ratio = rate / size
     neutral = np.abs(ratio) <= _UNDAMPED
     damped = ratio > _UNDAMPED
     if not neutral.any() and moving.all():
         return 0.0, []
     if damped.any():
-        growth = 1e-3 * float(np.median(rate[moving][damped]))
+        growth = 1e-3 * float(np.median(rate[damped]))
         why = "a thousandth of the median decay of the damped modes, as some modes are undamped"
     else:
         growth = 1e-4 * float(size.min())
@@ -230,7 +237,8 @@ class Modes(_OfMatrices):
     def sensitivities(self) -> dict[str, ComplexArray]:
         """dλ/dp of each parameter by its name: its real part is that of the growth."""
         return {
-            name: self.values[f"growth_by_{name}"] + 2j * np.pi * self.values[f"frequency_by_{name}"]
+            name: self.values[f"growth_by_{name}"]
+            + 2j * np.pi * self.values[f"frequency_by_{name}"]
             for name in self.parameters.model.parameters
         }
 
@@ -261,9 +269,10 @@ def modes(p: ParameterSet) -> Modes:
     Examples
     --------
     >>> import numpy as np, spragsym as ss
-    >>> m = ss.matrices(M=np.eye(2), K=np.diag([4.0, 9.0]), friction=np.zeros((2, 2)), rayleigh=(0.1, 0))
+    >>> none = np.zeros((2, 2))
+    >>> m = ss.matrices(M=np.eye(2), K=np.diag([4.0, 9.0]), friction=none, rayleigh=(0.1, 0))
     >>> found = ss.modes(m.Parameters(mu=0.0))
-    >>> (2 * np.pi * found.frequency_hz).round(3), found.growth.round(3), found.damping_ratio.round(4)
+    >>> found.omega.round(3), found.growth.round(3), found.damping_ratio.round(4)
     (array([1.999, 3.   ]), array([-0.05, -0.05]), array([0.025 , 0.0167]))
     """
     model = getattr(p, "model", None)

@@ -1,1 +1,121 @@
-def read(path): raise NotImplementedError
+"""Matrices from files: MatrixMarket, Harwell-Boeing, MATLAB, NumPy and SciPy."""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ..core.errors import ParameterError, one_of
+from ..files.text import FilePath, contents, path_text
+
+#: Bytes of the largest file that is read.
+LARGEST = 2_000_000_000
+
+
+def read(path: FilePath, variable: str | None = None) -> Any:
+    """A matrix from a file, by its ending.
+
+    Parameters
+    ----------
+    path : str or path
+        ``.mtx`` of MatrixMarket, as Ansys writes it; ``.hb``, ``.rua``, ``.rsa`` or ``.mat`` in
+        Harwell-Boeing's or MATLAB's format; ``.npy``, ``.npz``.
+    variable : str, optional
+        The name of the matrix in a file with several.
+
+    Returns
+    -------
+    ndarray or sparse array
+        As the library reads it, to the bit.
+
+    Raises
+    ------
+    ParameterError
+        For a file that can't be read, is damaged, or holds no or several real matrices.
+
+    Examples
+    --------
+    >>> import numpy as np, pathlib, tempfile
+    >>> from spragsym.matrices.files import read
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     np.save(pathlib.Path(folder, "M.npy"), np.eye(2))
+    ...     read(pathlib.Path(folder, "M.npy")).tolist()
+    [[1.0, 0.0], [0.0, 1.0]]
+    """
+    shown = path_text(path)
+    ending = os.path.splitext(shown)[1].lower()
+    data = contents(path, LARGEST, "a file with a matrix")
+    reader = READERS[one_of(f"the ending of {shown}", ending, READERS)]
+    try:
+        found = reader(data)
+    except Exception as error:  # whatever a library says of damaged bytes
+        raise ParameterError(
+            f"{shown} is no {ending} file with a matrix, or it is damaged: {error}"
+        ) from error
+    if isinstance(found, dict):
+        found = _chosen(shown, found, variable)
+    kind = getattr(found, "dtype", np.dtype(object)).kind
+    if kind not in "fiu" or len(getattr(found, "shape", ())) != 2:
+        raise ParameterError(f"{shown} holds no real matrix; export one by itself")
+    values = found.data if hasattr(found, "toarray") else found
+    if not np.isfinite(values).all():
+        raise ParameterError(f"{shown} holds numbers that are not finite")
+    return found
+
+
+def _chosen(shown: str, found: dict[str, Any], variable: str | None) -> Any:
+    """The matrix of a name, or the only one."""
+    if variable is None and len(found) == 1:
+        return next(iter(found.values()))
+    if variable is None:
+        raise ParameterError(
+            f"{shown} holds {', '.join(found) or 'nothing'}; name one, as read(path, 'K')"
+        )
+    return found[one_of(f"the matrix in {shown}", variable, found)]
+
+
+def _matrix_market(data: bytes) -> Any:
+    from scipy.io import mmread
+
+    return mmread(io.BytesIO(data))
+
+
+def _harwell_boeing(data: bytes) -> Any:
+    from scipy.io import hb_read
+
+    return hb_read(io.StringIO(data.decode("ascii")))
+
+
+def _matlab(data: bytes) -> Any:
+    from scipy.io import loadmat
+
+    return {name: one for name, one in loadmat(io.BytesIO(data)).items() if name[0] != "_"}
+
+
+def _numpy(data: bytes) -> Any:
+    return np.load(io.BytesIO(data), allow_pickle=False)
+
+
+def _archive(data: bytes) -> Any:
+    with np.load(io.BytesIO(data), allow_pickle=False) as held:
+        if "format" not in held:
+            return dict(held)
+    from scipy.sparse import load_npz
+
+    return load_npz(io.BytesIO(data))
+
+
+#: The reader of each ending.
+READERS: dict[str, Callable[[bytes], Any]] = {
+    ".mtx": _matrix_market,
+    ".hb": _harwell_boeing,
+    ".rua": _harwell_boeing,
+    ".rsa": _harwell_boeing,
+    ".mat": _matlab,
+    ".npy": _numpy,
+    ".npz": _archive,
+}

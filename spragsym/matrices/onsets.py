@@ -1,4 +1,4 @@
-"""Every onset of squeal of a model of matrices along a parameter, proved by the main inertia theorem."""
+"""Every onset of squeal of a model of matrices along a parameter, by the main inertia theorem."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.linalg import lu_factor, lu_solve
+from scipy.linalg.lapack import zgetrf, zgetrs
 
 from ..core.progress import doing, tell
 from ..numerics.definite import Middle, Pencil, Series, Window, window
@@ -16,8 +16,8 @@ from .options import MatrixOptions
 
 @dataclass(frozen=True)
 class Stretch:
-    """Values of the parameter from ``low`` to ``high`` at which ``count`` eigenvalues grow faster than
-    the threshold, and none as fast: proved.
+    """Values of the parameter from ``low`` to ``high`` at which ``count`` eigenvalues grow faster
+    than the threshold, and none as fast: proved.
     """
 
     low: float
@@ -27,7 +27,7 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Crossing:
-    """A value of the parameter at which one eigenvalue, with its conjugate, passes the threshold."""
+    """A value of the parameter at which an eigenvalue, with its conjugate, passes the threshold."""
 
     value: float
     proof: Window
@@ -52,12 +52,16 @@ class Search:
     def run(self) -> Search:
         """The search, to its end."""
         low, high = self.span
-        gaps: list[tuple[float, float, float | None]] = [(low, high, None)]
+        at_end = next((one for end in self.span if (one := self._at(end)) is not None), None)
+        gaps: list[tuple[float, float, float | None]] = [(low, high, at_end)]
         least, left = self.options.least * (high - low), self.options.middles
         with doing("onsets of squeal"):
             while gaps:
                 gap = gaps.pop()
-                if gap[1] - gap[0] <= least or not left:
+                # A model that lies on the threshold everywhere is given up early.
+                hopeless = not self.stretches and left < self.options.middles - 64
+                narrow = gap[1] - gap[0] <= least and gap[2] is None
+                if narrow or not left or hopeless:
                     self.undecided.append(gap[:2])
                     continue
                 left -= 1
@@ -85,8 +89,8 @@ class Search:
     def _about(
         self, low: float, high: float, guess: float | None
     ) -> Iterator[tuple[float, float, float | None]]:
-        """What is left of a gap after a proof about its middle, or about the crossing in it; with the
-        value of the crossing that is next there, if one is foreseen.
+        """Parts that are left of a gap after a proof about its middle, or about a crossing in it;
+        with the value of the crossing that is next there, if one is foreseen.
         """
         t = 0.5 * (low + high) if guess is None else guess
         middle = self._middle(t)
@@ -104,7 +108,22 @@ class Search:
         for near, far, side in ((left, low, -1), (right, high, 1)):
             if far * side > near * side:
                 ends = (far, near) if side < 0 else (near, far)
-                yield (*ends, self._foreseen(middle, ends))
+                # What failed is not tried again before the gap is halved.
+                failed = guess is not None and left == right == t
+                yield (*ends, None if failed else self._foreseen(middle, ends))
+
+    def _at(self, end: float) -> float | None:
+        """The value of a crossing at an end of the range, by floats, or None."""
+        if (middle := self._middle(end)) is None:
+            return None
+        growth, slope, _ = middle.paths.real
+        reach = 1e-9 * (self.span[1] - self.span[0])
+        near = np.flatnonzero(np.abs(growth) <= reach * np.abs(slope))
+        if not near.size:
+            return None
+        frequency = abs(float(middle.values[near[0]].imag))
+        value = polished(self.pencil, self.growth, end, frequency)
+        return value if value is not None and abs(value - end) <= reach else None
 
     def _middle(self, t: float) -> Middle | None:
         """The eigenbasis at a value; None if floats have none."""
@@ -119,7 +138,8 @@ class Search:
         """The eigenvalues that pass the threshold within the reach, by floats to second order."""
         steps = (reach * np.linspace(-1.0, 1.0, 17))[:, None] ** np.arange(3)
         growth = (steps @ middle.paths).real
-        return ~((growth > 0).all(axis=0) | (growth < 0).all(axis=0))
+        one_side = (growth > 0).all(axis=0) | (growth < 0).all(axis=0)
+        return np.logical_not(np.asarray(one_side))
 
     def _reached(
         self,
@@ -150,7 +170,7 @@ class Search:
         index = int(np.abs(middle.values.real).argmin())
         width = self.span[1] - self.span[0]
         found = None
-        for power in range(3, 11):
+        for power in range(3, 16):
             found = window(middle, index, width * 10.0**-power)
             if found is not None:
                 break
@@ -172,11 +192,12 @@ class Search:
         )
 
     def _foreseen(self, middle: Middle, ends: tuple[float, float]) -> float | None:
-        """The value of a crossing in a gap, by floats from the eigenvalues beside it; None if none is
-        foreseen.
-        """
+        """The value of a crossing in a gap, by floats from the eigenvalues beside it, or None."""
         away = np.array(ends) - middle.t
         near, far = away[np.abs(away).argsort()]
+        # One at an end of the range may lie beyond it by a rounding.
+        slack = 1e-9 * (self.span[1] - self.span[0])
+        far += np.copysign(slack, far)
         steps = np.linspace(near, min(far, max(4.0 * near, 0.02 * far), key=abs), 25)
         along = steps[:, None] ** np.arange(3) @ middle.paths
         passed = along.real * np.where(middle.values.real > 0, 1.0, -1.0) <= 0.0
@@ -187,7 +208,10 @@ class Search:
         value = polished(
             self.pencil, self.growth, middle.t + float(steps[step]), abs(along[step, index].imag)
         )
-        return value if value is not None and ends[0] < value < ends[1] else None
+        if value is None or not ends[0] - slack <= value <= ends[1] + slack:
+            return None
+        known = any(abs(value - one.value) <= one.proof.half for one in self.crossings)
+        return None if known else value
 
 
 def _partner(middle: Middle, index: int) -> float:
@@ -203,7 +227,7 @@ def _partner(middle: Middle, index: int) -> float:
 
 
 def polished(pencil: Pencil, growth: float, value: float, frequency: float) -> float | None:
-    """The parameter at which an eigenvalue has the real part ``growth``, by Newton's method in floats."""
+    """The parameter at which an eigenvalue has the real part ``growth``, by Newton in floats."""
     M, size = pencil.mass, len(pencil.mass)
     s, step = complex(growth, frequency), np.inf
     q: ComplexArray = np.ones(size, dtype=complex)
@@ -211,15 +235,14 @@ def polished(pencil: Pencil, growth: float, value: float, frequency: float) -> f
     for turn in range(30):
         D, S = pencil.at(value)
         L = s * s * M + s * D + S
-        try:
-            factors = lu_factor(L, check_finite=False)
-        except (ValueError, np.linalg.LinAlgError):
-            return None
+        lu, pivots, singular = zgetrf(L)
+        if singular:  # it is an eigenvalue, to the bit
+            return value
         dL = 2.0 * s * M + D
         for _ in range(3 if turn == 0 else 1):
-            q = lu_solve(factors, dL @ q, check_finite=False)
+            q = zgetrs(lu, pivots, dL @ q)[0]
             q /= np.linalg.norm(q)
-            y = lu_solve(factors, dL.T @ y, trans=1, check_finite=False)
+            y = zgetrs(lu, pivots, dL.T @ y, trans=1)[0]
             y /= np.linalg.norm(y)
         by_s = y @ (dL @ q)
         by_t = y @ ((s * pencil.damping_slope + pencil.stiffness_slope) @ q)
@@ -227,8 +250,8 @@ def polished(pencil: Pencil, growth: float, value: float, frequency: float) -> f
         slope = -by_t / by_s
         if not np.isfinite(away) or not np.isfinite(slope) or slope.real == 0.0:
             return None
-        step = (growth - (s + away).real) / slope.real
-        value += float(step)
+        step = float((growth - (s + away).real) / slope.real)
+        value += step
         s = complex(growth, (s + away + slope * step).imag)
         if abs(step) <= 4e-16 * max(abs(value), 1e-3 * abs(step)) or (
             turn > 4 and abs(step) <= 1e-12 * abs(value)

@@ -28,5 +28,5 @@ class MatrixOptions(Options):
     """
 
     terms: int = limit(9, 2, 40)
-    least: float = option(1e-9, 1e-14, 0.1)
+    least: float = option(1e-11, 1e-15, 0.1)
     middles: int = limit(10_000)

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError, hint, one_of
-from ..core.questions import model_of
+from ..core.questions import model_of, require_answered
 from ..display import Column, Table, caption
 from ..files import storage
 from ..models import forces
@@ -129,6 +129,7 @@ def simulate(
     >>> tr.components, round(tr.largest(), 2)
     (('x', 'vx'), 0.61)
     """
+    require_answered("simulate", p)
     model = model_of(p)
     p, initial = started(p, values)
     problem = prepare(

@@ -1,11 +1,12 @@
 """The main inertia theorem for pencils of matrices that depend on a parameter, proved in floats.
 
-Of M q″ + D(t) q′ + S(t) q = 0, or E x′ = F(t) x with x = (q, q′), it tells how many eigenvalues have
-real parts above η. If H is symmetric and Q = Eᵀ H F + Fᵀ H E − 2 η Eᵀ H E positive definite, no real
-part is η, and as many exceed it as H has positive eigenvalues (A. Ostrowski and H. Schneider,
-J. Math. Anal. Appl. 4 (1962) 72). Here H = Yᵀ P(τ) Y, with Y and X the inverse and the eigenbasis at a
-middle t₀ and P a power series in τ = t − t₀ that makes Xᵀ Q X diagonal but for a remainder τ^d R.
-One float Cholesky decomposition for each sign of R shows it definite over a whole stretch
+Of M q″ + D(t) q′ + S(t) q = 0, or E x′ = F(t) x with x = (q, q′), it tells how many eigenvalues
+have real parts above η. If H is symmetric and Q = Eᵀ H F + Fᵀ H E − 2 η Eᵀ H E positive definite,
+no real part is η, and as many exceed it as H has positive eigenvalues (A. Ostrowski and
+H. Schneider, J. Math. Anal. Appl. 4 (1962) 72). Here H = Yᵀ P(τ) Y, with Y and X the inverse and
+the eigenbasis at a middle t₀ and P a power series in τ = t − t₀ that makes Xᵀ Q X diagonal but for
+a remainder τ^d R. One float Cholesky decomposition for each sign of R shows it definite over a
+whole stretch
 (S. M. Rump, BIT 46 (2006) 433). Pairs of eigenvalues are 2 × 2 blocks, so that all matrices are
 real. Roundings are bounded a priori, element by element, those of the given sums of matrices
 included; the matrices themselves are taken as they are, as floats.
@@ -71,12 +72,9 @@ class Pencil:
     def sizes(self, t: float) -> tuple[FloatArray, FloatArray]:
         """Sums of the moduli of all terms of D and S."""
         return (
-            _sum(tuple((abs(of), np.abs(one)) for of, one in (*fixed, (t, slope))))
-            for fixed, slope in (
-                (self.damping, self.damping_slope),
-                (self.stiffness, self.stiffness_slope),
-            )
-        )  # type: ignore[return-value]  # two
+            _size((*self.damping, (t, self.damping_slope))),
+            _size((*self.stiffness, (t, self.stiffness_slope))),
+        )
 
     @property
     def order(self) -> int:
@@ -115,11 +113,15 @@ def _sum(terms: Terms) -> FloatArray:
     return total
 
 
+def _size(terms: Terms) -> FloatArray:
+    return _sum(tuple((abs(of), np.abs(one)) for of, one in terms))
+
+
 class Middle:
     """The eigenbasis at a middle t₀, and bounds on all roundings with it.
 
-    With Δ, R₀, R₁ whose elements are at most ``delta``, ``rest`` and ``slope_rest``: Y E X = I + Δ and
-    Y (F(t₀ + τ) − η E) X = Λ − η I + R₀ + τ (B + R₁), all exactly.
+    With Δ, R₀, R₁ whose elements are at most ``delta``, ``rest`` and ``slope_rest``, exactly
+    Y E X = I + Δ and Y (F(t₀ + τ) − η E) X = Λ − η I + R₀ + τ (B + R₁).
 
     Attributes
     ----------
@@ -184,7 +186,7 @@ class Middle:
 
     @cached_property
     def reciprocals(self) -> tuple[ComplexArray, ComplexArray]:
-        """−1/(λ_k + λ̄_j), and −1/(λ̄_k + λ̄_j) between pairs; 0 where the sum is, as on the diagonal."""
+        """−1/(λ_k + λ̄_j), and −1/(λ̄_k + λ̄_j) between pairs; 0 where the sum is."""
         own = self.values.conj()[:, None]
         small = 1e-13 * np.abs(self.values).max()
         sums = own + self.values, own[: self.pairs] + self.values[: self.pairs].conj()
@@ -269,7 +271,7 @@ class Series:
         whole = np.concatenate([signs[:p], signs])
         P = np.diag(whole)
         P = P.astype(float)
-        self.sizes, self.off, self.growth = [np.abs(P)], [], list[FloatArray]()
+        self.sizes, self.off, self.growth = [np.abs(P)], list[FloatArray](), list[FloatArray]()
         self._add(P, np.zeros_like(P))
         for _ in range(terms):
             V = P @ middle.slope
@@ -296,8 +298,8 @@ class Series:
         """The largest h found up to ``limit`` for which no real part is η, and ``count`` exceed it,
         at side τ in [0, h]; 0 if none is as large as ``least``.
 
-        With ``touching``, the eigenvalue that has the real part η near τ = 0, it is so for side τ in
-        [``least``, h].
+        With ``touching``, the eigenvalue that has the real part η near τ = 0, it is so for side τ
+        in [``least``, h].
         """
         growth = self._directed * (float(side) ** np.arange(len(self.growth)))[:, None]
         if touching is not None and not self._starts(least):
@@ -376,9 +378,7 @@ def _least_on(coefficients: FloatArray, h: float) -> FloatArray:
 
 def _bernstein(order: int) -> FloatArray:
     """The matrix from coefficients of powers on [0, 1] to those of Bernstein's polynomials."""
-    return np.array(
-        [[comb(i, m) / comb(order - 1, m) for m in range(order)] for i in range(order)]
-    )
+    return np.array([[comb(i, m) / comb(order - 1, m) for m in range(order)] for i in range(order)])
 
 
 def _norm(symmetric: FloatArray) -> float:
@@ -398,8 +398,8 @@ def _norm(symmetric: FloatArray) -> float:
 class Window:
     """One eigenvalue alone crosses the real part η within τ in [−``half``, ``half``], once.
 
-    It does so at t₀ up to ``error``, upwards where ``direction`` is 1, with |Im λ| = ``frequency`` up to
-    ``frequency_error``.
+    It does so at t₀ up to ``error``, upwards where ``direction`` is 1, with |Im λ| = ``frequency``
+    up to ``frequency_error``.
     """
 
     half: float
@@ -427,9 +427,10 @@ def _apart(
 def window(middle: Middle, index: int, half: float) -> Window | None:
     """The proof by Gershgorin's discs that an eigenvalue crosses within ±``half`` of the middle.
 
-    Source: for all complex \\|τ\\| ≤ r the disc of the eigenvalue lies apart from all others, so that
-    λ(τ) is analytic. λ(τ) differs by at most the radius ρ of the disc from λ(0) + B_jj τ, and by Cauchy
-    its slope for \\|τ\\| ≤ r/2 by 2 ρ/r from B_jj. No other disc touches the axis.
+    Source: for all complex τ in a disc of the radius r = 2 ``half``, the eigenvalue's own disc lies
+    apart from all others, so that λ(τ) is analytic. It differs by at most the radius ρ of its disc
+    from its centre + B_jj τ, and by Cauchy its slope within r/2 by 2 ρ/r from B_jj. No other disc
+    touches the axis.
     """
     p, r = middle.pairs, 2.0 * half
     values = np.concatenate([middle.values[:p], middle.values[:p].conj(), middle.values[p:]])

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
+from ..core.questions import require_answered
 from ..models.parameters import POSITIVE, FloatArray, ParameterSet, as_number
 from ..motion.options import MotionOptions
 from ..motion.problem import check_range
@@ -143,6 +144,7 @@ def lyapunov(
     >>> bool(abs(found.exponents.sum() - found.trace) < 1e-9)
     True
     """
+    require_answered("lyapunov", p)
     system = System.of(p, backend, options, **values)
     state = state_of(p.model, start, p=p)
     if t_end is None:

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
-from ..core.questions import model_of
+from ..core.questions import model_of, require_answered
 from ..display import Column
 from ..files import storage
 from ..files.journal import Record
@@ -150,6 +150,7 @@ def fate(
     >>> round(ss.fate(p.replace(theta0=np.radians(30.0)), V=0.5, d=10.0).time_scale, -3)
     227000.0
     """
+    require_answered("fate", p)
     system = System.of(p, backend, options, **values)
     state = state_of(p.model, start, p=p)
     if t_end is not None:
@@ -438,6 +439,7 @@ def fate_map(
     >>> found.kind, found.period.round(3)
     (array([1, 2], dtype=int8), array([   nan, 34.267]))
     """
+    require_answered("fate_map", p)
     model = model_of(p)
     p.require(*p.ranges)
     p = p.given(**values)

@@ -21,6 +21,7 @@ from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError, require_kind
+from ..core.questions import require_answered
 from ..core.remarks import Remark
 from ..models.field import Values
 from ..models.model import Model
@@ -126,6 +127,7 @@ def cycle(
     >>> str(onsets.criticality[1]), born.stable, bool(born.parameters["V"] > onsets.V[1])
     ('subcritical', False, True)
     """
+    require_answered("cycle", p)
     if onset is not None:
         if p is not None or near is not None:
             raise ParameterTypeError(

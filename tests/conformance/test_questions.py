@@ -154,6 +154,10 @@ class Asked:
             every = np.concatenate([eq.damped_eigenvalues[eq.states], eq.eigenvalues[eq.states]])
             assert np.abs(every - 1j * omega).min() < 1e-4
 
+    def modes(self) -> None:
+        """They are asked of matrices; a page is refused, with what to ask in their place."""
+        refused(ss.errors.ModelError, "growth and stability", ss.modes, self.p)
+
     def sticking(self) -> None:
         """The states hold the equilibria of a belt that stands still."""
         still = self.p.replace(V=0.0) if self.pace == "V" else self.p
@@ -532,6 +536,7 @@ TABLE: dict[Callable[[Asked], None], str] = {
     Asked.cycles: "cycle cycle_branch cycle_events",
     Asked.curves: "diagram",
     Asked.page: "explore",
+    Asked.modes: "modes",
     Asked.article: "surface flutter_boundary linear_sprag linear_critical_friction",
 }
 #: Those that follow long motions; and those that take seconds where states end and no closed form

@@ -53,8 +53,9 @@ SMALL: dict[str, Callable[[], Any]] = {
         points=1,
     ),
 }
-#: Not written to a file by itself: it is computed anew from its study.
-LEFT_OUT = ("Report",)
+#: Not opened from a file by itself: a report is computed anew from its study, and those of
+#: matrices need these.
+LEFT_OUT = ("Report", "MatrixOnsets", "Modes")
 
 
 def kinds() -> list[str]:

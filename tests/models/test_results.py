@@ -77,6 +77,11 @@ def _report() -> Any:
         return ss.Study.from_file(file).report(n=256)
 
 
+def _of_matrices() -> Any:
+    K, F = [[1.55, -0.25], [-0.25, 1.25]], [[0, 1], [0, 0]]
+    return ss.matrices(np.eye(2), K, F, damping_ratio=1e-3).Parameters(mu=0.3)
+
+
 #: One of each class, those within others too.
 MAKERS: dict[str, Callable[[], Any]] = {
     "Parameters": lambda: P,
@@ -153,6 +158,8 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "JumpPeak": lambda: _report().peak,
     "Oscillation": lambda: _report().oscillation,
     "Change": lambda: _report().redesign[0],
+    "MatrixOnsets": lambda: ss.flutter_onsets(_of_matrices()),
+    "Modes": lambda: ss.modes(_of_matrices()),
 }
 
 #: Those that take long motions.

@@ -26,7 +26,9 @@ def brake(n: int, seed: int, *, kind: str = "plain") -> dict[str, Array]:
         mass = A @ A.T / size + np.eye(size)
         R = np.linalg.cholesky(mass)
         Q = np.linalg.qr(rng.standard_normal((size, size)))[0]
-        own = np.resize(spectrum, size) * (1.0 + rng.uniform(-1, 1, size) * (1e-3 if kind == "near" else 0.3))
+        own = np.resize(spectrum, size) * (
+            1.0 + rng.uniform(-1, 1, size) * (1e-3 if kind == "near" else 0.3)
+        )
         if kind == "soft" and body.start:
             own[0] *= 0.02
         V = R @ Q
@@ -39,7 +41,12 @@ def brake(n: int, seed: int, *, kind: str = "plain") -> dict[str, Array]:
     stiffness = np.median(np.abs(np.diagonal(K))) * (0.15 if kind != "soft" else 0.4)
     for _ in range(pairs):
         across, along = (
-            np.concatenate([rng.standard_normal(half) / np.sqrt(half), -rng.standard_normal(n - half) / np.sqrt(n - half)])
+            np.concatenate(
+                [
+                    rng.standard_normal(half) / np.sqrt(half),
+                    -rng.standard_normal(n - half) / np.sqrt(n - half),
+                ]
+            )
             for _ in range(2)
         )
         K += stiffness * np.outer(across, across)
@@ -69,7 +76,6 @@ def precise_onset(
     with mpmath.workdps(digits):
         M, C, K, F = (mpmath.matrix(of[name].tolist()) for name in ("M", "C", "K", "friction"))
         n = len(of["M"])
-        L = eigenvalues(of, mu)
         start = complex(growth, omega)
         matrix = start**2 * of["M"] + start * of["C"] + of["K"] + mu * of["friction"]
         _, _, right = np.linalg.svd(matrix)

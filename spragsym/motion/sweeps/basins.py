@@ -11,7 +11,7 @@ import numpy as np
 
 from ...core.error_states import in_usual_state
 from ...core.errors import ParameterTypeError
-from ...core.questions import model_of
+from ...core.questions import model_of, require_answered
 from ...display import Column, named_fields
 from ...models.parameters import FloatArray, ParameterSet, as_numbers
 from ...numerics.interval_arrays import BoolArray, IntArray
@@ -124,6 +124,7 @@ def basin(
     >>> found.attractor[:, 0]
     array([0, 0, 1])
     """
+    require_answered("basin", p)
     model = model_of(p)
     names = model.components
     p = p.given(**{name: starts.pop(name) for name in [*starts] if name in p.ranges})

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...core.error_states import in_usual_state
 from ...core.errors import ModelError, ParameterError
-from ...core.questions import model_of
+from ...core.questions import model_of, require_answered
 from ...display import Column
 from ...models.parameters import FloatArray, ParameterSet, as_numbers
 from ...results.result import Result
@@ -97,6 +97,7 @@ def sensitivity(
     >>> np.round(np.degrees([table.theta0[0, 0], table.width]), 2)
     array([41.25,  0.25])
     """
+    require_answered("sensitivity", p)
     model = model_of(p)
     missing = [name for name in ("theta0", "V", "d") if name not in model.parameters]
     if missing:

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.error_states import in_usual_state
 from ...core.errors import ConvergenceError, ParameterError
-from ...core.questions import model_of
+from ...core.questions import model_of, require_answered
 from ...display import Column, following, own_name
 from ...files import storage
 from ...files.journal import Record
@@ -132,6 +132,7 @@ def rms_sweep(
     >>> [Regime(code).name for code in sweep.regime]
     ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
+    require_answered("rms_sweep", p)
     model = model_of(p)
     p, initial = started(p, values)
     p.require(*model.parameters)

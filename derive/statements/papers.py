@@ -94,9 +94,10 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
         ("symbols", """write "print" = "page's name\""""),
         ("conventions", 'write x = "reversed" or theta = "theta - pi"'),
     ):
-        tables[key] = table = data.get(key, {})
+        table = data.get(key, {})
         if not isinstance(table, dict) or not all(isinstance(it, str) for it in table.values()):
             raise refuse(key, f"is no table of texts; {said}")
+        tables[key] = table
     if (
         not isinstance(entries, list)
         or not entries

@@ -224,7 +224,8 @@ def squares(M: FloatArray, K: FloatArray) -> ComplexArray:
 def _by_mass(M: FloatArray, A: FloatArray) -> FloatArray:
     """M⁻¹ A, NaN where M is singular or an entry is not finite."""
     finite: BoolArray = np.logical_and.reduce(np.isfinite(M), axis=(-2, -1), keepdims=True)
-    regular = finite & (np.linalg.slogdet(np.where(finite, M, 0.0))[0][..., None, None] != 0)
+    sign: FloatArray = np.asarray(np.linalg.slogdet(np.where(finite, M, 0.0))[0])
+    regular = finite & (sign[..., None, None] != 0)
     return np.where(regular, np.linalg.solve(np.where(regular, M, np.eye(M.shape[-1])), A), np.nan)
 
 

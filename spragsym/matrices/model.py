@@ -202,8 +202,8 @@ def matrices(
         if hasattr(one, "toarray"):
             if max(one.shape) > LARGEST:
                 raise ParameterError(
-                    f"{name} has {one.shape[0]} coordinates, more than {LARGEST}; reduce the "
-                    "model first, by spragsym.matrices.reduced"
+                    f"{name} has {one.shape[0]} coordinates, more than {LARGEST}; give those of "
+                    "a reduced model, as finite-element programs export them"
                 )
             one = one.toarray()
         return as_numbers(name, one)

@@ -221,17 +221,22 @@ def squares(M: FloatArray, K: FloatArray) -> ComplexArray:
     return _eigenvalues(_by_mass(M, K))
 
 
+def _are_finite(A: FloatArray) -> BoolArray:
+    """Matrices all of whose entries are finite, with axes of size 1 in place of theirs."""
+    out: BoolArray = np.logical_and.reduce(np.isfinite(A), axis=(-2, -1), keepdims=True)
+    return out
+
+
 def _by_mass(M: FloatArray, A: FloatArray) -> FloatArray:
     """M⁻¹ A, NaN where M is singular or an entry is not finite."""
-    finite: BoolArray = np.logical_and.reduce(np.isfinite(M), axis=(-2, -1), keepdims=True)
-    sign: FloatArray = np.asarray(np.linalg.slogdet(np.where(finite, M, 0.0))[0])
-    regular = finite & (sign[..., None, None] != 0)
+    finite = _are_finite(M)
+    regular = finite & (np.linalg.slogdet(np.where(finite, M, 0.0))[0][..., None, None] != 0)
     return np.where(regular, np.linalg.solve(np.where(regular, M, np.eye(M.shape[-1])), A), np.nan)
 
 
 def _eigenvalues(A: FloatArray) -> ComplexArray:
     """The eigenvalues of matrices, NaN where an entry is not finite."""
-    finite = np.isfinite(A).all(axis=(-2, -1), keepdims=True)
+    finite = _are_finite(A)
     out: ComplexArray = np.linalg.eigvals(np.where(finite, A, 0.0)).astype(complex)
     return np.where(finite[..., 0], out, np.nan)
 

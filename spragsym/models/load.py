@@ -193,7 +193,7 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
         raise StoreError(f"{path} is no JSON ({error}); derive its model page again") from error
     current = [_about(name) for name in shipped()]
     missing = sorted(set.intersection(*map(set, current)) - {*about} if type(about) is dict else ())
-    if missing or not _is_alike(about, current):
+    if missing or not _is_alike(about, current, _ALSO):
         parts = f", and does not say {', '.join(missing)}" * bool(missing)
         raise StoreError(
             f"{path} is of another version of spragsym{parts}; derive its model page again"
@@ -218,27 +218,40 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
     return about, files
 
 
-def _is_alike(held: object, examples: Sequence[object]) -> bool:
+#: Entries that no shipped model has: an open end of a range, and coordinates that come around
+#: together.
+_ALSO = ({"parameters": [{"low": None}], "coordinates": [{"comes_around": {"b": 1}}]},)
+
+
+def _is_alike(held: object, examples: Sequence[object], also: Sequence[object]) -> bool:
     """Whether data have the structure of examples: the keys that all of these have, and in each
-    place, of a key or of a list, a kind that one of them has there.
+    place, of a key or of a list, a kind that one of them has there, or one of those ``also``.
     """
     kind = float if type(held) is int else type(held)
-    same = [one for one in examples if (float if type(one) is int else type(one)) is kind]
+    same, more = (
+        [one for one in some if (float if type(one) is int else type(one)) is kind]
+        for some in (examples, also)
+    )
+    if not (same or more):
+        return False
     if isinstance(held, dict):
-        tables = [one for one in same if isinstance(one, dict)]
-        every = [part for one in tables for part in one.values()]
-        return (
-            bool(tables)
-            and set.intersection(*map(set, tables)) <= {*held}
-            and all(
-                _is_alike(part, [one[name] for one in tables if name in one] or every)
-                for name, part in held.items()
+        tables, others = ([it for it in some if isinstance(it, dict)] for some in (same, more))
+        every = [part for one in (*tables, *others) for part in one.values()]
+        needed = set.intersection(*map(set, tables)) if tables else set()
+        return needed <= {*held} and all(
+            _is_alike(
+                part,
+                [one[name] for one in tables if name in one] or every,
+                [one[name] for one in others if name in one],
             )
+            for name, part in held.items()
         )
     if isinstance(held, list):
-        parts = [part for one in same if isinstance(one, list) for part in one]
-        return bool(same) and all(not parts or _is_alike(part, parts) for part in held)
-    return bool(same)
+        parts, further = (
+            [part for one in some if isinstance(one, list) for part in one] for some in (same, more)
+        )
+        return all(not (parts or further) or _is_alike(part, parts, further) for part in held)
+    return True
 
 
 def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) -> Model:

@@ -414,7 +414,7 @@ def _identity(derivation: Derivation, name: str, side: str) -> Object:
     """An equation of names that are known, whose entries its own left sides are."""
     if name:
         raise NoObject(f"an identity is of no {name}; leave that out")
-    return Object((), "derivatives.expressions")
+    return Object((), "statements.derivatives.expressions")
 
 
 def _energy(derivation: Derivation, name: str, side: str) -> Object:

@@ -310,7 +310,7 @@ def _known_names(
         elif name in known:
             found.append(known[name])
         elif symbols(left) <= values.keys():
-            by = "definition" if name in book.defined else "derivatives.expressions"
+            by = "definition" if name in book.defined else "statements.derivatives.expressions"
             found.append((to_sympy(left, values), by))
         else:
             raise Unread(f"{printed(left)} is not in names of the page; say them under [symbols]")

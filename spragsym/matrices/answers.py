@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import ModelError, ParameterError
+from ..core.questions import model_of
 from ..display import Column
 from ..models.parameters import ParameterSet, Ranges, as_number, varied_range
 from ..numerics.interval_arrays import ComplexArray, FloatArray
@@ -275,7 +276,7 @@ def modes(p: ParameterSet) -> Modes:
     >>> found.omega.round(3), found.growth.round(3), found.damping_ratio.round(4)
     (array([1.999, 3.   ]), array([-0.05, -0.05]), array([0.025 , 0.0167]))
     """
-    model = getattr(p, "model", None)
+    model = model_of(p)
     if not isinstance(model, MatrixModel):
         raise ModelError(
             "modes is asked of matrices, made by spragsym.matrices; of a page, equilibria has "

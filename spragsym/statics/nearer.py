@@ -85,12 +85,10 @@ def _by_newton(
     hull, share = Intervals(boxes.max(axis=2)[:, :, None]), np.linspace(0.0, 1.0, starts)
     inner = Intervals(near[:, :, None])
     middle = (1 - share) * inner.middle + share * hull.middle
-    places = (
-        middle
-        + rng.uniform(-0.5, 0.5, middle.shape) * inner.width ** (1 - share) * hull.width**share
-    )
     parameters = balance.prepared_at(given[:, [point]])
     with quiet():
+        reach = inner.width ** (1 - share) * hull.width**share
+        places = middle + rng.uniform(-0.5, 0.5, middle.shape) * reach
         repeated = Intervals(np.repeat(parameters.ends, starts, axis=2))
         places = places[:, on_side(balance, repeated, ends_around(places, 0 * places))[0]]
         before = q = np.concatenate([Intervals(boxes[:, :, largest]).middle, places], axis=1)

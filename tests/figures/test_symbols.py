@@ -29,7 +29,7 @@ def test_figures_write_every_greek_letter() -> None:
     for name in LETTERS:
         assert symbol(name) == symbol(f"{name}_") == f"\\{name}"
         MathTextParser("path").parse(f"${symbol(name)}_0$")
-    assert symbol("rate") == "rate"
+    assert symbol("rate") == r"\mathrm{rate}"
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="no node on this machine")

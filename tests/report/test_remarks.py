@@ -184,9 +184,7 @@ def pages(monkeypatch: pytest.MonkeyPatch) -> Any:
     pytest.importorskip("matplotlib")
     from spragsym.figures import report_pages
 
-    for name in ("mark_brake", "draw_onset_curves", "draw_phase", "draw_shares"):
-        monkeypatch.setattr(report_pages, name, Mock())
-    for name in ("draw_harmonics", "draw_spectrum"):
+    for name in ("mark_brake", "draw_onset_curves", "draw_phase", "draw_shares", "draw_spectrum"):
         monkeypatch.setattr(report_pages, name, Mock())
     monkeypatch.setattr(report_pages, "draw_plane", Mock(return_value=(Mock(undecided=[]), True)))
     monkeypatch.setattr(report_pages, "draw_rising", Mock(return_value=(["path"], False)))
@@ -283,25 +281,6 @@ def test_captions_of_the_motion(pages: Any) -> None:
     assert captions(pages._of_motion(said_of(SLOW), other))[1] == (
         "Its spectrum: the amplitude of x at each frequency."
     )
-
-
-def test_a_cycle_that_is_its_own_mirror_image_has_odd_multiples_alone() -> None:
-    """x(t + T/2) = −x(t) leaves no even harmonics: of stems at n f every second one is 0."""
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    from spragsym.figures.motions import draw_harmonics
-
-    angles = [2.0 * np.pi * k / 3.0 for k in (1, 3)]  # over a period of 3
-    kept = {
-        "samples": lambda self, t: np.array([np.cos(angles[0] * t) + np.cos(angles[1] * t) / 9]),
-        "period": 3.0,
-        "field": SimpleNamespace(model=ss.load("stick_slip")),
-    }
-    _, ax = pyplot.subplots()
-    cycle = object.__new__(type("Mirror", (ss.results.Cycle,), kept))
-    stems = draw_harmonics(cycle, "x", ax, shown=(("f", 2.0), ("x", 10.0)))
-    ends = np.array([end for _, end in stems.get_segments()])
-    np.testing.assert_allclose(ends, [[2 / 3, 10], [4 / 3, 0], [2, 10 / 9]], atol=1e-11)
-    pyplot.close("all")
 
 
 def test_the_caption_and_the_words_of_the_shares(

@@ -271,7 +271,7 @@ def _within_limits(paper: Paper, chosen: Path, seconds: float) -> PaperCheck:
         begun = Path(folder) / "begun"
         while True:
             begun.write_text("", encoding="utf-8")
-            task = _Task(paper, chosen, seconds, str(begun), tuple(excluded))
+            task = _PaperTask(paper, chosen, seconds, str(begun), tuple(excluded))
             try:
                 with pool(1) as own:
                     (found,) = own(_judged, [task])
@@ -295,7 +295,7 @@ def _within_limits(paper: Paper, chosen: Path, seconds: float) -> PaperCheck:
 
 
 @dataclass(frozen=True)
-class _Task:
+class _PaperTask:
     """A paper to judge, without the rows that were too large."""
 
     paper: Paper
@@ -305,7 +305,7 @@ class _Task:
     excluded: tuple[str, ...]
 
 
-def _judged(task: _Task) -> Checked | Exception:
+def _judged(task: _PaperTask) -> Checked | Exception:
     """Verdicts on a paper, or the error; this process is ended by the row that takes too long."""
     from .derive.statements import papers, reading, verdicts
 

@@ -17,7 +17,7 @@ from ..models.parameters import ParameterSet, Ranges, as_number, varied_range
 from ..numerics.interval_arrays import ComplexArray, FloatArray
 from ..results.result import Named, Rows
 from .model import MatrixModel
-from .onsets import Search
+from .onsets import OnsetSearch
 from .options import MatrixOptions
 
 #: Damping ratio up to which a mode counts as undamped: far above the rounding of eigenvalues.
@@ -140,7 +140,7 @@ def flutter_onsets(
         remarks += said
     else:
         growth = as_number("threshold", threshold)
-    found = Search(pencil, span, growth, options or MatrixOptions()).run()
+    found = OnsetSearch(pencil, span, growth, options or MatrixOptions()).run()
     rows = [
         one
         for one in found.crossings
@@ -276,7 +276,8 @@ def modes(p: ParameterSet) -> Modes:
     >>> found.omega.round(3), found.growth.round(3), found.damping_ratio.round(4)
     (array([1.999, 3.   ]), array([-0.05, -0.05]), array([0.025 , 0.0167]))
     """
-    model = model_of(p)
+    model_of(p)  # refuses what is no set of parameters
+    model = p.model
     if not isinstance(model, MatrixModel):
         raise ModelError(
             "modes is asked of matrices, made by spragsym.matrices; of a page, equilibria has "

@@ -26,7 +26,7 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class Crossing:
+class PairCrossing:
     """A value of the parameter at which an eigenvalue, with its conjugate, passes the threshold."""
 
     value: float
@@ -35,7 +35,7 @@ class Crossing:
 
 
 @dataclass
-class Search:
+class OnsetSearch:
     """The proof over a range, by stretches about middles and windows about crossings.
 
     What is left between them is halved until it is as narrow as the option ``least`` says.
@@ -46,10 +46,10 @@ class Search:
     growth: float
     options: MatrixOptions
     stretches: list[Stretch] = field(default_factory=list)
-    crossings: list[Crossing] = field(default_factory=list)
+    crossings: list[PairCrossing] = field(default_factory=list)
     undecided: list[tuple[float, float]] = field(default_factory=list)
 
-    def run(self) -> Search:
+    def run(self) -> OnsetSearch:
         """The search, to its end."""
         low, high = self.span
         at_end = next((one for end in self.span if (one := self._at(end)) is not None), None)
@@ -176,7 +176,7 @@ class Search:
                 break
         if found is None:
             return None
-        self.crossings.append(Crossing(middle.t, found, _partner(middle, index)))
+        self.crossings.append(PairCrossing(middle.t, found, _partner(middle, index)))
         sides = list[Series]()
         free = self._near(middle, max(high - middle.t, middle.t - low))
         free[index] = True

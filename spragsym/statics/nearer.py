@@ -103,4 +103,9 @@ def _by_newton(
     around = ends_around(middle, 1e-6 * scale_of(middle))
     tried = Roots.at(around, point=np.full(middle.shape[1], point))
     tried = refined(balance, given, tried)
-    return distinct(found.concatenated(tried.select(tried.error <= balance.options.tolerance)))
+    # A root that was proved may lie elsewhere than where it was looked for, or beyond a border.
+    there = (tried.ends < around).all(axis=(0, 1)) & (width_of(tried.ends) >= 0).all(axis=0)
+    tried = tried.select(there & (tried.error <= balance.options.tolerance))
+    repeated = Intervals(np.repeat(parameters.ends, tried.point.size, axis=2))
+    tried = tried.select(on_side(balance, repeated, tried.ends)[0])
+    return distinct(found.concatenated(tried))

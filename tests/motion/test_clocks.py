@@ -371,7 +371,8 @@ def test_what_is_not_answered_of_a_clock_is_refused_by_its_name() -> None:
         "sticking_states": lambda: ss.sticking_states(p),
     }
     of_article = TABLE[Asked.article].split()
-    assert {*questions()} - {*of_article, *FORCED} == {*asked}
+    of_matrices = {"modes"}
+    assert {*questions()} - {*of_article, *FORCED, *of_matrices} == {*asked}
     for name, ask in asked.items():
         assert not answers(model, name, ask)
     with pytest.raises(ModelError, match="has no theta0, along which sensitivity looks"):

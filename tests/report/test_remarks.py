@@ -279,7 +279,7 @@ def test_captions_of_the_motion(pages: Any) -> None:
     )
     other = dataclasses.replace(cycle, kind="motion", frequency_hz=math.nan)
     assert captions(pages._of_motion(said_of(SLOW), other))[1] == (
-        "Its spectrum: the amplitude of x at each frequency."
+        "Its spectrum: the amplitude of x at each frequency, through a Hann window."
     )
 
 

@@ -28,7 +28,7 @@ LINKS := spragsym/derive spragsym/generated
 C_FILES := $(wildcard generated/c/*.c generated/c/*.h) spragsym/kang_nam/quartic/_compiled.c spragsym/motion/_carried.c $(wildcard spragsym/numerics/_*.c spragsym/numerics/_*.h) $(wildcard derive/kang_nam/runtime/c/tests/*.c)
 # A function's results are a struct, of which its caller may leave one unread.
 CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --suppress=unusedStructMember --error-exitcode=1 --std=c11 --enable=warning,style,performance,portability \
-	-I generated/c -I $$($(BIN)/python -c 'import sysconfig; print(sysconfig.get_paths()["include"])')
+	-I generated/c -I spragsym/numerics -I $$($(BIN)/python -c 'import sysconfig; print(sysconfig.get_paths()["include"])')
 
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)

@@ -147,9 +147,20 @@ def _in_latin(error: UnicodeError) -> tuple[str, int]:
     return text.encode("ascii", "backslashreplace").decode("ascii"), error.end
 
 
+def _require_epoch() -> None:
+    """Raise if the environment has a date that NumPy and matplotlib can't read."""
+    epoch = os.environ.get("SOURCE_DATE_EPOCH", "0")
+    if not epoch.isdecimal():
+        raise ParameterError(
+            f"SOURCE_DATE_EPOCH = {epoch!r:.60} of the environment is no whole number of seconds; "
+            "unset it, or give one"
+        )
+
+
 def _run(arguments: list[str], debug: bool) -> int:
     """The exit code; an error is told on one line of stderr, if there is one."""
     try:
+        _require_epoch()
         if "_SPRAGSYM_COMPLETE" in os.environ:  # the shell asks for completions
             cli.main(arguments, prog_name="spragsym")
         with ending(), warnings.catch_warnings():

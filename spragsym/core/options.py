@@ -43,7 +43,9 @@ class Options:
     def __post_init__(self) -> None:
         for option_field in fields(self):
             value = getattr(self, option_field.name)
-            if option_field.metadata and value != option_field.default:
+            default = option_field.default
+            is_default = type(value) is type(default) and value == default
+            if option_field.metadata and not is_default:
                 _check(
                     f"{type(self).__name__}: {option_field.name}",
                     value,

@@ -167,9 +167,10 @@ def estimated(variables: Mapping[str, Any], event: Event, sampling: Sampling) ->
         raise ParameterError(
             f"confidence = {confidence!r} is not between 0 and 1; give 0.95 for 95 %"
         )
-    if isinstance(rng, int | np.integer) and (rng < 0 or isinstance(rng, bool)):
+    whole = isinstance(rng, int | np.integer) and not isinstance(rng, bool)
+    if rng is not None and not isinstance(rng, np.random.Generator) and not (whole and rng >= 0):
         raise ParameterError(
-            f"rng = {rng!r} is no seed; give an integer of 0 or more, a "
+            f"rng = {rng!r:.60} is no seed; give an integer of 0 or more, a "
             "numpy.random.Generator, or leave it out"
         )
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
@@ -415,6 +416,7 @@ def jump_probability(
             {*quantities(subject.where).units} - {*subject.parameters}
         )
     subject.require_answered("jump_probability")
+    n = as_count("n", n, 2)
     subject = subject.search if method == "search" else subject
     kind = quantities(subject.where) if in_si else None
     variables = _variables(subject, kind, distribution)

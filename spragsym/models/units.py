@@ -288,14 +288,14 @@ class Carried:
         graph = getattr(value, "__dask_graph__", None)
         if graph is not None and graph() is not None:
             return self.numbers(value.compute())
-        if root == "pandas" and hasattr(value, "array"):
-            return self.numbers(value.array)
         attributes = getattr(value, "attrs", None)
         labelled: Any = attributes if hasattr(attributes, "keys") else {}
-        for key in labelled:  # of xarray and HDF5
+        for key in labelled:  # of xarray, pandas and HDF5
             if _HINTS.search(str(key)):
                 held = value.data if root == "xarray" else np.asarray(value)
                 return self._converted(str(labelled[key]), held)
+        if root == "pandas" and hasattr(value, "array"):
+            return self.numbers(value.array)
         if root == "xarray":
             return self.numbers(value.data)
         if carried := next(_signs(value), None):

@@ -32,6 +32,7 @@ def test_every_option_is_described():
         (ss.MarginOptions, {"rays": 0}, RANGE, "rays = 0"),
         (ss.MotionOptions, {"times": (10.0, 0)}, RANGE, r"times\[1\] = 0 is not 0\.001 or more"),
         *((ss.SearchOptions, {"budget": one}, TYPE, "whole number") for one in (1.5, True, "many")),
+        (ss.SearchOptions, {"margin": np.array([0.1, 0.2])}, TYPE, "is no number; leave it out"),
         *((ss.MotionOptions, {"times": one}, TYPE, LEAVE) for one in (5.0, (), (10.0, "long"))),
     ],
 )

@@ -489,3 +489,12 @@ def test_a_mistake_is_named(number: int) -> None:
     call, named = MISTAKES[number]
     with pytest.raises(ss.errors.ParameterError, match=named):
         call()
+
+
+@pytest.mark.parametrize(
+    ("given", "words"), [({"n": None}, "n = None"), ({"rng": "x"}, "rng = 'x' is no seed")]
+)
+def test_samples_are_a_number_and_a_seed(given: Any, words: str) -> None:
+    p = ss.Parameters.article(theta0=0.5)
+    with pytest.raises(ss.errors.ParameterError, match=words):
+        ss.jump_probability((p, p.replace(mu0=0.9)), **given)

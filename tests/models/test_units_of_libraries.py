@@ -168,6 +168,13 @@ def test_labels_and_masks_of_containers_are_read() -> None:
             BASE.replace(mu0=value)
 
 
+def test_the_unit_of_a_series_is_used_as_that_of_an_array_with_names() -> None:
+    pandas = pytest.importorskip("pandas")
+    series = pandas.Series([60.0, 90.0])
+    series.attrs["units"] = "deg"
+    np.testing.assert_array_equal(BASE.replace(theta0=series).theta0, [math.pi / 3, math.pi / 2])
+
+
 def test_masks_of_astropy_are_kept() -> None:
     units = pytest.importorskip("astropy.units")
     table, masks = (importlib.import_module(f"astropy.{n}") for n in ("table", "utils.masked"))

@@ -162,7 +162,8 @@ def matrices(
     ----------
     M, K, friction : array_like, sparse array, or path
         Mass, stiffness, and what stiffness the friction coefficient 1 adds; shape (n, n). M is
-        symmetric and positive definite. A path is read by :func:`spragsym.matrices.files.read`.
+        symmetric and positive definite. A path is read by its ending, as
+        ``.mtx``, ``.mat``, ``.npy``.
     C, G : likewise, optional
         Damping, and gyroscopic terms at the speed of rotation ``Omega`` = 1.
     stiffnesses, dampings : mapping of str to matrices, optional

@@ -50,10 +50,20 @@ def nearer(balance: Balance, given: FloatArray, box: FloatArray, search: Search)
     around = np.full(box.shape, -np.inf)
     around[:, :, rows] = small
     inside = contractors.within(found.undecided, around[:, :, found.undecided_point])
-    found = distinct(found.select(undecided=~inside).concatenated(inner))
+    found = found.select(undecided=~inside)
+    found = distinct(found.concatenated(inner.select(undecided=~_covered(inner, found))))
     for row in rows.tolist():
         found = _by_newton(balance, given, found, row, around[:, :, row])
     return found
+
+
+def _covered(inner: Roots, found: Roots) -> BoolArray:
+    """Undecided boxes that lie in one of ``found`` at the same point, which says as much."""
+    covered = np.zeros(inner.undecided_point.size, dtype=bool)
+    for k, point in enumerate(inner.undecided_point.tolist()):
+        others = found.undecided[:, :, found.undecided_point == point]
+        covered[k] = contractors.within(inner.undecided[:, :, [k]], others).any()
+    return covered
 
 
 def _wide(boxes: FloatArray) -> BoolArray:

@@ -62,6 +62,12 @@ def _one_fate(p: Any) -> None:
         ss.fate_boundary(p.replace(V=0.0), "mu_s", between=span)
 
 
+def _no_modes(p: Any) -> None:
+    """Its states tell growth and stability themselves; matrices have modes."""
+    with pytest.raises(ss.errors.ModelError, match="growth and stability"):
+        ss.modes(p)
+
+
 def asked_of(p: Any) -> dict[str, Callable[[], object]]:
     """Each question near the base values, as it is asked of a model of any kind."""
     still, short = p.replace(V=0.0), {"t_end": 60.0}
@@ -97,6 +103,7 @@ def asked_of(p: Any) -> dict[str, Callable[[], object]]:
         ),
         "jump_value": lambda: ss.jump_value(p, "mu_s", until=1.0),
         "lyapunov": lambda: ss.lyapunov(p, t_end=20.0),
+        "modes": lambda: _no_modes(p),
         "onset_curves": lambda: ss.onset_curves(p, PLANE, 4),
         "precise_equilibria": lambda: precise.equilibria(p),
         "quasi_static_path": lambda: ss.quasi_static_path(p, "mu_s", [0.5, 0.6, 0.7]),

@@ -4,6 +4,7 @@ import inspect
 from collections.abc import Callable, Iterator
 from typing import Any
 
+import numpy as np
 import pytest
 
 import spragsym as ss
@@ -22,6 +23,7 @@ USUAL: dict[str, Any] = {
     "target": {"mu0": 3.0},
     "distribution": {"theta0": 1.0, "sigma": (0.1, 0.2)},
     "paper": "none.toml",
+    **dict.fromkeys(("M", "K", "friction"), np.eye(2)),
 }
 #: Kinds of arguments that are none of numbers.
 KINDS = ("str", "Mapping", "Cycle", "Ranges")

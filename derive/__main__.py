@@ -68,7 +68,7 @@ def main(arguments: list[str] | None = None) -> int:
     identities |= _step("where folds turn back", lowest_fold.identities)
     identities |= _step("linear sprag model", linear_sprag.identities)
     proof = _step("one or three", theorem.one_or_three)
-    least = _step("the lowest fold", lowest_fold.steps)
+    least = _step("the critical friction", lowest_fold.steps)
     damped: tuple[theorem.Step, ...] = ()
     if not options.variant:
         damped = _step("stability with damping", routh.steps)
@@ -98,8 +98,8 @@ def main(arguments: list[str] | None = None) -> int:
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(
         f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities, {len(proof)} steps of "
-        f"the count theorem, {len(least)} of the lowest fold and {len(damped)} of stability with "
-        "damping proved"
+        f"the count theorem, {len(least)} of the critical friction and {len(damped)} of "
+        "stability with damping proved"
     )
     for row in rows:
         if row.status in ("misprint", "failed"):

@@ -1,8 +1,8 @@
-"""Fold curves, paths between folds, and the lowest fold of the article's model, at random
+"""Fold curves, paths between folds, and the critical friction of the article's model, at random
 stiffnesses over several decades.
 
 In turn: counts on a grid of θ₀ and μ₀ against those that crossing the fold curves predicts; a
-quasi-static path along each parameter against a state that creeps down the force; the lowest fold
+quasi-static path along each parameter against a state that creeps down the force; the critical friction
 of all angles against a scan, and to 50 digits; onsets of undamped flutter against a map of
 stability. Last found: a path could not stop on the very float of a fold (13d1c672).
 """
@@ -23,7 +23,7 @@ CASES = 400
 
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """One of the four questions."""
-    kind = ("counts", "path", "lowest fold", "flutter")[number % 4]
+    kind = ("counts", "path", "critical friction", "flutter")[number % 4]
     if kind == "counts":
         p = random_fixed(rng)
         tall = [
@@ -37,7 +37,7 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
             rng, PARAMETERS[number // 4 % len(PARAMETERS)]
         )
         bad = creeping_states.check(p, vary, values)[-1]
-    elif kind == "lowest fold":
+    elif kind == "critical friction":
         p = random_fixed(rng)
         found, told = lowest_fold.verdict(p)
         bad = int(told != "right")

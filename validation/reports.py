@@ -67,7 +67,7 @@ ROWS: list[tuple[str, str, str, list[tuple[str, bool]]]] = [
     ("Jump", "the same at full slip", r"-", [(FULL, True)]),
     ("Jump", "speed at which it begins to jump", "at no speed", [(FULL, False)]),
     ("Jump", "speed at which it begins to jump", r"[\d.]", [(FULL, True)]),
-    ("Jump", "its lowest fold at any angle", "there is none", [(EXISTS, False)]),
+    ("Jump", "least friction at which it ends", "there is none", [(EXISTS, False)]),
     ("Jump", "tolerances to the nearest jump", "0, it has jumped already", [(JUMPED, True)]),
     ("Jump", "tolerances to the nearest jump", "(?!0, it)", [(JUMPED, False)]),
     ("State", "the state it jumped to", "", [(JUMPED, True)]),
@@ -179,11 +179,11 @@ def contradictions(text: str) -> list[str]:
         if abs(100 * (jump / largest - 1) - percent) > 0.5 + 0.006 * (100 + percent):
             found.append(f"margins {above[0]}")
     if (
-        (low := re.search(rf"its lowest fold at any angle\s+friction {NUMBER}", text))
+        (low := re.search(rf"least friction at which it ends\s+friction {NUMBER}", text))
         and jumps
         and max(jumps) < float(low[1]) * 0.998
     ):
-        found.append(f"a jump at {jumps} below the lowest fold {low[0]}")
+        found.append(f"a jump at {jumps} below the critical friction {low[0]}")
     if peak := re.search(
         rf"from x = {NUMBER} mm to {NUMBER} mm\n.*\n  range of x\s+{NUMBER} mm to {NUMBER} mm", text
     ):

@@ -1,4 +1,4 @@
-"""The lowest fold: the least friction at which, over all inclinations 0 < θ₀ < π, the reference
+"""The critical friction: the least at which, over all inclinations 0 < θ₀ < π, the reference
 state ends.
 
 Candidates are the cusps, the points at which the curve of folds turns back in μ₀, f = f′ = f_θ₀ =

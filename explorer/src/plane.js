@@ -102,7 +102,7 @@ export function createPlane(box, store, axes) {
     });
   }
 
-  /** Marks the lowest fold where it is no cusp. */
+  /** Marks where the reference state ends first, if not at a cusp. */
   function lowest(ctx, dpr) {
     const { kind, ...at } = shapes.lowest;
     if (kind && kind !== "cusp" && values(at)[1] < spans[1][1]) {
@@ -114,7 +114,7 @@ export function createPlane(box, store, axes) {
       ctx.strokeStyle = colour.ink;
       ctx.stroke();
       ctx.textBaseline = "top";
-      ctx.fillText("lowest fold", x + 4 * dpr, y + 6 * dpr);
+      ctx.fillText("ends first", x + 4 * dpr, y + 6 * dpr);
       ctx.textBaseline = "alphabetic";
     }
   }

@@ -64,9 +64,11 @@ def critical_friction(
     """The least friction, over all inclinations, at which the followed state ends; or the least
     ``vary`` over all values of ``over``.
 
-    Below it the state, followed from the lower end of ``vary`` at any ``over``, never ends. It may
-    be lower than every cusp, since a curve of folds that rises from its cusp may turn back and fall
-    below it; see :func:`cusp_friction`.
+    Below it the state, followed from the lower end of ``vary`` at any ``over``, goes on; other
+    states may meet in folds there. It may lie below the lowest cusp, since a curve of folds that
+    rises from its cusp may turn back; see :func:`cusp_friction`. Where it is the lower end itself,
+    as 0 for the article's model with α = 0 and κ < 1 + β, it is an infimum: the state ends at
+    values as near to it as one likes, and not at it.
 
     Parameters
     ----------

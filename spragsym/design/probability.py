@@ -384,7 +384,8 @@ def jump_probability(
     -----
     Source: the event is an end of the state up to the value of the loading parameter. Intervals are
     by Student's distribution over the replicates, or by Clopper and Pearson if fewer than 50 points
-    jump or fewer than 50 do not. Proved bounds: tubes around curves of states over parts of the
+    jump or fewer than 50 do not; that one is nominal, since it takes the points as independent
+    draws, and Sobol' points are not. Proved bounds: tubes around curves of states over parts of the
     box, see :mod:`spragsym.bifurcation.tubes`; the probability of a part is the product of those of
     its sides.
 

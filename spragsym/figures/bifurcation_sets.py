@@ -1,5 +1,5 @@
 """The article's Figures 11, 12 and 14: equilibrium surface and bifurcation set; and two of our own:
-the friction of the lowest fold, and double roots of the quartic in L that are no folds.
+the critical friction, and double roots of the quartic in L that are no folds.
 """
 
 from __future__ import annotations
@@ -299,7 +299,9 @@ def on_surface(mu0: FloatArray, theta0: FloatArray | float, x: FloatArray) -> Fl
 
 @styled
 def figure_cusp_friction(*, n: int = 41) -> Sheet:
-    """Friction of the lowest fold over each parameter, which explains Figures 8 to 10."""
+    """The least friction at which the reference state ends, over each parameter, which explains
+    Figures 8 to 10.
+    """
     figure, axes = panels(2, 2, DOUBLE, 4.6)
     shown = {
         "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0), ()),
@@ -310,11 +312,11 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
     for letter, ax, (name, samples) in zip("abcd", axes.flat, shown.items(), strict=True):
         figure.tables[letter] = _draw_cusp_friction(ax, name, samples, n)
     return figure.describe(
-        f"""Friction of the lowest fold over all inclinations, μ_lowest, over (a) β, (b) α, (c) σ,
-        (d) κ, the other parameters at {BASE_TEXT}. From small deformation a curve at μ₀ = 0.5
-        (dotted) jumps where μ_lowest lies below it. Dots are the article's samples, of its Figures
-        8 to 10 in (a) to (c); filled: jumps, open: does not. The number is the critical value.
-        Where the curve of (d) ends there is no fold beyond."""
+        f"""The least friction at which the reference state ends at some inclination, μ_lowest, over
+        (a) β, (b) α, (c) σ, (d) κ, the other parameters at {BASE_TEXT}. From small deformation
+        a curve at μ₀ = 0.5 (dotted) jumps where μ_lowest lies below it. Dots are the article's
+        samples, of its Figures 8 to 10 in (a) to (c); filled: jumps, open: does not. The number
+        is the critical value. Where the curve of (d) ends there is no fold beyond."""
     )
 
 

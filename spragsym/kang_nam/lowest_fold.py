@@ -1,4 +1,4 @@
-"""The lowest fold: the least friction at which the reference state jumps, over all inclinations."""
+"""The critical friction: the least at which the reference state ends, over 0 < θ₀ < π."""
 
 import math
 from collections.abc import Iterator
@@ -27,10 +27,10 @@ def critical_friction(
 
     Notes
     -----
-    Source: the ledger, "The lowest fold". Candidates are the cusps, the points f = f′ = f_θ₀ = 0
-    with f″ < 0, whose sin θ is a root of a polynomial of degree 9, and the folds at θ₀ = 0; all are
-    isolated exactly, and the least is the answer. A cusp counts also where it is degenerate in (θ₀,
-    μ₀). Of several that agree to 25 digits, a cusp is named first.
+    Source: the ledger, "The critical friction". Candidates are the cusps, the points f = f′ = f_θ₀
+    = 0 with f″ < 0, whose sin θ is a root of a polynomial of degree 9, and the folds at θ₀ = 0; all
+    are isolated exactly, and the least is the answer. A cusp counts also where it is degenerate in
+    (θ₀, μ₀). Of several that agree to 25 digits, a cusp is named first.
 
     Examples
     --------
@@ -46,7 +46,7 @@ def critical_friction(
 
 
 def _lowest(*values: float) -> tuple[float, float, str, float]:
-    """The lowest fold of one set of parameters: friction, angle, kind and error."""
+    """The critical friction of one set of parameters: friction, angle, kind and error."""
     exact = tuple(map(Fraction, values))
 
     def attempt(bits: int) -> tuple[float, float, str, float]:
@@ -60,11 +60,11 @@ def _lowest(*values: float) -> tuple[float, float, str, float]:
         (mu0, theta0), error = as_floats((least[1].parameters[1], least[1].parameters[0]))
         return mu0, theta0, least[2], error
 
-    return with_enough_bits(40, attempt, "the lowest fold")
+    return with_enough_bits(40, attempt, "the critical friction")
 
 
 def _candidates(exact: tuple[Fraction, ...], bits: int) -> Iterator[tuple[SurfacePoint, str]]:
-    """All points among which the lowest fold is, with their kinds."""
+    """The points among which it is, with their kinds."""
     for point in proved_cusps(exact, bits):
         theta0, mu0, *_ = point.parameters
         # θ₀ of a level cusp, and the friction of an upright one with α = 0, are exactly 0.

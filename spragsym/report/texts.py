@@ -304,10 +304,10 @@ def _jump(report: Facts) -> Rows:
         if report.kind_lowest:
             what = "to infinity" if report.kind_lowest == "infinity" else f"a {report.kind_lowest}"
             lowest += (
-                f", {what} at {report.theta0_lowest_deg:.6g} deg; below this friction it cannot "
-                "jump at any angle"
+                f", {what} at {report.theta0_lowest_deg:.6g} deg; below this friction it "
+                "ends at no angle"
             )
-        yield "its lowest fold at any angle", lowest
+        yield "least friction at which it ends", lowest
         if report.kind_lowest != "cusp":  # it would be said twice
             yield (
                 "friction of the cusp",

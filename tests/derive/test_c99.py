@@ -82,7 +82,7 @@ def calls() -> str:
 
 
 class LowestFold(ctypes.Structure):
-    """``spragsym_lowest_fold``."""
+    """``spragsym_critical_load``."""
 
     _fields_ = (("mu0", ctypes.c_double), ("theta0", ctypes.c_double), ("kind", ctypes.c_int))
 

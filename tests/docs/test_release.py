@@ -162,7 +162,7 @@ def _written(text: str) -> Path:
 def test_no_number_of_the_paper_is_without_a_source() -> None:
     """But for those in names, headings and the year of its date."""
     body = read("paper.md").split("---", 2)[2].partition("# Numbers of this paper")[0]
-    plain = re.sub(r"\[@\w+\]|AUTO-07p|C99|μ₀ = 0\.5", "", body)
+    plain = re.sub(r"\[@[\w; @]+\]|AUTO-07p|C99|μ₀ = 0\.5", "", body)
     said = set(re.findall(r"\d[\d.,]*\d|\d", plain))
     known = {number for told in numbers().values() for number in told}
     assert {number.rstrip(".,") for number in said} == known

@@ -581,18 +581,17 @@ ROWS: dict[str, list[tuple[Facts, str, str]]] = {
         (said_of(theta0_jump_deg=None), "jump at this friction", "unknown"),
         (
             said_of(),
-            "its lowest fold at any angle",
-            "friction 0.15679, a cusp at 70.5971 deg; below this friction it cannot jump at any angle",
+            "least friction at which it ends",
+            "friction 0.15679, a cusp at 70.5971 deg; below this friction it ends at no angle",
         ),
         (
             said_of(kind_lowest="infinity"),
-            "its lowest fold at any angle",
-            "friction 0.15679, to infinity at 70.5971 deg; below this friction it cannot jump at "
-            "any angle",
+            "least friction at which it ends",
+            "friction 0.15679, to infinity at 70.5971 deg; below this friction it ends at no angle",
         ),
         (
             said_of(kind_lowest="", mu_lowest=math.inf),
-            "its lowest fold at any angle",
+            "least friction at which it ends",
             "there is none",
         ),
         (said_of(kind_lowest="turn", mu_cusp=0.2), "friction of the cusp", "0.2"),

@@ -1,4 +1,4 @@
-// The lowest fold of the plane in a sentence.
+// Where the reference state ends first, in a sentence.
 
 import { degrees, written } from "../numbers.js";
 
@@ -11,6 +11,6 @@ export function lowestFold(shapes) {
   }
   const { theta0, mu0, kind } = shapes.lowest;
   return kind
-    ? `Lowest fold that ends the reference state: μ₀ = ${written(mu0, 6)} at θ₀ = ${written(degrees(theta0), 5)}°, ${KINDS[kind]}. Below that friction it jumps at no inclination (in double precision, not proved).`
+    ? `The reference state ends first at μ₀ = ${written(mu0, 6)} at θ₀ = ${written(degrees(theta0), 5)}°, ${KINDS[kind]}. Below that friction it jumps at no inclination (in double precision, not proved).`
     : "No fold ends the reference state, at any inclination and friction (in double precision, not proved).";
 }

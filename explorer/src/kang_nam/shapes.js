@@ -14,7 +14,7 @@ const OUTSIDE = 0.2;
 /** Directions of the spring at which the bifurcation set is computed; more would show nothing more. */
 const FINE = 120;
 
-/** Curves of folds and flutter onsets, cusps, the lowest fold, and the areas with several equilibria, for friction up to `top`. */
+/** Curves of folds and flutter onsets, cusps, where the reference state ends first, and the areas with several equilibria, for friction up to `top`. */
 export function curvesOf(solver, point, top) {
   const { curves, cusps } = solver.bifurcation_set(point, { n: FINE });
   const flutter = solver.flutter_boundary(point, { n: FINE });

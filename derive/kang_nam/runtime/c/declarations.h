@@ -100,7 +100,7 @@ spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_paramete
  */
 spragsym_status spragsym_step(const spragsym_model *model, double V, double d, double h, double state[4]);
 
-/** Where the lowest fold is: on the curve of folds in the plane of theta0 and mu0. */
+/** Where the reference state ends first: on the curve of folds in the plane of theta0 and mu0. */
 typedef enum {
     SPRAGSYM_NO_FOLD = 0, /**< no fold ends the reference state */
     SPRAGSYM_CUSP = 1,    /**< at a cusp */
@@ -108,15 +108,15 @@ typedef enum {
     SPRAGSYM_END = 3      /**< as theta0 goes to 0 */
 } spragsym_fold_kind;
 
-/** The lowest fold that ends the reference state. */
+/** The least friction at which the reference state ends. */
 typedef struct {
     double mu0;    /**< its friction; HUGE_VAL if no fold ends that state */
     double theta0; /**< its inclination; 0 if none does */
     spragsym_fold_kind kind;
-} spragsym_lowest_fold;
+} spragsym_critical_load;
 
 /**
- * The lowest fold: the friction below which the reference state, followed from mu0 = 0, jumps at no inclination.
+ * The critical friction: that below which the reference state, followed from mu0 = 0, jumps at no inclination.
  *
  * Cusps and points where the curve of folds turns back are roots of polynomials in sin theta, searched in double precision between the
  * roots of their derivatives. Unlike the equilibria this is not proved: SPRAGSYM_OK says that rounding, as estimated, can't have hidden
@@ -127,4 +127,4 @@ typedef struct {
  * @param parameters  theta0 and mu0 are not used.
  * Worst case: @cost:spragsym_critical_friction@.
  */
-spragsym_status spragsym_critical_friction(const spragsym_parameters *parameters, spragsym_lowest_fold *lowest);
+spragsym_status spragsym_critical_friction(const spragsym_parameters *parameters, spragsym_critical_load *lowest);

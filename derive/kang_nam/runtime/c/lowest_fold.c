@@ -1,4 +1,4 @@
-/* -------------------------------------------------------------------------------------- the lowest fold */
+/* -------------------------------------------------------------------------------------- the critical friction */
 
 /* Degree of the polynomials in sin theta among whose roots cusps and turns are, and one more. */
 #define DEGREE 9
@@ -115,7 +115,7 @@ static int meets_below(const spragsym_parameters *p, const candidate *at) {
 }
 
 /* Take a candidate that is in contact if it is the lowest; whether it is certain which it is. */
-static int weighed(const spragsym_parameters *p, candidate at, spragsym_lowest_fold *least) {
+static int weighed(const spragsym_parameters *p, candidate at, spragsym_critical_load *least) {
     double state[3];
     double step = 0.0;
     if (!(at.mu0 >= 0.0)) {
@@ -137,7 +137,7 @@ static int weighed(const spragsym_parameters *p, candidate at, spragsym_lowest_f
     return step < NARROW && fabs(state[0]) > TOLERANCE && fabs(state[2]) > TOLERANCE;
 }
 
-static int weigh_cusp(const spragsym_parameters *p, double s, spragsym_lowest_fold *least) {
+static int weigh_cusp(const spragsym_parameters *p, double s, spragsym_critical_load *least) {
     double angles[2];
     double point[3] = {0.0, 1.0, 0.0};
     algebra_cusp_sine(s, p->kappa, p->alpha, p->sigma, p->beta, angles);
@@ -155,7 +155,7 @@ static int weigh_cusp(const spragsym_parameters *p, double s, spragsym_lowest_fo
     return weighed(p, at, least);
 }
 
-static int weigh_turn(const spragsym_parameters *p, double s, spragsym_lowest_fold *least) {
+static int weigh_turn(const spragsym_parameters *p, double s, spragsym_critical_load *least) {
     double ratio[2];
     algebra_turning_sine(s, p->kappa, p->alpha, p->sigma, p->beta, ratio);
     const double s0 = ratio[0] / ratio[1];
@@ -172,7 +172,7 @@ static int weigh_turn(const spragsym_parameters *p, double s, spragsym_lowest_fo
 }
 
 /* t = tan(theta/2), or its inverse where theta lies beyond pi/2. */
-static int weigh_level(const spragsym_parameters *p, double t, double sign_of_cosine, spragsym_lowest_fold *least) {
+static int weigh_level(const spragsym_parameters *p, double t, double sign_of_cosine, spragsym_critical_load *least) {
     const Direction there = direction(t);
     const double c = sign_of_cosine * there.cosine;
     const double mu0 = algebra_surface(c, there.sine, 1.0, 0.0, p->kappa, p->alpha, p->sigma, p->beta);
@@ -180,7 +180,7 @@ static int weigh_level(const spragsym_parameters *p, double t, double sign_of_co
     return weighed(p, at, least);
 }
 
-static int weigh_level_folds(const spragsym_parameters *p, spragsym_lowest_fold *least) {
+static int weigh_level_folds(const spragsym_parameters *p, spragsym_critical_load *least) {
     double line[4], rates[24], sextic[SEXTIC];
     double turned[2][COEFFICIENTS] = {{0.0}, {0.0}};
     double roots[DEGREE];
@@ -202,7 +202,7 @@ static int weigh_level_folds(const spragsym_parameters *p, spragsym_lowest_fold 
     return certain;
 }
 
-spragsym_status spragsym_critical_friction(const spragsym_parameters *parameters, spragsym_lowest_fold *lowest) {
+spragsym_status spragsym_critical_friction(const spragsym_parameters *parameters, spragsym_critical_load *lowest) {
     if (!parameters || !lowest) {
         return SPRAGSYM_BAD_INPUT;
     }
@@ -215,7 +215,7 @@ spragsym_status spragsym_critical_friction(const spragsym_parameters *parameters
     double e[COEFFICIENTS] = {0.0};
     double roots[DEGREE];
     int count;
-    spragsym_lowest_fold least = {HUGE_VAL, 0.0, SPRAGSYM_NO_FOLD};
+    spragsym_critical_load least = {HUGE_VAL, 0.0, SPRAGSYM_NO_FOLD};
     if (given.alpha > 0.0) {
         algebra_cusp_polynomial(given.kappa, given.alpha, given.sigma, given.beta, e);
     } else {

@@ -107,7 +107,7 @@ export declare function equilibria(parameters: Parameters, options?: { contact?:
 export declare function surface(parameters: Fixed, theta: number, theta0: number): SurfacePoint | null;
 /** All cusps in contact with mu0 >= 0, by ascending mu0. */
 export declare function cusps(parameters: Fixed): Turn[];
-/** The lowest fold: below its friction the reference state jumps at no inclination; Infinity where it never jumps. */
+/** The critical friction: below it the reference state jumps at no inclination; Infinity where it never jumps. */
 export declare function critical_friction(parameters: Fixed): { mu0: number; theta0: number; kind: "cusp" | "turn" | "end" | "" };
 /** Every curve of folds with mu0 >= 0, and the cusps on them. */
 export declare function bifurcation_set(parameters: Fixed, options?: { n?: number }): { curves: Curve[]; cusps: Turn[] };

@@ -1,4 +1,4 @@
-// ------------------------------------------------------------------------------------------------- the lowest fold
+// ------------------------------------------------------------------------------------------------- the critical friction
 
 /**
  * The friction below which the reference state, followed from mu0 = 0, jumps at no inclination: the lowest fold with

@@ -36,8 +36,8 @@ int steps(const spragsym_parameters *in, double V, double d, double h, long coun
     return status;
 }
 
-void lowest(long points, const spragsym_parameters *in, spragsym_lowest_fold *out, int *status);
-void lowest(long points, const spragsym_parameters *in, spragsym_lowest_fold *out, int *status) {
+void lowest(long points, const spragsym_parameters *in, spragsym_critical_load *out, int *status);
+void lowest(long points, const spragsym_parameters *in, spragsym_critical_load *out, int *status) {
     for (long i = 0; i < points; i++) {
         status[i] = (int)spragsym_critical_friction(&in[i], &out[i]);
     }
@@ -50,7 +50,7 @@ int main(void) {
     static int counts[BATCH];
     static int statuses[BATCH];
     spragsym_parameters one;
-    spragsym_lowest_fold fold;
+    spragsym_critical_load fold;
     double numbers[16] = {0.0};
     double results[16];
     long read = 0;

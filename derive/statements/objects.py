@@ -16,6 +16,7 @@ from sympy.solvers.solveset import NonlinearError
 
 from .. import laws, linearization, mechanics, physical_checks, statics, units
 from ..algebra import Row
+from ..emit.names import latex
 from ..factors import factored
 from ..mechanics import MU, PUSHING, Mechanics, NormalForce, number, of_contact
 from ..model import Datum, Page, expression_of
@@ -116,7 +117,7 @@ class Derivation:
     def plain(self) -> dict[Expr, Expr]:
         """Meanings of the mechanics' symbols for lengths, directions, torsions and angles."""
         found = dict(self._angles)
-        for line, (length, angle, dx, dy) in zip(self.model.lines, self._lines, strict=True):
+        for line, (length, angle, dx, dy) in zip(self.model.lines, self.lines, strict=True):
             size = sp.sqrt(dx**2 + dy**2)
             found[line.l] = Symbol(length) if length in self.geometry else size
             is_named = angle in self.geometry
@@ -240,7 +241,7 @@ class Derivation:
         return found
 
     @cached_property
-    def _lines(self) -> list[tuple[str, str, Expr, Expr]]:
+    def lines(self) -> list[tuple[str, str, Expr, Expr]]:
         """For every line the names of its length and inclination, and its vector."""
         found = []
         for index, line in enumerate(self.model.lines, 1):
@@ -255,7 +256,7 @@ class Derivation:
         several lines; without those whose names the page gives to something else.
         """
         found: dict[str, Expr] = {}
-        for length, angle, dx, dy in self._lines:
+        for length, angle, dx, dy in self.lines:
             found |= {length: sp.sqrt(dx**2 + dy**2), angle: sp.atan2(dy, dx)}
         taken = self.parameters.keys() | set(map(str, self.model.coordinates))
         return {name: value for name, value in found.items() if name not in taken}
@@ -274,16 +275,16 @@ class Derivation:
     def friction(self) -> dict[Symbol, Expr]:
         """The friction coefficients at any state of motion; 0 on a page without friction."""
         slides = [(it.law, it.belt - self.page.rate(it.along)) for it in self.page.frictions]
-        values = [self._in_form(law(speed)) for law, speed in slides]
+        values = [self.in_form(law(speed)) for law, speed in slides]
         return dict(zip(self.coefficients, values or [S.Zero], strict=True))
 
     @cached_property
     def speeds(self) -> list[Expr]:
         """The sliding speed of every friction: speed of the belt minus that of the sliding body."""
         frictions = self.page.frictions
-        return [self._in_form(it.belt - self.page.rate(it.along)) for it in frictions]
+        return [self.in_form(it.belt - self.page.rate(it.along)) for it in frictions]
 
-    def _in_form(self, value: Expr) -> Expr:
+    def in_form(self, value: Expr) -> Expr:
         """An expression of the page in this form."""
         return self.spelled(self.model.scaled(expression_of(value)))
 
@@ -324,7 +325,7 @@ class Derivation:
         data = self.page.parameters
         found = {str(it.symbol): it.latex for it in (*self.page.units, *data)}
         if self.scaled:
-            found = {it.becomes: sp.latex(number(it)) for it in data}
+            found = {it.becomes: latex(it.becomes) for it in data}
             found |= {name: it.latex for it in data if (name := it.becomes) == str(it.symbol)}
         for it, second in zip(self.page.coordinates, self.accelerations, strict=True):
             found |= {
@@ -713,7 +714,7 @@ def balance_in_direction(derivation: Derivation, side: str) -> tuple[Matrix, Mat
         or len(derivation.geometry) != 2
     ):
         raise NoObject("only two coordinates and one line that is named L, theta have a direction")
-    (line,), ((length, angle, *_),) = derivation.model.lines, derivation._lines
+    (line,), ((length, angle, *_),) = derivation.model.lines, derivation.lines
     L, theta = Symbol(length), Symbol(angle)
     direction = Matrix(sp.symbols("c s"))
     ends = (derivation.spelled(line.dx), derivation.spelled(line.dy))

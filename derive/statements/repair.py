@@ -148,7 +148,7 @@ def multiplied(*factors: Values) -> Values:
 
 #: Operations on arrays, by ``Node.operation``.
 _NUMERIC = {
-    **{name: sp.lambdify(x, of(x), "numpy") for name, of in FUNCTIONS.items()},
+    **{name: sp.lambdify(x, of(x), "numpy") for name, of in FUNCTIONS.items() if name != "atan2"},
     **{name: getattr(operator, name.lower()) for name in RELATIONS},
     "add": lambda *parts: functools.reduce(operator.add, parts),
     "neg": operator.neg,
@@ -157,6 +157,7 @@ _NUMERIC = {
     "pow": operator.pow,
     "max": lambda *parts: functools.reduce(np.maximum, parts),
     "min": lambda *parts: functools.reduce(np.minimum, parts),
+    "atan2": np.arctan2,
     "And": lambda *parts: functools.reduce(np.logical_and, parts),
     "Tuple": lambda *parts: np.array(np.broadcast_arrays(*parts)),
     "Piecewise": lambda *pairs: np.select(

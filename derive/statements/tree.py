@@ -139,9 +139,10 @@ FUNCTIONS: dict[str, Callable[..., Expr]] = {
     "Heaviside": lambda u: (1 + sp.sign(u)) / 2,
     "max": lambda *values: functools.reduce(lambda a, b: (a + b + sp.Abs(a - b)) / 2, values),
     "min": lambda *values: functools.reduce(lambda a, b: (a + b - sp.Abs(a - b)) / 2, values),
+    "atan2": sp.atan2,
 }
 #: Functions of two arguments or more.
-OF_SEVERAL = ("max", "min")
+OF_SEVERAL = ("max", "min", "atan2")
 #: Relations in the conditions of a choice.
 RELATIONS = {name: getattr(sp, name) for name in ("Lt", "Le", "Gt", "Ge", "Ne", "Eq")}
 ZERO, ONE, TWO = (Node("number", value=digit) for digit in "012")

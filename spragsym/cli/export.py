@@ -10,13 +10,13 @@ from pathlib import Path
 import click
 
 from .. import derive as derive_package
-from ..core.errors import ParameterError, StoreError
+from ..core.errors import MissingExtraError, ParameterError, StoreError
 from ..derive.emit.targets import languages, packer
 from ..derive.kang_nam.library import exported
 from ..files.cache import cached, digest_of_folder
 from ..files.storage import probe
 from ..models import Model
-from ..models.load import USUAL, load, page_of
+from ..models.load import USUAL, load, page_of, shipped
 from . import options as o
 from .case import study_of
 from .output import refuse, write
@@ -121,23 +121,77 @@ def _of_page(
 
 
 @o.command()
-@click.argument("page", type=click.Path(exists=True, dir_okay=False, path_type=Path))
-@o.folder("Folder to write.")
+@click.argument("page", metavar="PAGE|NAME")
+@o.folder("Folder to write.", required=False)
+@o.file("--latex", metavar="FILE", help="Write the derivation as a text, in LaTeX.")
+@o.file("--html", metavar="FILE", help="Write it as one page of HTML.")
+@o.file("--statements", metavar="FILE", help="Write its equations for spragsym check.")
 @o.force
-def derive(page: Path, out: Path) -> None:
-    """Derive a model from its model page, and write it to a folder.
+def derive(
+    page: str, out: Path | None, latex: Path | None, html: Path | None, statements: Path | None
+) -> None:
+    """Derive a model from its model page, and write it to a folder, or as a text.
 
     A model page is a Python file that says quantities, coordinates, energies, springs, contact and
-    friction; it is run. The folder is what --model of other commands takes, and spragsym.load.
+    friction; it is run. The folder is what --model of other commands takes, and spragsym.load. The
+    text has drawing, nomenclature, energies, equations of motion with units and scaled,
+    equilibrium and linearization, numbered as in the appendix of a paper, of a page or of a shipped
+    model.
 
     \b
     Examples:
       spragsym derive my_brake.py --out my_brake
+      spragsym derive my_brake.py --latex appendix.tex --statements appendix.toml
+      spragsym derive kang_nam --html kang_nam.html
     """
+    if not any((out, latex, html, statements)):
+        raise click.UsageError("give --out for a folder, --latex, --html or --statements for a text")
+    path = Path(page)
+    if page in shipped():
+        path = Path(derive_package.__file__).parent / "models" / f"{page}.py"
+    elif not path.is_file():
+        raise ParameterError(
+            f"PAGE = {page}: there is no such file; give a page, or one of {', '.join(shipped())}"
+        )
+    refuse([None if out is None else out / "model.json"], made=True)
+    refuse([latex, html, statements])
+    if html is not None and find_spec("latex2mathml") is None:
+        raise MissingExtraError("--html", "latex2mathml", "derive")
+    texts = _texts(path, {latex: "latex", html: "html", statements: "statements"})
+    if out is not None:
+        _folder(path, out)
+    write(texts)
+    for name in texts:
+        click.echo(f"wrote {name}", err=True)
+
+
+def _texts(page: Path, kinds: Mapping[Path | None, str]) -> dict[Path, str]:
+    """The derivation as texts, by file."""
+    from ..derive import manuscript_files
+    from ..derive.manuscript import manuscript
+    from ..derive.model import PageError
+    from ..derive.pages import read
+
+    files = {path: kind for path, kind in kinds.items() if path is not None}
+    if not files:
+        return {}
+    writers = {
+        "latex": manuscript_files.as_latex,
+        "html": manuscript_files.as_html,
+        "statements": manuscript_files.as_statements,
+    }
+    try:
+        found = manuscript(read(page))
+    except PageError as error:
+        raise click.ClickException(f"{error}; nothing was written") from error
+    return {path: writers[kind](found) for path, kind in files.items()}
+
+
+def _folder(page: Path, out: Path) -> None:
+    """Derive a page and write its folder."""
     from ..derive import folder
     from ..derive.model import PageError
 
-    refuse([out / "model.json"], made=True)
     try:
         count = folder.write_page(page, out)
     except PageError as error:

@@ -244,11 +244,10 @@ def file(*flags: str, folder: bool = False, exists: bool = False, **more: Any) -
     )
 
 
-def folder(text: str) -> Decorator:
+def folder(text: str, *, required: bool = True) -> Decorator:
     """``--out``, the folder of commands that write several files."""
-    return click.option(
-        "--out", "-o", type=click.Path(file_okay=False, path_type=Path), required=True, help=text
-    )
+    kind = click.Path(file_okay=False, path_type=Path)
+    return click.option("--out", "-o", type=kind, required=required, help=text)
 
 
 def plot(what: str) -> Decorator:

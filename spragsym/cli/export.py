@@ -145,7 +145,8 @@ def derive(
       spragsym derive kang_nam --html kang_nam.html
     """
     if not any((out, latex, html, statements)):
-        raise click.UsageError("give --out for a folder, --latex, --html or --statements for a text")
+        message = "give --out for a folder, --latex, --html or --statements for a text"
+        raise click.UsageError(message)
     path = Path(page)
     if page in shipped():
         path = Path(derive_package.__file__).parent / "models" / f"{page}.py"

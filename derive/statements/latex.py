@@ -451,7 +451,7 @@ class _LatexReader:
         number, or an argument that goes on.
         """
         value = factor.value if isinstance(factor.value, Node) else Node("matrix")
-        if value.kind == "number" and value.value != "pi":
+        if value.kind == "number" and value.value != "pi" and sign != "(":
             raise Unread("a number behind a factor: an index, a digit, or a product", at)
         if sign in FRACTIONS and _numeric(before.value) and _numeric(value):
             raise Unread("a mixed number, or a product", at)
@@ -931,7 +931,8 @@ class _LatexReader:
         place, bracketed = here.at, here.text == "("
         value = self.factor(here).value
         has_end = bracketed or _bracket(here.items[here.place - 1]) is not None
-        is_power = isinstance(value, Node) and value.kind == "pow"
+        is_whole = here.items[here.place - 1].text == "("
+        is_power = isinstance(value, Node) and value.kind == "pow" and not is_whole
         if is_power or not (here.item is None or has_end):
             raise Unread("the derivative ends nowhere; print brackets", place)
         return value

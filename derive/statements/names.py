@@ -70,6 +70,7 @@ class Names:
         self.symbols, self.laws = vocabulary.symbols, vocabulary.laws
         self.fixed, self.derivative = vocabulary.fixed, vocabulary.derivative
         self.functions_of_one, self.has_roots = vocabulary.arguments.keys(), vocabulary.has_roots
+        self.dotted = vocabulary.dotted
         #: whether a name that is not known is a new one, to which a value is given
         self.is_open = False
         self.next: dict[str, str] = {}
@@ -113,7 +114,7 @@ class Names:
             If the page has no such name, or two.
         """
         found = self.known(name, at)
-        if found is None and self.is_open:
+        if found is None and (self.is_open or self.dotted is not None):
             return leaf(name.spelled, at)
         if found is None:
             remedy = f"say what it is under [symbols]{name.remedy}"
@@ -131,6 +132,12 @@ class Names:
             return moved(self.renamed[name], at)
         if name.order:
             before = self.known(replace(name, order=name.order - 1), at)
+            if before is None and self.dotted is not None and (name.has_dots or name.order == 2):
+                base = replace(name, order=0).spelled
+                self.dotted.add(base)
+                self.symbols |= {base}
+                self.next |= {base: f"v{base}", f"v{base}": acceleration_of(base)}
+                return self.known(name, at)
             if before is not None and not (name.has_dots or self.moves(before)):
                 before = before if self.function_of(before) else None  # k' is no rate of k
             if before is None or name.has_dots or self.function_of(before) is None:

@@ -56,6 +56,7 @@ class Paper:
     renamed: Mapping[str, str]
     statements: tuple[Statement, ...]
     conventions: Mapping[str, str] = field(default_factory=dict)
+    meanings: Mapping[str, str] = field(default_factory=dict)  #: what the text says of names
 
 
 def read(path: Path) -> Paper:
@@ -83,8 +84,9 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
         line = next(found, after or 1)
         return PaperError(f"{name}, line {line}, key {key}: {message}")
 
-    for key in sorted(data.keys() - {"paper", "model", "symbols", "conventions", "statement"}):
-        raise refuse(key, "is unknown; allowed are paper, model, symbols, conventions, statement")
+    allowed = ("paper", "model", "symbols", "conventions", "meanings", "statement")
+    for key in sorted(data.keys() - {*allowed}):
+        raise refuse(key, f"is unknown; allowed are {', '.join(allowed)}")
     texts = {key: data.get(key, "") for key in ("paper", "model")}
     for key, value in texts.items():
         if not isinstance(value, str):
@@ -93,6 +95,7 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
     for key, said in (
         ("symbols", """write "print" = "page's name\""""),
         ("conventions", 'write x = "reversed" or theta = "theta - pi"'),
+        ("meanings", 'write m = "mass of the cart"'),
     ):
         table = data.get(key, {})
         if not isinstance(table, dict) or not all(isinstance(it, str) for it in table.values()):
@@ -122,7 +125,7 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
         else:
             found.append(Statement(text=sympy, is_latex=False, **rest))
     head = str(texts["paper"]), str(texts["model"]), tables["symbols"]
-    return Paper(*head, tuple(found), tables["conventions"])
+    return Paper(*head, tuple(found), tables["conventions"], tables["meanings"])
 
 
 def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:

@@ -89,6 +89,8 @@ class Vocabulary:
     #: gives the name of a derivative from the name that is differentiated and the variable; an
     #: empty variable stands for the argument of a function
     derivative: Callable[[str, str], str] | None = None
+    #: without a page, where every name is known: those with dots, which are added as they are read
+    dotted: set[str] | None = None
 
 
 class Unread(ValueError):

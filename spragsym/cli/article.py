@@ -51,7 +51,10 @@ from .output import is_typed, print_json, refuse, wrapped, write
     metavar="NAME|DIR|PAGE",
     help=f"{o.TEXT} What holds of the article for it; the page of PAPER.",
 )
-@o.file("--out", folder=True, help="Folder for LEDGER.md and ledger.html of PAPER.")
+@click.option("--draft", is_flag=True, help="Draft a file of statements from PAPER, its source.")
+@o.file(
+    "--out", folder=True, help="Folder for LEDGER.md and ledger.html of PAPER; file of a draft."
+)
 @click.option(
     "--row-limit",
     type=click.FloatRange(0.0, min_open=True),
@@ -69,6 +72,7 @@ def check(
     again: bool,
     report: Path | None,
     model_name: str | None,
+    draft: bool,
     out: Path | None,
     row_limit: float,
 ) -> None:
@@ -77,6 +81,9 @@ def check(
     With --claims every statement of the article's text compares with computation. PAPER is a file
     of statements (TOML), held against its page: each is confirmed, or the misprint is found. A page
     is a program: one that PAPER names runs with --trust, one that you name with --model.
+
+    With --draft PAPER is a source, in TeX, Markdown, doconce or a notebook: each displayed equation
+    becomes a statement, with a guess of what it is about.
 
     Rows come from the committed ledger at once; with --again each is derived or computed anew, and
     compared with it.
@@ -90,12 +97,20 @@ def check(
       spragsym check --json | jq '.[] | select(.status == "misprint")'
       spragsym check --report docs/reproduction.md
       spragsym check --model cubic_contact --row eq-11
+      spragsym check --draft paper.tex --out paper.toml
       spragsym check paper.toml --model page.py --out ledger
 
     \b
     Exit codes: 0 every row is as recorded or expected; 1 a row is not; 2 usage; 3 a row of PAPER
     could not be read, and all others are as expected.
     """
+    if draft:
+        if paper is None or claims or again or only or report or model_name:
+            raise click.UsageError(
+                "--draft is of the source of a paper alone; give its file, and --out"
+            )
+        _draft(paper, out)
+        return
     if paper is not None:
         if claims or again or report is not None:
             raise click.UsageError("a paper is checked without --claims, --again and --report")
@@ -223,6 +238,26 @@ def _equations(only: tuple[str, ...], again: bool) -> _Rows:
     ]
     wrong += [f"{id} is not as recorded in generated/ledger.json" for id in changed]
     return [row for id, row in now.items() if id in chosen], wrong
+
+
+def _draft(source: Path, out: Path | None) -> None:
+    """Write the draft of a file of statements, or print it."""
+    from ..drafts import draft
+
+    refuse([out])
+    with show_progress("reading the source"):
+        found = draft(source)
+    if o.is_json():
+        print_json(asdict(found))
+    elif out is None:
+        click.echo(found.text, nl=False)
+    else:
+        write({out: found.text})
+    click.echo(
+        f"{found.equations} displayed equations: {found.unread} unread, {found.judged} with a "
+        "guess of what they are about",
+        err=True,
+    )
 
 
 def _check_paper(

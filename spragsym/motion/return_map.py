@@ -252,7 +252,12 @@ def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
     # Scales: ranges of the components over maxima and minima, at least 1 % of that of x, or of a
     # turn, or of what moves most beside a clock.
     all_places = np.vstack([places, statistics.maxima, statistics.minima])
-    extent = np.ptp(section(_near(all_places, places[-1], periodic), fixed), axis=0)
+    ranges = np.ptp(_near(all_places, places[-1], periodic), axis=0)
+    if field.clock:  # where x is largest or smallest, it does not move: not there rates range
+        n = len(ranges) // 2
+        once = 4 / TURN * places[-1, -1]  # back and forth in a turn
+        ranges[n:-1] = np.maximum(ranges[n:-1], once * ranges[: n - 1])
+    extent = section(ranges, fixed)
     unit = TURN if turning else extent[lead]
     scale = np.maximum(extent, 1e-2 * (magnitude(extent) if field.clock else unit) + 1e-300)
     states /= scale

@@ -30,7 +30,7 @@ from ..motion.scales import MotionScales, scaled, scales_of
 from ..motion.shooting import Conditions, Iterate, Orbit
 from ..motion.simulation import motion_of
 from ..motion.solution import FlowResult
-from ..numerics.vectors import magnitude, norm
+from ..numerics.vectors import TURN, magnitude, norm
 from .arclength import BranchPoint, Setting, started
 from .orbit import Cycle
 
@@ -92,10 +92,17 @@ class System:
         """Units of the motion from a state."""
         return scales_of(self.field, self.constants, state.tolist())
 
-    def looks(self, scales: MotionScales, t_end: float) -> list[float]:
-        """Times up to ``t_end`` at which a fate is judged."""
-        times = (t * scales.time for t in self.options.times)
-        return [*(t for t in times if t <= t_end / 2), t_end]
+    def looks(self, scales: MotionScales, t_end: float = math.inf) -> list[float]:
+        """Times up to ``t_end`` at which a fate is judged: those of the options, and before them
+        under a fast clock, of which a motion has to follow each turn, a hundred turns and so on.
+        """
+        times = [t * scales.time for t in self.options.times]
+        if self.field.clock:
+            early = 100 * TURN / self.field.clock(self.constants)
+            while early < times[0] / 4:
+                times.append(early)
+                early *= 8
+        return [*(t for t in sorted(times) if t <= t_end / 2), *[t_end] * (t_end < math.inf)]
 
     def beside(self, state: FloatArray, share: float) -> FloatArray:
         """A state that deviates by a share of the units of the motion, as anything but the rate of
@@ -194,7 +201,7 @@ def judged(
     these are those of the options, and later ones while what friction holds is carried slowly.
     """
     state, begun, options, scales = start, 0.0, system.options, system.scales(start)
-    looks = list(times or [t * scales.time for t in options.times])
+    looks = list(times or system.looks(scales))
     while True:
         t_end = looks.pop(0)
         motion = system.motion(state, t_end - begun, rtol=options.rtol if rtol is None else rtol)

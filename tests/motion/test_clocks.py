@@ -12,7 +12,7 @@ import spragsym as ss
 from spragsym.core.errors import ConvergenceError, ModelError, ParameterError
 from spragsym.core.questions import FORCED
 from spragsym.derive.model import PageError
-from spragsym.motion.problem import Event
+from spragsym.motion.problem import Event, check_stiffness, prepare
 from tests.conformance.models import answers
 from tests.conformance.test_questions import TABLE, Asked, questions
 from tests.oracles import clocks
@@ -307,6 +307,19 @@ def test_a_motion_on_a_repelling_cycle_of_a_clock_is_not_chaotic() -> None:
     expected = np.sort(np.log(np.abs(np.linalg.eigvals(monodromy))) / np.pi)  # Mathieu's equation
     off = np.abs(fate.exponents[[2, 0]] - expected)
     assert (off < fate.error[[2, 0]]).all()
+
+
+def test_a_fast_clock_is_judged_after_some_turns_and_is_not_stiff() -> None:
+    """Of what slides without a stop Den Hartog's amplitude; the clock's own rate is no decay."""
+    model, omega = model_of(FRICTION, "forced"), 1e3
+    p = model.Parameters(omega=omega)
+    found = ss.fate(p)
+    assert (found.kind, found.t) == ("cycle", pytest.approx(200 * np.pi / omega))
+    slowed = 0.2 * np.sin(np.pi / omega) / (omega * (1 + np.cos(np.pi / omega)))
+    exact = np.sqrt(1 / (1 - omega**2) ** 2 - slowed**2)
+    assert found.outcome.cycle[0] == pytest.approx(exact, rel=1e-6)
+    problem = prepare(model, p, start=(0.0, 0.0, 0.0, omega), t_end=2000.0, rtol=1e-12)
+    check_stiffness(problem, (0.0, 0.0, 1e-4, omega), 1.5e-3, 2000.0)  # would raise StiffError
 
 
 def test_what_is_not_answered_of_a_clock_says_so() -> None:

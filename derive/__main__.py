@@ -125,9 +125,8 @@ def models(variant: bool) -> dict[str, str]:
             f"models/{model.name}/{name}": text
             for name, text in folder.render(model, write.header(), shared).items()
         }
-        if (
-            model.name == article and not variant
-        ):  # its page of the explorer is written without SymPy
+        # Pages of the explorer that are written without SymPy.
+        if model.name in (article, "damped") and not variant:
             module = f"models/{model.name}/{model.name}.mjs"
             files[module] = export.for_the_browser(model, write.header())
     return files

@@ -35,14 +35,22 @@ def _whole(name: str, values: dict[str, float], state: Any) -> Any:
 
 
 def _motion(number: int, name: str, p: Any, values: dict[str, float], start: Any) -> dict[str, Any]:
-    driver = Driver(name, values)
-    end, full = driver.run(start, T_END), _whole(name, values, start)
+    full = _whole(name, values, start)
+    by = {
+        backend: ss.simulate(p, start=full, t_end=T_END, rtol=1e-12, backend=backend)
+        for backend in ("heyoka", "scipy")
+    }
     n = len(full) // 2
     kept = np.flatnonzero(~np.isin(np.arange(2 * n), [n - 1, 2 * n - 1] * SYSTEMS[name].clock))
-    off, wrong = 0.0, list[str]()
-    for backend in ("heyoka", "scipy"):
-        tr = ss.simulate(p, start=full, t_end=T_END, rtol=1e-12, backend=backend)
-        off = max(off, float(np.abs(tr.state[kept, -1] - end).max()))
+    wrong, allowed = list[str](), 0.0
+    for longest in (0.1, 0.02):  # steps of the driver: an event that is shorter may be missed
+        driver = Driver(name, values, longest)
+        end = driver.run(start, T_END)
+        off = max(float(np.abs(tr.state[kept, -1] - end).max()) for tr in by.values())
+        allowed = allowed or _allowed(name, values, start, end)
+        if off <= allowed:
+            break
+    for backend, tr in by.items():
         dry = tr.events.of("stick", "slip", "mass_overtakes", "belt_overtakes")
         if len(dry) != len(driver.events):
             wrong.append(f"{backend}: {len(dry)} events for {len(driver.events)}")
@@ -59,15 +67,14 @@ def _motion(number: int, name: str, p: Any, values: dict[str, float], start: Any
         leap = np.abs(np.diff(tr.state[n:], axis=1)) - 20.0 * np.diff(tr.t)
         if leap.max() > 1e-9:
             wrong.append(f"{backend}: rates leap by {leap.max():.2g}")
-    wrong += [f"{off:.2g} off the driver"] * (off > _allowed(name, values, start, end))
+    wrong += [f"{off:.2g} off the driver"] * (off > allowed)
     found = {"kind": name, "off": off, "events": len(driver.events)}
-    if values["mu_s"] == values["mu_k"] and number % 3 == 0:
+    if values["mu_s"] == values["mu_k"]:
         smooth = regularized(name, values, start, 10.0, 1e-5)
         found["regularized"] = float(np.abs(smooth - Driver(name, values).run(start, 10.0)).max())
         wrong += ["not as the regularized law"] * (found["regularized"] > 2e-3)
-    if number % 8 == 0:
-        found["fmu"] = float(np.abs(np.array(_by_fmu(name, p, full))[kept] - end).max())
-        wrong += [f"the FMU is {found['fmu']:.2g} off"] * (found["fmu"] > 1e-6)
+    found["fmu"] = float(np.abs(np.array(_by_fmu(name, p, full))[kept] - end).max())
+    wrong += [f"the FMU is {found['fmu']:.2g} off"] * (found["fmu"] > max(1e-6, allowed))
     return found | {"wrong": [f"{text}: {values}, {start.tolist()}" for text in wrong]}
 
 
@@ -122,22 +129,28 @@ def _cycle(number: int, name: str, p: Any, values: dict[str, float], start: Any)
     kept = np.flatnonzero(~np.isin(np.arange(2 * n), [n - 1, 2 * n - 1] * clock))
     begin = cycle.state[n - 1] / values["w"] if clock else 0.0
 
-    def after(state: Any) -> Any:
-        return Driver(name, values).run(state, begin + cycle.period, begin)
-
     here, step = cycle.state[kept], 1e-6
+    own = Driver(name, values)
+    holding = np.flatnonzero(np.abs(own.slips(here)) < 1e-9)
+
+    def after(state: Any) -> Any:
+        # What holds at the start holds in what is near: with a static coefficient above the kinetic
+        # one the motion jumps where a sliding speed, however small, is given to it.
+        from_rest = own.at_rest(state, holding)
+        return Driver(name, values).run(from_rest, begin + cycle.period, begin)
+
     off = float(np.abs(after(here) - here).max())
     wrong = [f"open by {off:.2g}"] * (off > 1e-8)
     trivial = float(np.abs(cycle.multipliers - 1).min())
     wrong += [f"trivial multiplier off by {trivial:.2g}"] * (trivial > 1e-8)
     columns = [(after(here + d) - after(here - d)) / (2 * step) for d in step * np.eye(len(here))]
-    theirs = np.sort(np.abs(np.linalg.eigvals(np.transpose(columns))))[::-1]
-    ours = np.sort(np.abs(cycle.multipliers))[::-1]
+    ours = cycle.multipliers
     if clock:  # the driver's time has no multiplier of its own
         ours = np.delete(ours, np.abs(ours - 1).argmin())
-    count = min(len(ours), len(theirs))
-    unlike = float(np.abs(ours[:count] - theirs[:count]).max())
-    wrong += [f"multipliers {ours} for {theirs}"] * (unlike > 1e-3)
+    # The polynomials: multipliers that are equal lose half of the digits of a difference quotient.
+    theirs, ours = np.poly(np.transpose(columns)), np.poly(ours)
+    unlike = float(np.abs(ours - theirs[: len(ours)]).max())
+    wrong += [f"polynomial of multipliers {ours} for {theirs}"] * (unlike > 1e-3)
     return {
         "kind": f"cycle of {name}",
         "wrong": [f"{text}: {values}, {start.tolist()}" for text in wrong],

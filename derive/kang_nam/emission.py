@@ -2,8 +2,9 @@
 
 import re
 
-from ..emit import python, write
+from ..emit import python, targets, write
 from ..emit.python import kernel, quantities
+from ..emit.targets.javascript import kernel as in_javascript
 from . import article, bounds, ledger, library, mechanics
 from . import nomenclature as nm
 from .catalogue import modules
@@ -26,6 +27,8 @@ def render(outcome: ledger.Ledger, models: dict[str, str]) -> dict[str, str]:
         **python.render(parts, named, solver, library.double_doubles(), write.DIGEST, header),
         "kernel.py": kernel.render(solver, counts, parts, header),
         "quantities.py": quantities.render(named, parameters, base, header),
+        "transition.py": kernel.of_floats(targets.transition(), header),
+        "transition.mjs": in_javascript.module("transition", targets.transition(), header),
         **models,
     }
     # A variant's functions have further arguments, which the library's own C files do not pass.

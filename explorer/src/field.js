@@ -13,22 +13,26 @@ const AHEAD = 1e-6;
 /** A friction that can stick counts as sticking up to this sliding speed. */
 const STILL = 2e-12;
 
+/** How many frictions of some sides slip. */
+const slipping = (sides) => sides.reduce((sum, side) => sum + Math.abs(side), 0);
+
 /** All combinations of sides of so many frictions (0 sticks, ±1 slides), those in which most stick first. */
 function choices(count) {
-  const slips = (sides) => sides.reduce((sum, side) => sum + Math.abs(side), 0);
   const all = Array.from({ length: count }).reduce((found) => found.flatMap((head) => [0, 1, -1].map((side) => [...head, side])), [[]]);
-  return all.sort((a, b) => slips(a) - slips(b));
+  return all.sort((a, b) => slipping(a) - slipping(b));
 }
 
 /**
- * The field at one point of the parameters, as a motion runs it: `regime(state)`, `step(state, h)` and `pieces(state, time, longest)`. A state holds
- * coordinates, then rates. A regime, or mode, says which contacts are `touching`, in which direction each friction slides (`sides`: ±1, 0 where it sticks),
+ * The field at one point of the parameters, as a motion runs it: `regime(state)`, `step(state, h)` and `pieces(state, time, longest)`; `transition` is the
+ * rule by which dry frictions go on, as it is generated for all targets. A state holds coordinates, then rates. A regime, or mode, says which contacts are `touching`, in which direction each friction slides (`sides`: ±1, 0 where it sticks),
  * and in which direction the turning of each torsion spring is counted (`ways`: ±1).
  */
-export function fieldOf(algebra, about, balance) {
+export function fieldOf(algebra, transition, about, balance) {
   const n = about.coordinates.length;
   const near = Array(about.layers).fill(1);
   const { contacts, frictions } = about;
+  /** The regimes of states to which steps have come: where several are possible, the one that the motion is in. */
+  const reached = new WeakMap();
   /** Indices of the frictions that can stick, in the order in which the exported `grip` has them. */
   const holding = frictions.flatMap(({ holds }, j) => (holds ? j : []));
 
@@ -65,37 +69,48 @@ export function fieldOf(algebra, about, balance) {
 
   const withSides = (mode, chosen, sides) => ({ ...mode, sides: mode.sides.map((side, j) => (chosen.includes(j) ? sides[chosen.indexOf(j)] : side)) });
 
-  /** Whether in a mode each chosen friction that sticks is within its limits, and each that slides can't stick, or is accelerated the way it slides. */
-  function agrees(state, mode, chosen) {
+  /** The largest share of its limit that a chosen friction lacks for a mode to agree with its own accelerations. */
+  function lacking(state, mode, chosen) {
     const margins = called("grip", state, mode);
-    return chosen.every((j) => {
-      const [ahead, behind] = margins.slice(2 * holding.indexOf(j));
-      const sticks = Math.min(ahead, behind) >= 0 && Math.max(ahead, behind) > 0; // in lift-off these are −F and F
-      const side = mode.sides[j];
-      return side === (sticks ? 0 : ahead < behind ? 1 : -1)
-        || (sticks && side * headed(state, called("regime_rhs", state, mode)).slips[j] > 0);
-    });
+    const { slips } = headed(state, called("regime_rhs", state, mode));
+    return Math.max(...chosen.map((j) => {
+      const row = 2 * holding.indexOf(j);
+      return transition.lacks(mode.sides[j], margins[row], margins[row + 1], slips[j]);
+    }));
   }
 
-  /** The mode with sides of the chosen frictions that agree with its own accelerations: of several the one in which most of them stick. */
-  function settled(state, mode, chosen) {
-    const stuckIn = (sides) => chosen.filter((_, i) => !sides[i]);
-    const found = [];
+  /** ΔᵀM Δ of the change Δ of the accelerations from those before. */
+  function change(state, mode, before) {
+    const by = called("regime_rhs", state, mode).map((value, i) => value - before[i]);
+    return balance.mass(state.slice(0, n)).reduce((sum, row, i) => sum + by[i] * row.reduce((part, entry, k) => part + entry * by[k], 0), 0);
+  }
+
+  /** The mode with sides of the chosen frictions that agree with its own accelerations, by the rule of all targets; `before` are the accelerations until then. */
+  function settled(state, mode, chosen, before = Array(n).fill(0)) {
+    let found = { mode, slips: 0, lack: Infinity, by: Infinity };
     for (const sides of choices(chosen.length)) {
-      const stuck = stuckIn(sides);
-      const covered = found.some((other) => stuck.length < stuckIn(other).length && stuck.every((j) => stuckIn(other).includes(j)));
-      if (!covered && agrees(state, withSides(mode, chosen, sides), chosen)) {
-        found.push(sides);
+      const slips = slipping(sides);
+      if (found.lack === 0 && slips > found.slips) {
+        break;
+      }
+      const one = withSides(mode, chosen, sides);
+      const lack = lacking(state, one, chosen);
+      const by = lack ? 0 : change(state, one, before);
+      if (transition.displaces(slips, lack, by, found.slips, found.lack, found.by)) {
+        found = { mode: one, slips, lack, by };
       }
     }
-    if (found.length !== 1) {
-      throw new RangeError("Dry friction leaves no way to go on, or several.");
+    if (found.lack === Infinity) {
+      throw new RangeError("The forces have no value at this state.");
     }
-    return withSides(mode, chosen, found[0]);
+    return found.mode;
   }
 
   /** The regime of a state; on a border that of the motion that follows. */
   function regime(state) {
+    if (reached.has(state)) {
+      return reached.get(state);
+    }
     const { slips } = borders(state);
     const still = holding.filter((j) => Math.abs(slips[j]) <= STILL);
     return still.length ? settled(state, sliding(state), still) : sliding(state);
@@ -152,7 +167,8 @@ export function fieldOf(algebra, about, balance) {
       return next;
     }
     const { slips } = borders(state);
-    return settled(state, next, holding.filter((j) => come.includes(j) || mode.sides[j] === 0 || Math.abs(slips[j]) <= STILL));
+    const chosen = holding.filter((j) => come.includes(j) || mode.sides[j] === 0 || Math.abs(slips[j]) <= STILL);
+    return settled(state, next, chosen, called("regime_rhs", state, mode));
   }
 
   /** The state with the sliding speeds of the frictions that stick set to 0, of which rounding and late crossings leave some. */
@@ -190,6 +206,7 @@ export function fieldOf(algebra, about, balance) {
     if (!at.every(Number.isFinite)) {
       throw new RangeError("The motion leaves what double precision can hold, or a spring has no length.");
     }
+    reached.set(at, mode);
     return at;
   }
 

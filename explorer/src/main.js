@@ -31,7 +31,9 @@ const REACH = 4;
 /** An anchor is dragged no closer to an inclination of 0 or π than this, radians. */
 const EDGE = 1e-4;
 
-export function start({ algebra, closed = null }) {
+export { balanceAt, fieldOf };
+
+export function start({ algebra, transition, closed = null }) {
   const { model: about, presets, units: own } = JSON.parse($("data").textContent);
   const units = own ?? OWN;
   const fields = parametersIn(units, about.parameters);
@@ -124,7 +126,7 @@ export function start({ algebra, closed = null }) {
   // ----------------------------------------------------------------------------------------------- the motion
 
   const panel = createPanel(about, coordinates, units.time, {
-    field: () => fieldOf(algebra, about, at(store.get().point)),
+    field: () => fieldOf(algebra, transition, about, at(store.get().point)),
     state: () => current(store.get())?.q,
     frame: moved,
     rest: () => { mechanism.roll([]); if (store.get()) { still(store.get()); } },
@@ -320,7 +322,7 @@ export function start({ algebra, closed = null }) {
       return { status: found.status?.[regime] ?? (found.lost ? "uncertain" : "searched"), count: states.length, states };
     },
     /** The motion at a point: `regime(state)` and `step(state, h)`. */
-    motion: (point) => fieldOf(algebra, about, at({ ...presets[0].point, ...point })),
+    motion: (point) => fieldOf(algebra, transition, about, at({ ...presets[0].point, ...point })),
   });
   const redraw = () => { [plane, along, drawings, panel].forEach((part) => part?.resize()); };
   new ResizeObserver(redraw).observe($("page"));

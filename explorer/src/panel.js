@@ -11,7 +11,7 @@ const $ = (id) => document.querySelector(`#${id}:not(#parameters #${id})`);
 const [EVERY, SPECTRUM] = [2, 16];
 /** How the mass moves, by the sign of the sliding speed. */
 const PACE = { 1: "slower than the belt", 0: "held by friction", [-1]: "faster than the belt" };
-const STOPPED = "The motion can't go on from here: a spring has no length, the numbers leave double precision, or dry friction leaves no way to go on, or several (Painlevé's paradox). Choose another start.";
+const STOPPED = "The motion can't go on from here: a spring has no length, or the numbers leave double precision. Choose another start.";
 
 /**
  * The first argument describes the model; `coordinates` and `time` are as in createCharts. `on.field()` gives the field at the page's point, `on.state()`

@@ -202,7 +202,7 @@ def explore(
       spragsym explore --out web/explorer.html --no-open
     """
     study = None if data is None else study_of(data, model)
-    chosen = load(study.undamped().model if study is not None else model or USUAL)
+    chosen = load(study.model if study is not None else model or USUAL)
     if method == "closed" and chosen.search is chosen:
         raise ModelError(f"{chosen.name} brings no closed forms; leave --method out")
     if out.is_dir():
@@ -233,23 +233,12 @@ def page(model: Model, study: Study | None = None, onsets: bool = False) -> str:
     """The explorer's page of a model, at the user's data if there are any."""
     _, p = model.cases()[0]
     about: dict[str, Any] = {}
-    given = study
     if study is not None:
-        study = study.undamped()
         p = study.kind.parameter_set(study.values)
         about = {"presets": [(f"Your data: {study.source}", p)], **_units(study)}
-        if given is not study:
-            about["source"] += (
-                " Its damping is left out, which moves no state: growth, stability and motion here "
-                "are those without its dampers; spragsym equilibria --data has them with these."
-            )
     from ..explorer import explorer_page
 
-    if given is not None:  # the map is of the very brake, as the command beside it
-        model_of_map, p = load(given.model), given.kind.parameter_set(given.values)
-    else:
-        model_of_map = model
-    drawn = _map(model_of_map, p, given) if onsets else ("", "")
+    drawn = _map(model, p, study) if onsets else ("", "")
     return explorer_page(model, **about, onsets=drawn)
 
 

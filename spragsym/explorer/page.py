@@ -20,11 +20,12 @@ from ..command_line import options_of
 from ..core.errors import MissingExtraError
 from ..core.questions import model_of
 from ..derive.kang_nam.library import exported
-from ..models.load import USUAL, load, mechanism, page_of
+from ..models.load import USUAL, WITH_DAMPERS, load, mechanism, page_of
 from ..models.model import Model, Touching, label_of, title_drawing_words
 from ..models.parameters import ParameterSet
 
 _ASSETS = resources.files("spragsym.explorer") / "assets"
+_GENERATED = resources.files("spragsym.generated")
 
 
 @dataclass(frozen=True)
@@ -153,6 +154,7 @@ def explorer_page(
             "SOURCE": _escaped(f"Model: {model.about['summary']}"),
             "LICENCES": _escaped(_asset("licences.txt")),
             "DATA": json.dumps(data, ensure_ascii=False).replace("<", "\\u003c"),
+            "TRANSITION": _in_a_script((_GENERATED / "transition.mjs").read_text(encoding="utf-8")),
             "MODULE": _in_a_script(module),
             **_solver(model),
         },
@@ -163,7 +165,10 @@ def _solver(model: Model) -> dict[str, str]:
     """The parts of a page that differ with how states are found: by search, or by the exported
     solver of closed forms.
     """
-    folder, bundle = _ASSETS / model.name, _in_a_script(_asset("explorer.js"))
+    # Dampers move no state: the solver is that of the model without them.
+    without = {damped: plain for plain, damped in WITH_DAMPERS.items()}
+    folder = _ASSETS / without.get(model.name, model.name)
+    bundle = _in_a_script(_asset("explorer.js"))
     words = {"TITLE": _escaped(model.name), "SUMMARY": _escaped(model.about["summary"])}
     parts = {
         "HEAD": _filled("head.html", words),
@@ -222,7 +227,7 @@ def _derived(model: Model) -> tuple[str, dict[str, object] | None]:
     """The model's functions in JavaScript, as the package holds them or derived now (extra
     ``derive``), and of a mechanism that is not one mass on a belt its scene.
     """
-    folder = resources.files("spragsym.generated") / "models" / model.name
+    folder = _GENERATED / "models" / model.name
     module = folder / f"{model.name}.mjs"
     if model.where == model.name and module.is_file():
         return module.read_text(encoding="utf-8"), None

@@ -23,6 +23,7 @@ import numpy as np
 from ..core.errors import ParameterError
 from ..core.remarks import At, Remark
 from ..display import Column
+from ..generated.transition import displaces, lacks
 from ..numerics.arithmetic import Number
 from ..numerics.vectors import WholeTurns, in_one_turn, makes_turns
 from .forces import forces_of, of_statics, presses_either, undecorated
@@ -559,43 +560,34 @@ class _Motion:
     ) -> Mode:
         """The mode consistent with its own accelerations, among all sides of the chosen frictions.
 
-        Where a static coefficient is above the kinetic one, several may be. The rule: as many
-        frictions stick as can; among these the accelerations change least from those of the mode
-        ``before``, or at the start of a motion from 0, by the kinetic energy of the change as a
-        rate (ties within 1e-9 of it); then those first on the page stick.
-
-        The mobility of frictions along independent displacements is positive definite, so that
-        some mode is consistent. Where rounding leaves none, the one is taken in which least of a
-        limit is missing.
+        Where a static coefficient is above the kinetic one, several may be; the rule is
+        :func:`~spragsym.generated.transition.displaces`. The mobility of frictions along
+        independent displacements is positive definite, so that some mode is consistent, but for
+        rounding.
         """
         if not chosen:
             return mode
-        found: list[Mode] = []
-        missing: list[tuple[float, Mode]] = []
+        found: tuple[Mode, int, float] | None = None
+        nearest: float | None = None
         every = itertools.product((0, 1, -1), repeat=len(chosen))
-        ordered = sorted(every, key=lambda sides: sum(map(abs, sides)))
-        for _, group in itertools.groupby(ordered, key=lambda sides: sum(map(abs, sides))):
-            for sides in group:
-                after = list(mode)
-                for index, side in zip(chosen, sides, strict=True):
-                    after[self.side + index] = side
-                missing.append(
-                    (self._lacking(tuple(after), state, constants, chosen), tuple(after))
-                )
-                if not missing[-1][0]:
-                    found.append(tuple(after))
-            if found:
+        for sides in sorted(every, key=lambda sides: sum(map(abs, sides))):
+            slips = sum(map(abs, sides))
+            if found and not found[2] and slips > found[1]:
                 break
-        if not found:
-            return min(missing, key=lambda each: each[0])[1]
-        changes = [0.0]
-        if len(found) > 1:
-            changes = [self._change(after, before, state, constants) for after in found]
-        return next(
-            after
-            for after, change in zip(found, changes, strict=True)
-            if change <= min(changes) * (1 + 1e-9)
-        )
+            own = list(mode)
+            for index, side in zip(chosen, sides, strict=True):
+                own[self.side + index] = side
+            after = tuple(own)
+            lack, change = self._lacking(after, state, constants, chosen), 0.0
+            if found and not (lack or found[2]):  # only then are changes compared
+                if nearest is None:
+                    nearest = self._change(found[0], before, state, constants)
+                change = self._change(after, before, state, constants)
+            if found is None or displaces(slips, lack, change, found[1], found[2], nearest or 0.0):
+                nearest = change if found and not found[2] else None
+                found = after, slips, lack
+        assert found
+        return found[0]
 
     def _change(self, mode: Mode, before: Mode | None, state: Vector, constants: Vector) -> float:
         """ΔᵀM Δ of the change Δ of the accelerations from one mode to another."""
@@ -612,30 +604,18 @@ class _Motion:
     ) -> float:
         """The largest share of its limit that a chosen friction lacks for the mode to be
         consistent; 0 where it is.
-
-        A sticking friction must be within its limits. A slipping one must be unable to stick, or be
-        accelerated in the direction of its slip.
         """
         margins = self.in_mode("grip")(state, constants, mode, FLOATS)
-        largest = 0.0
-        for index in chosen:
-            side, row = mode[self.side + index], 2 * self.holding.index(index)
-            ahead, behind = margins[row : row + 2]
-            sticks = min(ahead, behind) >= 0 < max(ahead, behind)  # in lift-off these are −F and F
-            slip_side = 1 if ahead < behind else -1
-            if side == (0 if sticks else slip_side):
-                continue
-            if not (sticks and side * self._slip_rate(index, mode, state, constants) > 0):
-                least = min(ahead, behind) if side in (0, slip_side) else max(ahead, behind)
-                width = ahead + behind
-                largest = max(largest, abs(least) / width if width > 0 else math.inf)
-        return largest
-
-    def _slip_rate(self, index: int, mode: Mode, state: Vector, constants: Vector) -> float:
-        """Time derivative of a sliding speed in a mode."""
-        pulls = self.in_mode("regime_rhs")(state, constants, mode, FLOATS)
-        rates = undecorated(self.model.algebra.border_rates)(*state, *pulls, *constants)
-        return float(rates[self.side + index])
+        rates = itertools.repeat(0.0)
+        if any(mode[self.side + index] for index in chosen):
+            pulls = self.in_mode("regime_rhs")(state, constants, mode, FLOATS)
+            every = undecorated(self.model.algebra.border_rates)(*state, *pulls, *constants)
+            rates = (every[self.side + index] for index in chosen)
+        rows = (2 * self.holding.index(index) for index in chosen)
+        return max(
+            lacks(mode[self.side + index], *margins[row : row + 2], rate)
+            for index, row, rate in zip(chosen, rows, rates, strict=False)
+        )
 
     def _grips(self, index: int) -> Callable[..., float]:
         """The function that gives the distance of a sticking friction's force from its nearer

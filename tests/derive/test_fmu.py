@@ -25,8 +25,10 @@ import spragsym as ss
 from spragsym.cli import main
 from spragsym.cli.export import _of_page
 from spragsym.derive.emit.targets import fmu
+from spragsym.explorer import explorer_page
 from spragsym.models.load import shipped
 from tests.conformance.models import answers, starts
+from tests.explorer.pages import moved
 from tests.oracles.contact_pages import BLOCKS, PADS, STOPPED_ROW
 from tests.oracles.coupled_frictions import SYSTEMS, drawn
 from tests.oracles.user_pages import derived
@@ -417,10 +419,11 @@ def test_modes_of_several_contacts_are_entered_as_python_enters_them(
 @pytest.mark.parametrize("name", ["stack", "tied", "lifting"])
 def test_coupled_frictions_move_as_in_python(name: str, tmp_path: Path) -> None:
     """Where one turns or begins to hold and another has to slip at that instant, and where several
-    modes agree, as of twins that come to their limits together.
+    modes agree, as of twins that come to their limits together; on the explorer's page too.
     """
     page = derived(SYSTEMS[name].text, name)
     file, model = exported(tmp_path, "--model", str(page)), ss.load(page)
+    shown = explorer_page(model) if shutil.which("node") else ""
     for seed in (1, 2):
         values, state = drawn(name, np.random.default_rng([seed, len(name)]), seed == 2)
         values = {each: values[each] for each in values if each in model.parameters}
@@ -432,3 +435,6 @@ def test_coupled_frictions_move_as_in_python(name: str, tmp_path: Path) -> None:
         found, events = stepped(file, start | values, [*start], 20.0)
         np.testing.assert_allclose(found, tr.state[:, -1], rtol=0, atol=1e-7)
         assert len(events) > 3
+        if shown:
+            ours = moved(shown, model.base | values, state.tolist(), 0.01, 2000)
+            np.testing.assert_allclose(ours, tr.state[:, -1], rtol=0, atol=1e-6)

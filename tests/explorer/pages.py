@@ -1,9 +1,12 @@
-"""A page of the explorer in a browser: what a reader does on it, and what it says; and the browser
-of this machine.
+"""A page of the explorer in a browser: what a reader does on it, and what it says; the browser of
+this machine; and the motion of a page in node.
 """
 
+import json
+import re
 import shutil
-from collections.abc import Iterator
+import subprocess
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -19,6 +22,30 @@ HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
   return kind === "webgl2" ? null : get.call(this, kind, ...more);
 };
 """
+
+
+def moved(
+    page: str, point: Mapping[str, float], start: Sequence[float], step: float, count: int
+) -> list[float]:
+    """The state after steps of a page's motion, by the scripts of the page in node."""
+    scripts = re.findall(r"<script([^>]*)>\n?(.*?)</script>", page, flags=re.DOTALL)
+    (data,) = (text for kind, text in scripts if 'id="data"' in kind)
+    bundle, module = (
+        next(text for kind, text in scripts if kind == wanted and mark in text)
+        for wanted, mark in (("", "var explorer"), (' type="module"', "export const algebra"))
+    )
+    program = (
+        f"import vm from 'node:vm';\nvm.runInThisContext({json.dumps(bundle)});\n{module}\n"
+        f"const about = {data}.model;\n"
+        f"const at = explorer.balanceAt(algebra, about, {json.dumps(point)});\n"
+        "const field = explorer.fieldOf(algebra, transition, about, at);\n"
+        f"let state = {json.dumps([*start])};\n"
+        f"for (let i = 0; i < {count}; i++) state = field.step(state, {step});\n"
+        "console.log(JSON.stringify(state));\n"
+    )
+    command = ["node", "--input-type=module", "-"]
+    done = subprocess.run(command, input=program, capture_output=True, text=True, check=True)
+    return list(map(float, json.loads(done.stdout)))
 
 
 @contextmanager

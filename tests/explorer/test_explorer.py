@@ -120,7 +120,8 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
         "beta": 0.0,
     }
     wanted |= {"V": 1.2 * second / 0.038, "d": 10 * 0.038 / second}
-    assert said["presets"][0]["point"] == pytest.approx(wanted, rel=1e-12)
+    point = said["presets"][0]["point"]
+    assert {name: point[name] for name in wanted} == pytest.approx(wanted, rel=1e-12)
     units = said["units"]
     assert [units["length"], units["time"], units["force"]] == [
         [pytest.approx(38), "mm"],
@@ -135,13 +136,16 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     }
     for name, (quantity, value, unit) in given.items():
         assert units["parameters"][name] == [quantity, pytest.approx(value / wanted[name]), unit]
-    assert "Its damping is left out" in page
     rows = BRAKE.read_text(encoding="utf-8")
-    dampers = 'c_x = "1 N s/m"\nc_y = "7 N s/m"\nc_s = "0.7 N s/m"'
-    for instead in (dampers, ""):
+    dampers = {"c_x": 1.0, "c_y": 7.0, "c_s": 0.7}
+    for given in (dampers, {}):
+        instead = "\n".join(f'{name} = "{value} N s/m"' for name, value in given.items())
         changed = re.sub(r"^damping_ratio.*$", instead, rows, flags=re.MULTILINE)
         other.write_text(changed, encoding="utf-8")
-        assert ("Its damping is left out" in written(other, out)) == bool(instead)
+        (text,) = re.findall(r'id="data">(.*?)</script>', written(other, out))
+        point = json.loads(text)["presets"][0]["point"]
+        zeta = [point[name] for name in sorted(point) if name.startswith("zeta")]
+        assert zeta == pytest.approx([given[n] / math.sqrt(0.35 * 1500e3) for n in sorted(given)])
     with pytest.raises(ss.errors.ParameterError, match="is about kang_nam"):
         written(BRAKE, out, "--model", "trolley")
     other.write_text(rows.replace('"kang_nam"', '"nobody"'), encoding="utf-8")
@@ -217,7 +221,8 @@ def test_the_lowest_fold_is_said(explorer: Explorer, changes: dict[str, float]) 
 def test_data_of_ones_own_is_typed_and_shown_in_its_units(browser: Any, tmp_path: Path) -> None:
     """Boxes, axes, states, starts and pace in newtons, millimetres and seconds, by hand."""
     out = tmp_path / "mine.html"
-    written(BRAKE, out)
+    (text,) = re.findall(r'id="data">(.*?)</script>', written(BRAKE, out))
+    given = json.loads(text)["presets"][0]["point"]
     context = window(browser)
     mine = Explorer(context.new_page(), out.as_uri())
     mine.open()
@@ -244,7 +249,7 @@ def test_data_of_ones_own_is_typed_and_shown_in_its_units(browser: Any, tmp_path
     growth = page.locator("#states th").all_inner_texts().index("growth in 1/s")
     rates = page.locator(f"#states tr td:nth-child({growth + 1})").all_inner_texts()
     second = math.sqrt(0.35 / 1500e3)
-    slides = p.replace(V=1.2 * second / 0.038, d=10 * 0.038 / second)
+    slides = ss.load("damped").Parameters(**given | {"kappa": 210 / force})
     assert [float(rate.replace("−", "-")) for rate in rates[:count]] == pytest.approx(
         ss.equilibria(slides)["growth"][:count] / second, rel=0.01
     )

@@ -56,6 +56,17 @@ def arithmetic(source: Source, header: str) -> str:
     )
 
 
+def of_floats(source: Source, header: str) -> str:
+    """A module of functions of single floats, which call no algebra."""
+    return (
+        f"{_docstring(ast.parse(source.text), header)}"
+        f"from __future__ import annotations\n\nfrom typing import Any, TypeAlias\n\n{_TYPES}"
+        "absolute = abs\n\n\ndef where(condition: Flag, yes: Any, no: Any) -> Any:\n"
+        '    """A choice."""\n    return yes if condition else no\n\n\n'
+        f"{definitions(source.text)}"
+    )
+
+
 _TYPES = (
     "#: A float, or an array of any float type.\nReal: TypeAlias = Any\n#: A truth value, or an "
     "array of such.\nFlag: TypeAlias = Any\n\n"

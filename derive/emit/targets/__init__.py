@@ -24,7 +24,7 @@ from types import ModuleType
 from typing import TypeAlias
 
 from ..definitions import Definition, symbols
-from ..language import Source, joined
+from ..language import Source, joined, read
 from ..quantities import Interval, Quantity
 
 #: Angles by name, with the arguments that stand for each: its cosine and sine, and before them the
@@ -133,6 +133,11 @@ class Material:
         source for languages in which a function has one type.
         """
         return joined(self.arithmetic, self.kernel, self.widened)
+
+
+def transition() -> Source:
+    """The rule by which dry frictions go on, for all that step a motion in time."""
+    return read(Path(__file__).parents[1] / "transition.py")
 
 
 def languages() -> list[str]:

@@ -96,6 +96,13 @@ def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
     return said | {f"constant:{name}": str(value) for name, value in constants.items()}
 
 
+def rule(source: Source) -> str:
+    """The constants and functions of a small source, for a file that defines ``INLINE``."""
+    numbers = {item.name: (item.value, item.comment) for item in source.constants}
+    functions = (kernel.routine(it, source) for it in source.routines.values())
+    return "\n".join([kernel.constants(numbers), *functions])
+
+
 def _kernel(material: Material, definitions: str) -> str:
     """The kernel's constants and records, and the functions that the definitions call."""
     source = material.both_kernels

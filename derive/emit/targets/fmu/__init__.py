@@ -26,7 +26,18 @@ from xml.sax.saxutils import quoteattr
 
 from ...definitions import Definition
 from ...expressions import number
-from .. import Edge, Material, MotionMaterial, Variable, c, runtime, spoken, taken, words
+from .. import (
+    Edge,
+    Material,
+    MotionMaterial,
+    Variable,
+    c,
+    runtime,
+    spoken,
+    taken,
+    transition,
+    words,
+)
 from ..c.layout import plain
 
 
@@ -46,7 +57,11 @@ def render(material: Material) -> dict[str, str]:
     """The text files of the archive by their paths: the description and all sources."""
     library, source, motion = material.library, c.render(material), material.motion
     assert motion, "an FMU is made of a page"
-    words = {"header": material.header.replace("``", ""), "library": library}
+    words = {
+        "header": material.header.replace("``", ""),
+        "library": library,
+        "transition": c.rule(transition()),
+    }
     own = ("buildDescription.xml", "fmi3.h", "motion.h", "fmu.c")
     texts = {name: source[name] for name in (f"{library}.c", f"{library}.h")} | {
         "model.h": _model(material, motion, words)

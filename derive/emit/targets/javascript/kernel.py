@@ -4,6 +4,7 @@ is taken is computed.
 
 import ast
 import math
+from collections.abc import Collection
 
 from ...expressions import Syntax, number, printed
 from ...language import Routine, Source
@@ -17,16 +18,28 @@ def render(material: Material) -> str:
     source = material.both_kernels
     lines = ["// Counts of roundings, derived from the statements of this file.\n"]
     lines += [f"const {name} = {number(value)};\n" for name, value in material.counts.items()]
+    own = "".join(material.runtime.get("javascript", {}).values())
+    asked = source.routines.keys() & words(own, r"//[^\n]*|/\*.*?\*/")
+    return "".join(lines) + definitions(source, asked)
+
+
+def module(name: str, source: Source, header: str) -> str:
+    """An ES module of a source's functions, which are the fields of the one object exported."""
+    listed = ", ".join(source.routines)
+    return (
+        f"{comment(f'{source.summary} {header}')}\n\n{definitions(source, source.routines)}\n"
+        f"export const {name} = Object.freeze({{ {listed} }});\n"
+    )
+
+
+def definitions(source: Source, asked: Collection[str]) -> str:
+    """Constants, and the functions that are asked for with all that they call."""
+    lines = list[str]()
     for it in source.constants:
         value = "Infinity" if math.isinf(it.value) else number(it.value)
         lines.append(f"{_said(it.comment)}const {it.name} = {value};\n")
-    own = "".join(material.runtime.get("javascript", {}).values())
-    asked = source.routines.keys() & words(own, r"//[^\n]*|/\*.*?\*/")
-    lines.append("\n")
-    lines.append(
-        "\n".join(_JavaScriptPrinter(it, source).definition() for it in printed(source, asked))
-    )
-    return "".join(lines)
+    functions = (_JavaScriptPrinter(it, source).definition() for it in printed(source, asked))
+    return "".join([*lines, "\n", "\n".join(functions)])
 
 
 def _said(text: str, indent: str = "") -> str:

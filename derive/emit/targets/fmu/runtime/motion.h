@@ -139,27 +139,20 @@ static int look(const Motion *it, Point *at) {
 }
 
 #if HOLDS
-/* The largest share of its limit that a friction of some lacks for a mode to agree with its own accelerations: one that sticks must
- * be within its limits, and one that slips be unable to stick, or be driven the way it slips. 0 where it agrees. */
+#define INLINE static
+// @transition@
+
+/* The largest share of its limit that a friction of some lacks for a mode to agree with its own accelerations. */
 static double lacking(const Motion *it, const double *state, const double *mode, const int *some) {
     double margin[2 * HOLDS], pull[COORDINATES], change[NEAR], largest = 0.0;
+    const int none = regime_rhs(state, it->p, mode, pull) || border_rates(state, pull, it->p, change);
     if (grip(state, it->p, mode, margin)) {
         return INFINITY;
     }
     for (int i = 0; i < SIDES; i++) {
-        if (!some[i]) {
-            continue;
-        }
-        const double side = mode[CONTACTS + i], ahead = margin[2 * RUBBING[i].row], behind = margin[2 * RUBBING[i].row + 1];
-        const int sticks = fmin(ahead, behind) >= 0.0 && fmax(ahead, behind) > 0.0;
-        const double pulled = (ahead < behind) ? 1.0 : -1.0, width = ahead + behind;
-        if (side == (sticks ? 0.0 : pulled)) {
-            continue;
-        }
-        if (!sticks || regime_rhs(state, it->p, mode, pull) || border_rates(state, pull, it->p, change) ||
-            side * change[CONTACTS + i] <= 0.0) {
-            const double least = (side == -pulled) ? fmax(ahead, behind) : fmin(ahead, behind);
-            largest = fmax(largest, (width > 0.0) ? fabs(least) / width : INFINITY);
+        if (some[i]) {
+            const double *own = margin + 2 * RUBBING[i].row, rate = none ? 0.0 : change[CONTACTS + i];
+            largest = fmax(largest, lacks(mode[CONTACTS + i], own[0], own[1], rate));
         }
     }
     return largest;
@@ -179,12 +172,10 @@ static double differs(const Motion *it, const double *state, const double *mode,
     return sum;
 }
 
-/* The sides of some frictions that hold, by the rule of a motion in Python: as many stick as can; among these the accelerations
- * differ least from those of the mode before, at a start from 0; of equals the first of the page stick. Where rounding leaves none
- * that agrees, those of which least is lacking. Not 0: the mode has no accelerations. */
+/* The sides of some frictions that hold, by the rule. Not 0: the mode has no accelerations. */
 static int settled(Motion *it, const double *state, const int *some, const double *before) {
-    double mode[MODES], found[MODES], least = INFINITY, pull[COORDINATES] = {0.0};
-    int known = 0, count = 0, most = 1;
+    double mode[MODES], found[MODES], pull[COORDINATES] = {0.0}, lack = INFINITY, change = INFINITY;
+    int count = 0, most = 1, fewest = 0;
     for (int i = 0; i < SIDES; i++) {
         count += some[i];
         most *= some[i] ? 3 : 1;
@@ -192,7 +183,7 @@ static int settled(Motion *it, const double *state, const int *some, const doubl
     if (before && regime_rhs(state, it->p, before, pull)) {
         return 1;
     }
-    for (int slips = 0; slips <= count && !known; slips++) {
+    for (int slips = 0; slips <= count && (lack > 0.0 || slips == fewest); slips++) {
         for (int code = 0; code < most; code++) {
             int rest = code, sliding = 0;
             memcpy(mode, it->mode, sizeof mode);
@@ -207,17 +198,16 @@ static int settled(Motion *it, const double *state, const int *some, const doubl
             if (sliding != slips) {
                 continue;
             }
-            const double lack = lacking(it, state, mode, some);
-            const int agrees = lack <= 0.0;
-            const double size = agrees ? differs(it, state, mode, pull) : lack;
-            if ((agrees && !known) || (agrees >= known && size * (1.0 + 1e-9) < least)) {
-                known = agrees;
-                least = size;
+            const double own = lacking(it, state, mode, some), differing = own > 0.0 ? 0.0 : differs(it, state, mode, pull);
+            if (displaces(slips, own, differing, fewest, lack, change)) {
+                fewest = slips;
+                lack = own;
+                change = differing;
                 memcpy(found, mode, sizeof found);
             }
         }
     }
-    if (known || least < INFINITY) {
+    if (lack < INFINITY) {
         memcpy(it->mode, found, sizeof found);
         return 0;
     }

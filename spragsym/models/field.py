@@ -606,16 +606,16 @@ class _Motion:
         consistent; 0 where it is.
         """
         margins = self.in_mode("grip")(state, constants, mode, FLOATS)
-        rates = itertools.repeat(0.0)
+        rates = [0.0] * (self.side + len(self.holds))
         if any(mode[self.side + index] for index in chosen):
             pulls = self.in_mode("regime_rhs")(state, constants, mode, FLOATS)
-            every = undecorated(self.model.algebra.border_rates)(*state, *pulls, *constants)
-            rates = (every[self.side + index] for index in chosen)
-        rows = (2 * self.holding.index(index) for index in chosen)
-        return max(
-            lacks(mode[self.side + index], *margins[row : row + 2], rate)
-            for index, row, rate in zip(chosen, rows, rates, strict=False)
-        )
+            rates = undecorated(self.model.algebra.border_rates)(*state, *pulls, *constants)
+        largest = 0.0
+        for index in chosen:
+            ahead, behind = margins[2 * self.holding.index(index) :][:2]
+            place = self.side + index
+            largest = max(largest, lacks(mode[place], ahead, behind, rates[place]))
+        return largest
 
     def _grips(self, index: int) -> Callable[..., float]:
         """The function that gives the distance of a sticking friction's force from its nearer

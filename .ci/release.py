@@ -50,9 +50,27 @@ def obstacles(root: Path = ROOT) -> list[str]:
     return found
 
 
+#: What only those who publish can say: in which file, what stands there until then, and the remedy.
+PLACEHOLDERS = (
+    ("paper.md", "name: The spragsym developers", "write the authors, with ORCID and affiliation"),
+    ("paper.md", "To be stated by the authors.", "write disclosures and acknowledgements"),
+    ("CITATION.cff", "name: The spragsym developers", "write the authors"),
+    ("pyproject.toml", "# Repository: ", "write the address of the repository under project.urls"),
+)
+
+
+def placeholders(root: Path = ROOT) -> list[str]:
+    """What only a maintainer can write, and has not yet."""
+    return [
+        f"{name} has {held!r} still; {remedy}"
+        for name, held, remedy in PLACEHOLDERS
+        if (root / name).is_file() and held in (root / name).read_text(encoding="utf-8")
+    ]
+
+
 def main(words: list[str]) -> int:
     """Say what is missing, or tag; the code to exit with."""
-    missing = obstacles()
+    missing = [*obstacles(), *placeholders()]
     for one in missing:
         print(f"release: {one}", file=sys.stderr)
     if missing or "--check" in words:

@@ -85,6 +85,26 @@ def test_a_changed_tree_and_an_old_tag_are_refused(release: ModuleType, tree: Pa
     ]
 
 
+def test_what_only_a_maintainer_can_write_is_named(release: ModuleType, tree: Path) -> None:
+    shutil.copy(ROOT / "paper.md", tree)
+    told = release.placeholders(tree)
+    assert [one.partition(" has ")[0] for one in told] == ["paper.md", "paper.md", "CITATION.cff"]
+    (tree / "paper.md").unlink()
+    cited = (tree / "CITATION.cff").read_text(encoding="utf-8")
+    own = cited.replace("name: The spragsym developers", "family-names: A")
+    (tree / "CITATION.cff").write_text(own, encoding="utf-8")
+    assert release.placeholders(tree) == []
+
+
+def test_no_action_of_a_workflow_runs_on_a_node_that_is_retired() -> None:
+    """The first versions on Node 24, as their action.yml says."""
+    least = {"actions/checkout": 5, "actions/setup-python": 6, "actions/upload-artifact": 6}
+    for name in ("check", "wheels"):
+        used = re.findall(r"uses: (\S+)@v(\d+)", read(f".github/workflows/{name}.yml"))
+        assert used
+        assert all(int(version) >= least.get(action, 1) for action, version in used)
+
+
 def test_workflows_are_those_that_the_contract_names() -> None:
     yaml = pytest.importorskip("yaml")
     check = yaml.safe_load(read(".github/workflows/check.yml"))
@@ -171,9 +191,10 @@ def test_no_number_of_the_paper_is_without_a_source() -> None:
 def test_the_paper_has_the_parts_that_the_journal_asks_for() -> None:
     text = read("paper.md")
     words = text.split("---", 2)[2].partition("# Numbers of this paper")[0].split()
-    assert 250 <= len(words) <= 1000
+    assert 750 <= len(words) <= 1750
     heads = re.findall(r"^# (.*)$", text, re.MULTILINE)
-    assert heads[:2] == ["Summary", "Statement of need"]
+    assert heads[:4] == ["Summary", "Statement of need", "State of the field", "Software design"]
+    assert {"Research impact", "Disclosures", "Acknowledgements"} < {*heads}
     assert heads[-1] == "References"
     cited = set(re.findall(r"@(\w+)", text.split("---", 2)[2]))
     assert cited == set(re.findall(r"^@\w+\{(\w+),", read("paper.bib"), re.MULTILINE))

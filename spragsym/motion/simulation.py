@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -51,12 +51,15 @@ if TYPE_CHECKING:
 
     from ..models.model import Model
 
+#: A state: all of its numbers in order, or some by their names, the others 0.
+Start: TypeAlias = "ArrayLike | Mapping[str, ArrayLike]"
+
 
 @in_usual_state
 def simulate(
     p: ParameterSet,
     *,
-    start: ArrayLike | None = None,
+    start: Start | None = None,
     t_end: float = 2000.0,
     rtol: float = 1e-10,
     events: bool = True,
@@ -75,8 +78,9 @@ def simulate(
     ----------
     p : Parameters of any model
         Scalars.
-    start : array_like, shape (2 n,), optional
-        Initial coordinates, then initial rates.
+    start : array_like, shape (2 n,), or mapping, optional
+        Initial coordinates, then initial rates; or some of them by name, ``{"x": 0.1}``, the others
+        0.
     t_end : float
         Duration in the model's unit of time; for the article's model sqrt(m/k_c).
     rtol : float
@@ -958,16 +962,25 @@ def started(
     )
 
 
+def named_state(start: Mapping[str, ArrayLike], names: Sequence[str]) -> dict[str, ArrayLike]:
+    """The numbers of a state by name, which has to be one of ``names``."""
+    if unknown := [name for name in start if name not in names]:
+        raise ParameterError(
+            f"start has {unknown[0]!r}{hint(unknown[0], names)}; the state is {', '.join(names)}"
+        )
+    return dict(start)
+
+
 def initial_state(
     model: Model,
-    start: ArrayLike | None,
+    start: Start | None,
     initial: Mapping[str, ArrayLike],
     p: ParameterSet | None = None,
 ) -> dict[str, FloatArray]:
     """The initial state by names, ``x0`` for ``x`` and ``vx0`` for ``vx``; 0 unless given.
 
-    ``start`` has all numbers, ``initial`` single ones by name. The rate of a clock is that at
-    ``p``; ``start`` may lack it, or both it and the clock's phase, which is then 0.
+    ``start`` has all numbers or single ones by name, ``initial`` single ones. The rate of a clock
+    is that at ``p``; ``start`` may lack it, or both it and the clock's phase, which is then 0.
     """
     names = [f"{name}0" for name in model.components]
     values: dict[str, ArrayLike] = dict.fromkeys(names, 0.0)
@@ -975,7 +988,10 @@ def initial_state(
         values[names[-1]] = rate = (
             np.zeros(()) if p is None else model.algebra.clock(*model.arguments(p, "motion"))
         )
-    if start is not None:
+    if isinstance(start, Mapping):
+        named = named_state(start, model.components)
+        initial = {f"{name}0": value for name, value in named.items()} | dict(initial)
+    elif start is not None:
         given = as_numbers("start", start)
         if model.clock and given.shape == (len(names) - 2,):
             given = np.insert(given, len(names) // 2 - 1, 0.0)
@@ -1003,7 +1019,7 @@ def initial_state(
 
 def state_of(
     model: Model,
-    start: ArrayLike | None,
+    start: Start | None,
     initial: Mapping[str, ArrayLike] | None = None,
     p: ParameterSet | None = None,
 ) -> FloatArray:

@@ -35,7 +35,7 @@ from ..models.parameters import (
 )
 from ..motion.options import MotionOptions
 from ..motion.scales import MotionScales
-from ..motion.simulation import Trajectory, state_of
+from ..motion.simulation import Start, Trajectory, state_of
 from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import magnitude, norm
 from ..results.result import Result
@@ -94,7 +94,7 @@ def basin_boundary(
     p: ParameterSet,
     *,
     plane: tuple[str, str] | None = None,
-    start: ArrayLike | None = None,
+    start: Start | None = None,
     saddle: ArrayLike | Trajectory | Cycle | None = None,
     between: Ranges | None = None,
     step: float | None = None,
@@ -114,7 +114,7 @@ def basin_boundary(
     plane : tuple of str, optional
         Two of the coordinates and rates, as x, y, vx, vy; by default the first coordinate and its
         rate. The others have the values in ``start``.
-    start : array_like, optional
+    start : array_like or mapping, optional
         A state in the plane, by default 0. The first point of the curve is searched for through it,
         along the first direction of the plane.
     saddle : array_like, optional

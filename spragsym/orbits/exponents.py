@@ -15,7 +15,6 @@ from dataclasses import field as attribute
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
@@ -25,7 +24,7 @@ from ..motion.options import MotionOptions
 from ..motion.problem import check_range
 from ..motion.scales import MotionScales
 from ..motion.shooting import rate
-from ..motion.simulation import state_of
+from ..motion.simulation import Start, state_of
 from ..numerics.interval_arrays import BoolArray, IntArray
 from ..numerics.vectors import norm
 from ..results.result import Result
@@ -90,7 +89,7 @@ class Lyapunov(Result):
 def lyapunov(
     p: ParameterSet,
     *,
-    start: ArrayLike | None = None,
+    start: Start | None = None,
     t_end: float | None = None,
     backend: str | None = None,
     options: MotionOptions | None = None,
@@ -107,7 +106,7 @@ def lyapunov(
     ----------
     p : Parameters of any model
         Scalars.
-    start : array_like, optional
+    start : array_like or mapping, optional
         Initial state, coordinates, then rates; by default 0.
     t_end : float, optional
         Duration of the motion; by default 4000 times its unit of time, which is 1 over the fastest

@@ -20,7 +20,6 @@ from dataclasses import field as attribute
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError
@@ -31,7 +30,7 @@ from ..models.parameters import FloatArray, ParameterSet, Ranges, varied_range
 from ..motion.options import MotionOptions
 from ..motion.regimes import Outcome
 from ..motion.scales import MotionScales
-from ..motion.simulation import state_of
+from ..motion.simulation import Start, state_of
 from ..numerics.vectors import magnitude, state_difference
 from ..results.result import Result
 from .branch import cycle_branch
@@ -110,7 +109,7 @@ def fate_boundary(
     vary: str,
     *,
     between: Ranges,
-    start: ArrayLike | None = None,
+    start: Start | None = None,
     backend: str | None = None,
     options: MotionOptions | None = None,
     **values: float | None,
@@ -133,7 +132,7 @@ def fate_boundary(
     between : mapping
         Range of the parameter, by its name, with different fates at its ends. If there are several
         changes in it, one is found, and ``others`` lists those that were seen.
-    start : array_like, optional
+    start : array_like or mapping, optional
         Initial state, coordinates, then rates; by default 0.
     options : MotionOptions, optional
         Tolerances by which fates are recognized.

@@ -32,7 +32,7 @@ from ..motion import integrators
 from ..motion.options import MotionOptions
 from ..motion.regimes import Outcome, Regime
 from ..motion.scales import scales_of
-from ..motion.simulation import initial_state, state_of
+from ..motion.simulation import Start, initial_state, state_of
 from ..motion.sweeps.many import fingerprint
 from ..motion.sweeps.workers import Computation, Workers, made_or_loaded
 from ..numerics.interval_arrays import Int8Array
@@ -95,7 +95,7 @@ class Fate(Result):
 def fate(
     p: ParameterSet,
     *,
-    start: ArrayLike | None = None,
+    start: Start | None = None,
     t_end: float | None = None,
     backend: str | None = None,
     options: MotionOptions | None = None,
@@ -113,7 +113,7 @@ def fate(
     ----------
     p : Parameters of any model
         Scalars.
-    start : array_like, optional
+    start : array_like or mapping, optional
         Initial state, coordinates, then rates; by default 0.
     t_end : float, optional
         Time over which the motion is followed, by default 40,000 times the motion's unit of time
@@ -392,7 +392,7 @@ class FateMap(Result):
 def fate_map(
     p: ParameterSet,
     *,
-    start: ArrayLike | None = None,
+    start: Start | None = None,
     t_end: float | None = None,
     backend: str | None = None,
     options: MotionOptions | None = None,
@@ -407,7 +407,7 @@ def fate_map(
     ----------
     p : Parameters of any model
         Any shape.
-    start : array_like, optional
+    start : array_like or mapping, optional
         Initial state, coordinates, then rates; by default 0.
     t_end : float, optional
         As for :func:`spragsym.fate`; the default of the slowest point is used for all.

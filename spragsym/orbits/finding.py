@@ -10,12 +10,11 @@ be continued in a parameter and compared with another.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..bifurcation.flutter import Onsets
 from ..bifurcation.normal_forms import NormalForm, normal_form
@@ -44,6 +43,7 @@ from ..motion.shooting import (
     rests,
     subdivided,
 )
+from ..motion.simulation import Start, named_state
 from ..motion.solution import Extremum
 from ..numerics.balls import UndecidedSign
 from ..numerics.vectors import WholeTurns, in_one_turn, magnitude, norm, state_difference
@@ -55,7 +55,7 @@ from .system import FateVerdict, FixedPoints, System, judged, rounding_of
 @in_usual_state
 def cycle(
     p: ParameterSet | None = None,
-    near: ArrayLike | Trajectory | Cycle | None = None,
+    near: Start | Trajectory | Cycle | None = None,
     *,
     backend: str | None = None,
     patient: bool = True,
@@ -77,8 +77,9 @@ def cycle(
     ----------
     p : Parameters of any model
         Scalars.
-    near : array_like, Trajectory or Cycle, optional
-        A state near the cycle, which may be unstable: coordinates, then rates, by default 0. Or a
+    near : array_like, mapping, Trajectory or Cycle, optional
+        A state near the cycle, which may be unstable: coordinates, then rates, or some of them by
+        name, by default 0. Or a
         motion whose end approaches the cycle; or a cycle at other values of the parameters.
     backend : {"heyoka", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
@@ -144,7 +145,7 @@ def cycle(
     return cycle_near(system, near, patient=patient)
 
 
-def _after_turns(system: System, near: ArrayLike | Trajectory | Cycle | None, turns: int) -> Cycle:
+def _after_turns(system: System, near: Start | Trajectory | Cycle | None, turns: int) -> Cycle:
     """The cycle that closes after a number of turns of the clock."""
     field = system.field
     if field.clock is None:
@@ -176,7 +177,7 @@ def _after_turns(system: System, near: ArrayLike | Trajectory | Cycle | None, tu
 
 
 def cycle_near(
-    system: System, near: ArrayLike | Trajectory | Cycle | None = None, *, patient: bool = True
+    system: System, near: Start | Trajectory | Cycle | None = None, *, patient: bool = True
 ) -> Cycle:
     """:func:`cycle` of a system.
 
@@ -263,10 +264,17 @@ def _checked(orbit: Orbit) -> Cycle:
     return cycle_of(orbit)
 
 
-def _state(system: System, near: ArrayLike | None) -> FloatArray:
+def _state(system: System, near: Start | None) -> FloatArray:
     """The state that a user gives, (m,), 0 for None; one without clock begins at its phase 0."""
     field = system.field
     n = len(field.coordinates) - bool(field.clock)
+    if isinstance(near, Mapping):
+        names = field.components
+        named = named_state(near, names)
+        still = np.zeros(len(names))
+        still[-1] = field.clock(system.constants) if field.clock else 0.0
+        pairs = zip(names, still, strict=True)
+        return np.array([as_number(f"near[{it!r}]", named.get(it, value)) for it, value in pairs])
     state = np.zeros(2 * n) if near is None else as_numbers("near", near)
     if field.clock and state.shape == (2 * n,):
         state = np.concatenate([state[:n], [0.0], state[n:], [field.clock(system.constants)]])

@@ -311,3 +311,20 @@ def test_without_a_heyoka_that_can_be_imported_another_integrator_serves(tmp_pat
     )
     assert done.stdout.strip() in ("compiled", "scipy"), done.stderr
     assert "heyoka is installed and can't be used: of another NumPy" in done.stderr
+
+
+def test_a_start_by_names_is_that_by_numbers() -> None:
+    """What is not named is 0, a clock keeps its rate, and another name is refused."""
+    p = ss.Parameters.article(theta0=np.radians(42), V=0.5, d=4.0)
+    by_names = ss.simulate(p, start={"x": 0.1, "vy": 0.02}, t_end=5.0)
+    by_numbers = ss.simulate(p, start=(0.1, 0.0, 0.0, 0.02), t_end=5.0)
+    assert np.array_equal(by_names.state, by_numbers.state)
+    with pytest.raises(ss.errors.ParameterError, match=r"'X'; did you mean x\?; the state is x, y"):
+        ss.simulate(p, start={"X": 0.1})
+    forced = ss.load("forced_oscillator").Parameters()
+    omega = float(forced.omega)
+    assert ss.simulate(forced, start={"phase": 1.0}, t_end=1.0).state[:, 0].tolist() == [
+        *(0.0, 1.0, 0.0, omega)
+    ]
+    assert ss.fate(forced, start={"x": 0.1}).kind == ss.fate(forced, start=(0.1, 0.0)).kind
+    assert ss.cycle(forced, near={"x": 0.1}).period == pytest.approx(2 * np.pi / omega, rel=1e-12)

@@ -43,7 +43,7 @@ def _motion(number: int, name: str, p: Any, values: dict[str, float], start: Any
     n = len(full) // 2
     kept = np.flatnonzero(~np.isin(np.arange(2 * n), [n - 1, 2 * n - 1] * SYSTEMS[name].clock))
     wrong, allowed = list[str](), 0.0
-    for longest in (0.1, 0.02):  # steps of the driver: an event that is shorter may be missed
+    for longest in (0.1, 0.01):  # steps of the driver, whose interpolant sets its error
         driver = Driver(name, values, longest)
         end = driver.run(start, T_END)
         off = max(float(np.abs(tr.state[kept, -1] - end).max()) for tr in by.values())

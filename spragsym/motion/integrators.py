@@ -39,6 +39,9 @@ BACKENDS = ("heyoka", "compiled", "scipy")
 OF_ANY_MODEL = ("heyoka", "scipy")
 
 
+#: The relative tolerance of a motion by default.
+USUAL_RTOL = 1e-10
+
 #: No directions in the space of parameters.
 NONE = np.empty((0, 0))
 
@@ -69,6 +72,20 @@ def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
         "the backend 'compiled' was not built, for want of a C compiler or for a "
         "derivation that has changed since; "
         "install spragsym again, with a compiler, or install a wheel"
+    )
+
+
+def check_rtol(field: Field, rtol: float, backend: str) -> None:
+    """Raise ParameterError for a tolerance that is coarser than the default where steps of a
+    backend are finer in any case.
+    """
+    takes = {"heyoka": with_heyoka.takes_rtol, "scipy": with_scipy.takes_rtol}
+    if rtol <= USUAL_RTOL or backend not in takes or takes[backend](field):
+        return
+    other = ", or give backend='scipy', which takes it" if with_scipy.takes_rtol(field) else ""
+    raise ParameterError(
+        f"rtol = {rtol:g}: the page has a border that is curved, for which {backend} steps as "
+        f"finely as float64 carries, whatever rtol; give at most {USUAL_RTOL:g}{other}"
     )
 
 

@@ -85,7 +85,8 @@ def simulate(
         Duration in the model's unit of time; for the article's model sqrt(m/k_c).
     rtol : float
         Relative tolerance of a step, in [1e-13, 1e-2]. The absolute tolerance is a thousandth of
-        it, in the motion's own units (:mod:`spragsym.motion.scales`).
+        it, in the motion's own units (:mod:`spragsym.motion.scales`). More than the default is
+        refused where a curved border fixes the steps.
     events : bool
         Keep the events.
     estimate_error : bool
@@ -145,6 +146,7 @@ def simulate(
         max_steps=max_steps,
     )
     chosen = integrators.choose(backend, integrators.offered_for(model))
+    integrators.check_rtol(model.field, problem.rtol, chosen)
     trajectory = _run(model, p, problem, chosen)
     if estimate_error:
         trajectory = replace(trajectory, error=_error(trajectory, problem))

@@ -669,12 +669,17 @@ def tolerance(problem: Problem) -> float:
 
 
 def _tightened(field: Field, tol: float) -> float:
-    """The tolerance, limited to 1e-3 OVERSHOOT for fields with a nonlinear level.
+    """The tolerance, limited to 1e-3 OVERSHOOT where a field does not take it."""
+    return tol if takes_rtol(field) else min(tol, 1e-3 * OVERSHOOT)
+
+
+def takes_rtol(field: Field) -> bool:
+    """Whether steps may be as coarse as is asked: not with a nonlinear level.
 
     The Taylor series of such a level agrees with that of the state up to the tolerance only. If
     that is not far below OVERSHOOT, the border just crossed would be found again.
     """
-    return min(tol, 1e-3 * OVERSHOOT) if field.nonlinear_levels else tol
+    return not field.nonlinear_levels
 
 
 def integrate(problem: Problem) -> Solution:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..core.errors import ConvergenceError
-from ..models.field import FLOATS, OVERSHOOT, Mode
+from ..models.field import FLOATS, OVERSHOOT, Field, Mode
 from ..models.parameters import FloatArray
 from ..numerics.vectors import magnitude
 from .lobatto import sample_times
@@ -287,9 +287,14 @@ def tolerance(problem: Problem, stiff: bool = False) -> float:
     """Relative tolerance of a step of DOP853, or of Radau if ``stiff``."""
     if stiff:
         return max(problem.rtol, 1e-12)  # the smallest at which Radau, of order five, is usable
-    if problem.field.nonlinear_levels and problem.field.sticking_borders:
-        return RTOL  # only the accuracy of the steps keeps a sticking state on a curved border
-    return problem.rtol
+    return problem.rtol if takes_rtol(problem.field) else RTOL
+
+
+def takes_rtol(field: Field) -> bool:
+    """Whether steps may be as coarse as is asked: only their accuracy keeps a sticking state on a
+    curved border.
+    """
+    return not (field.nonlinear_levels and field.sticking_borders)
 
 
 def integrate(problem: Problem) -> Solution:

@@ -149,11 +149,14 @@ def rms_sweep(
             f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left "
             "to measure"
         )
+    rtol = as_number("rtol", rtol, RELATIVE_TOLERANCE)
+    chosen = integrators.choose(backend, integrators.offered_for(model))
+    integrators.check_rtol(model.field, rtol, chosen)
     settings = {
         "t_end": t_end,
         "transient": transient,
-        "rtol": as_number("rtol", rtol, RELATIVE_TOLERANCE),
-        "backend": integrators.choose(backend, integrators.offered_for(model)),
+        "rtol": rtol,
+        "backend": chosen,
         "max_steps": as_count("max_steps", max_steps),
         "options": options or MotionOptions(),
     }

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from .core.errors import MissingExtraError, ParameterError, SweepError, require_kind
 from .core.limits import limit_memory, limit_time
-from .core.shown import html_text, markdown_code, markdown_text
+from .core.shown import markdown_code, markdown_text
 from .display import Table, as_html
 from .files.storage import resolved
 from .files.text import text_of, toml_of
@@ -109,7 +109,7 @@ class PaperCheck:
         '# A paper'
         """
         lines = [f"# {markdown_text(self.paper or 'Printed equations')}", ""]
-        lines += [f"Held against the page {markdown_code(self.model)}: {self.summary()}.", ""]
+        lines += [markdown_text(self.held_against), "", markdown_text(self.judged), ""]
         lines += [f"- {markdown_text(convention)}" for convention in self.conventions]
         lines += ["", "| row | where | about | verdict |", "|---|---|---|---|"]
         cells = ((row.id, row.where, row.about, row.status) for row in self.rows)
@@ -119,6 +119,32 @@ class PaperCheck:
             lines += [f"{markdown_text(row.about)}: **{row.status}**", ""]
             lines += [f"- {title}: {markdown_code(text)}" for title, text in fields(row).items()]
         return "\n".join(lines) + "\n"
+
+    @property
+    def held_against(self) -> str:
+        """What the statements are held against, and how many have each verdict."""
+        if self.model:
+            return f"Held against the page {self.model}: {self.summary()}."
+        first = [row.where or row.id for row in self.rows if row.status == "premise"]
+        return (
+            f"Without a page. Premises, taken as printed and not confirmed: {', '.join(first)}. "
+            f"All else is held against what follows from these: {self.summary()}."
+        )
+
+    @property
+    def judged(self) -> str:
+        """How many statements were judged, and why the others were not."""
+        apart = {
+            "premise": "premises",
+            "definition": "new names or ways of writing",
+            "unread": "not read",
+            "other": "not about the page",
+        }
+        counts = Counter(self.status)
+        left = [f"{counts[it]} {said}" for it, said in apart.items() if counts[it]]
+        total = len(self.rows)
+        judged = total - sum(counts[it] for it in apart)
+        return f"{judged} of {total} judged" + (f"; {', '.join(left)}." if left else ".")
 
     def to_html(self) -> str:
         """The same as one page of HTML, which loads nothing.
@@ -132,27 +158,26 @@ class PaperCheck:
         >>> "<h1>A paper</h1>" in PaperCheck("A paper", "kang_nam", (), ()).to_html()
         True
         """
-        parts = ["<!doctype html>", f"<meta charset=utf-8><title>{html_text(self.paper)}</title>"]
-        parts += [f"<h1>{html_text(self.paper or 'Printed equations')}</h1>"]
-        said = (f"Held against {self.model}: {self.summary()}.", *self.conventions)
-        parts += [f"<p>{html_text(text)}</p>" for text in said]
-        parts += [self._table(lambda row: row.repaired)]
-        for row in self.rows:
-            parts += [f"<h2>{html_text(row.id)}: {row.status}</h2><dl>"]
-            parts += [
-                f"<dt>{title}</dt><dd>{self._shown(title, text)}</dd>"
-                for title, text in fields(row).items()
-            ]
-            parts += ["</dl>"]
-        return "\n".join([*parts, ""])
+        from .paper_ledgers import as_page
 
-    def _shown(self, title: str, text: str) -> str:
-        """A text as HTML: formulas as MathML where they can be read."""
-        from .derive.statements.mathml import rendered
+        return as_page(self)
 
-        is_formula = title in ("Read as", "Derived", "Printed less derived", "Right")
-        formula = rendered(text, self.coordinates) if is_formula else None
-        return formula or f"<code>{html_text(text)}</code>"
+    def to_latex(self) -> str:
+        r"""What is wrong, for a referee's letter in LaTeX: each equation as printed, and as it is
+        right.
+
+        Returns
+        -------
+        str
+
+        Examples
+        --------
+        >>> print(PaperCheck("A paper", "kang_nam", (), ()).to_latex().splitlines()[0])
+        \section*{A paper}
+        """
+        from .paper_ledgers import as_latex
+
+        return as_latex(self)
 
     def _table(self, right: Callable[[Row], str]) -> str:
         """A row for each statement, with what is right in place of it."""
@@ -253,15 +278,13 @@ def check(
         read = papers.paper_of(path.name, text, toml_of)
     except papers.PaperError as error:
         raise ParameterError(str(error)) from error
-    if model is None and not read.model:
-        raise ParameterError(
-            f'{path.name} names no model; add model = "page.py" to it, or give model'
-        )
-    chosen = Path(model) if model is not None else _named(path, read.model, trust)
+    chosen = Path(model) if model is not None else None
+    if chosen is None and read.model:
+        chosen = _named(path, read.model, trust)
     return _within_limits(read, chosen, row_limit)
 
 
-def _within_limits(paper: Paper, chosen: Path, seconds: float) -> PaperCheck:
+def _within_limits(paper: Paper, chosen: Path | None, seconds: float) -> PaperCheck:
     """Verdicts from a process of their own, which ends where a row takes too long or too much
     memory; it is begun again without that row.
     """
@@ -299,7 +322,7 @@ class _PaperTask:
     """A paper to judge, without the rows that were too large."""
 
     paper: Paper
-    chosen: Path
+    chosen: Path | None  #: None if what the paper prints first is the page
     seconds: float
     begun: str  #: a file that is told of each row
     excluded: tuple[str, ...]
@@ -307,7 +330,7 @@ class _PaperTask:
 
 def _judged(task: _PaperTask) -> Checked | Exception:
     """Verdicts on a paper, or the error; this process is ended by the row that takes too long."""
-    from .derive.statements import papers, reading, verdicts
+    from .derive.statements import papers, premises, reading, verdicts
 
     rows = task.paper.statements
     kept = [replace(it, about="other") if it.id in task.excluded else it for it in rows]
@@ -320,9 +343,10 @@ def _judged(task: _PaperTask) -> Checked | Exception:
             limit_time(task.seconds)
 
         try:
-            page = _page(task.chosen)
+            page = None if task.chosen is None else _page(task.chosen)
             token = reading.BEGUN.set(begin)
-            found = verdicts.check(replace(task.paper, statements=tuple(kept)), page)
+            paper = replace(task.paper, statements=tuple(kept))
+            found = premises.check_premises(paper) if page is None else verdicts.check(paper, page)
             reading.BEGUN.reset(token)
         except papers.PaperError as error:
             return ParameterError(str(error))

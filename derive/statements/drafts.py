@@ -264,7 +264,8 @@ def as_toml(draft: Draft, source: str) -> str:
         f"{draft.unread} unread;",
         f"# {draft.judged} have a guess of what they are about, which is worth a look; other is "
         "not judged.",
-        '# Name the page that they are held against, as model = "page.py".',
+        '# Name the page that they are held against, model = "page.py"; without it the energies',
+        "# and forces that are printed first are premises, and all else is held against these.",
         f"paper = {_quoted(draft.title or source)}",
         "",
         "[meanings]",

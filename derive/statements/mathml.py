@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import re
+import xml.etree.ElementTree as ElementTree
 from collections.abc import Sequence
 
 from ..shapes import greek
@@ -87,3 +88,38 @@ def _name(name: str) -> str:
         return letter
     sign = "mn" if index.isdigit() else "mi"
     return f"<msub>{letter}<{sign}>{html.escape(greek(index))}</{sign}></msub>"
+
+
+#: Attributes of MathML that only lay out.
+_LAYOUT = re.compile(
+    r"accent|close|open|column\w+|row\w+|display|displaystyle|fence|form|height|width|depth|largeop"
+    r"|linethickness|[lr]space|mathvariant|(max|min)size|movablelimits|notation|scriptlevel"
+    r"|separators?|stretchy|symmetric|voffset"
+)
+_MARK = "#d55e00"  #: the colour by which a marked part is found
+
+
+def typeset(latex: str) -> str | None:
+    """MathML of an equation as it is printed in LaTeX; what stands between guillemets is marked by
+    the class ``edit``. None if it can't be laid out.
+    """
+    from latex2mathml.converter import convert_to_element  # imported late: only HTML needs it
+
+    source = re.sub(r"\\(?:label|tag)\{[^{}]*\}|\\(?:nonumber|notag)\b", "", latex)
+    source = source.replace("«", rf"{{\color{{{_MARK}}} ").replace("»", "}")
+    if re.search(
+        r"(?<!\\)&|\\\\", re.sub(r"\\begin\{(\w+)\}.*\\end\{\1\}", "", source, flags=re.S)
+    ):
+        source = rf"\begin{{aligned}}{source}\end{{aligned}}"
+    try:
+        found = convert_to_element(source, display="block")
+    except Exception:  # of any kind: it reads what others wrote
+        return None
+    for part in found.iter():
+        is_mark = part.attrib.get("mathcolor") == _MARK
+        part.attrib = {name: it for name, it in part.attrib.items() if _LAYOUT.fullmatch(name)}
+        if is_mark:
+            part.set("class", "edit")
+        # The library has entities where a tree has characters.
+        part.text, part.tail = (it and html.unescape(it) for it in (part.text, part.tail))
+    return ElementTree.tostring(found, encoding="unicode")

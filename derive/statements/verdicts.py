@@ -69,7 +69,7 @@ class Row:
     @property
     def is_expected(self) -> bool:
         """Whether the verdict is the expected one; a definition counts as confirmed."""
-        if self.status == "definition" and self.expect == "confirmed":
+        if self.status in ("definition", "premise") and self.expect == "confirmed":
             return True
         return self.status in (self.expect, "other")
 

@@ -53,7 +53,7 @@ from .output import is_typed, print_json, refuse, wrapped, write
 )
 @click.option("--draft", is_flag=True, help="Draft a file of statements from PAPER, its source.")
 @o.file(
-    "--out", folder=True, help="Folder for LEDGER.md and ledger.html of PAPER; file of a draft."
+    "--out", folder=True, help="Folder for the ledger of PAPER (.md, .tex, .html); file of a draft."
 )
 @click.option(
     "--row-limit",
@@ -271,7 +271,11 @@ def _check_paper(
         found = check_statements(paper, model, trust=is_typed("trust"), row_limit=row_limit)
     rows = _chosen(only, {row.id: row for row in found.rows}, "the paper")
     if out is not None:
-        files = {out / "LEDGER.md": found.to_markdown(), out / "ledger.html": found.to_html()}
+        files = {
+            out / "LEDGER.md": found.to_markdown(),
+            out / "LEDGER.tex": found.to_latex(),
+            out / "ledger.html": found.to_html(),
+        }
         write(files, made=True)
     if o.is_json():
         chosen = {row.id for row in rows}
@@ -285,7 +289,9 @@ def _check_paper(
         _print_rows("right", table)
         for convention in found.conventions:
             click.echo(visible(convention), err=True)
-        click.echo(f"{len(rows)} statements: {found.summary()}", err=True)
+        if not found.model:
+            click.echo(visible(found.held_against), err=True)
+        click.echo(f"{len(rows)} statements: {found.summary()}; {found.judged}", err=True)
     wrong = {row.status for row in rows if not row.is_expected}
     if wrong:
         sys.exit(3 if wrong == {"unread"} else 1)
@@ -324,7 +330,7 @@ def _print_rows(last: str, rows: Sequence[tuple[str, str, str, str]]) -> None:
     lines = aligned([row[:3] for row in table])
     begin = max(map(len, lines)) + 2
     for line, (*_, status, remark) in zip(lines, table, strict=True):
-        colour, dim = colours.get(status), status in ("definition", "no meaning")
+        colour, dim = colours.get(status), status in ("definition", "premise", "no meaning")
         bold = colour == "red" or not (colour or dim)
         styled = line.removesuffix(status) + click.style(
             status, fg=colour, bold=bold or None, dim=dim or None

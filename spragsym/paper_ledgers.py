@@ -59,6 +59,32 @@ summary{cursor:pointer;color:var(--quiet);padding:.2rem 0}
 """.strip()
 
 
+def fields(row: Row) -> Mapping[str, str]:
+    """Fields of a row, under titles."""
+    # Fields of a row under titles, as a referee reads them.
+    titles = {
+        "print": "Printed",
+        "read": "Read as",
+        "derived": "Derived",
+        "derived_by": "Derived by",
+        "difference": "Printed less derived",
+        "marked": "Edited at",
+        "repaired": "Right",
+        "evidence": "Evidence",
+        "units": "Units",
+        "cost": "Size",
+        "note": "Note",
+    }
+    said = {title: str(getattr(row, name)) for name, title in titles.items()}
+    if row.edits:
+        edits = (f"{it['kind']}: {it['old']} becomes {it['new']}" for it in row.edits)
+        said["Edit"] = "; ".join(edits)
+        said["Repairs of this size"] = str(row.alternatives)
+    if row.said_once_with:
+        said["The same edit in"] = ", ".join(row.said_once_with)
+    return {title: text for title, text in said.items() if text}
+
+
 def as_page(found: PaperCheck) -> str:
     """One page of HTML, which loads nothing and runs nothing."""
     counts = Counter(found.status)
@@ -93,7 +119,6 @@ def as_page(found: PaperCheck) -> str:
 def _row(row: Row, coordinates: tuple[str, ...]) -> str:
     """One statement: its verdict, the equation as printed, what is right, and the evidence."""
     from .derive.statements.mathml import rendered, typeset
-    from .papers import fields
 
     said = dict(fields(row))
     marked = said.pop("Edited at", "")
@@ -112,7 +137,7 @@ def _row(row: Row, coordinates: tuple[str, ...]) -> str:
     if right:
         shown = (row.repaired_latex and typeset(row.repaired_latex)) or rendered(right, coordinates)
         parts.append(f"<dt>Right</dt><dd>{shown or _marked(right)}</dd>")
-    for title in ("Evidence", "Size", "Note"):
+    for title in ("Evidence", "Units", "Size", "Note"):
         if text := said.pop(title, ""):
             parts.append(f"<dt>{title}</dt><dd>{html_text(text)}</dd>")
     parts.append("</dl>")

@@ -9,7 +9,7 @@ import os
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,6 +23,7 @@ from .files.text import text_of, toml_of
 from .models.load import load, page_of, require_trust, shipped
 from .models.parameters import POSITIVE, as_number
 from .motion.sweeps.workers import pool
+from .paper_ledgers import as_latex, as_page, fields
 
 if TYPE_CHECKING:
     from .derive.pages import PageModel as Page
@@ -158,8 +159,6 @@ class PaperCheck:
         >>> "<h1>A paper</h1>" in PaperCheck("A paper", "kang_nam", (), ()).to_html()
         True
         """
-        from .paper_ledgers import as_page
-
         return as_page(self)
 
     def to_latex(self) -> str:
@@ -175,8 +174,6 @@ class PaperCheck:
         >>> print(PaperCheck("A paper", "kang_nam", (), ()).to_latex().splitlines()[0])
         \section*{A paper}
         """
-        from .paper_ledgers import as_latex
-
         return as_latex(self)
 
     def _table(self, right: Callable[[Row], str]) -> str:
@@ -186,31 +183,6 @@ class PaperCheck:
 
     def _repr_html_(self) -> str:
         return self._table(lambda row: row.repaired_latex and rf"\({row.repaired_latex}\)")
-
-
-def fields(row: Row) -> Mapping[str, str]:
-    """Fields of a row, under titles."""
-    # Fields of a row under titles, as a referee reads them.
-    titles = {
-        "print": "Printed",
-        "read": "Read as",
-        "derived": "Derived",
-        "derived_by": "Derived by",
-        "difference": "Printed less derived",
-        "marked": "Edited at",
-        "repaired": "Right",
-        "evidence": "Evidence",
-        "cost": "Size",
-        "note": "Note",
-    }
-    said = {title: str(getattr(row, name)) for name, title in titles.items()}
-    if row.edits:
-        edits = (f"{it['kind']}: {it['old']} becomes {it['new']}" for it in row.edits)
-        said["Edit"] = "; ".join(edits)
-        said["Repairs of this size"] = str(row.alternatives)
-    if row.said_once_with:
-        said["The same edit in"] = ", ".join(row.said_once_with)
-    return {title: text for title, text in said.items() if text}
 
 
 def check(
@@ -330,7 +302,7 @@ class _PaperTask:
 
 def _judged(task: _PaperTask) -> Checked | Exception:
     """Verdicts on a paper, or the error; this process is ended by the row that takes too long."""
-    from .derive.statements import papers, premises, reading, verdicts
+    from .derive.statements import dimensions, papers, premises, reading, verdicts
 
     rows = task.paper.statements
     kept = [replace(it, about="other") if it.id in task.excluded else it for it in rows]
@@ -347,6 +319,9 @@ def _judged(task: _PaperTask) -> Checked | Exception:
             token = reading.BEGUN.set(begin)
             paper = replace(task.paper, statements=tuple(kept))
             found = premises.check_premises(paper) if page is None else verdicts.check(paper, page)
+            wrong = dimensions.problems(task.paper)
+            rows = [replace(row, units=wrong.get(row.id, "")) for row in found.rows]
+            found = replace(found, rows=tuple(rows))
             reading.BEGUN.reset(token)
         except papers.PaperError as error:
             return ParameterError(str(error))

@@ -115,8 +115,10 @@ def _coordinates(
     for one in equations:
         others = {_base(it, moving) for it in symbols(one.right)} & moving
         is_new = one.left.kind == "symbol" and one.left.value in moving
-        if is_new and others - {one.left.value} and one.left.value not in others:
-            own.add(one.left.value)
+        place = one.left.value.removeprefix("v") if one.left.kind == "symbol" else ""
+        is_rate = place in moving and any(f"v{it}" in symbols(one.right) for it in moving)
+        if (is_new or is_rate) and others - {place} and place not in others:
+            own.add(place)
         if is_new and derivatives_in(one):
             own.add(one.left.value)  # a momentum
         for side in (one.left, one.right):
@@ -154,7 +156,7 @@ def _guess(latex: str, equations: Sequence[Equation], known: _Known) -> tuple[st
         return "characteristic", "a polynomial of λ"
     if formal or (left.kind == "symbol" and left.value.startswith("diff(")):
         return "identity", "a derivative"
-    if name and name not in known.coordinates and (name[1:] in known.places or name in known.given):
+    if name and name not in known.coordinates and (name[1:] in known.given or name in known.given):
         return "identity", f"{name} is given before, or a rate of what is"
     if name and name not in known.coordinates and name[1:] not in known.coordinates:
         known.given.add(name)
@@ -180,6 +182,8 @@ def _of_motion(
     left: Node, name: str, equations: Sequence[Equation], seconds: Sequence[str], known: _Known
 ) -> tuple[str, str]:
     """The guess for an equation that holds accelerations."""
+    if derivatives_in(equations[0]):
+        return "identity", "a derivative"
     alone = name[1:] if name[:1] == "a" and name[1:] in seconds else ""
     if name and not alone:
         is_place = name[1:] in known.places or name in known.given
@@ -187,8 +191,6 @@ def _of_motion(
             return "identity", f"the value of {name}"
         known.given.add(name)
         return "definition", f"a new name, {name}, of accelerations"
-    if derivatives_in(equations[0]) and left.kind != "symbol":
-        return "identity", "a derivative"
     if alone and not any(f"a{it}" in symbols(equations[0].right) for it in seconds):
         known.moved[alone] += 1
         return f"acceleration {alone}", f"solved for the acceleration of {alone}"

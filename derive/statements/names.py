@@ -224,6 +224,8 @@ class Names:
             return any(map(self.moves, node.args))
         if self.fixed is not None:
             return node.value not in self.fixed
+        if self.dotted is not None and node.value.startswith("diff("):
+            return True
         return node.value in {*self.next, *self.next.values(), *self.laws}
 
     def word(self, items: Tokens, place: int) -> int:

@@ -57,6 +57,8 @@ class Paper:
     statements: tuple[Statement, ...]
     conventions: Mapping[str, str] = field(default_factory=dict)
     meanings: Mapping[str, str] = field(default_factory=dict)  #: what the text says of names
+    units: Mapping[str, str] = field(default_factory=dict)  #: of names, as far as they are known
+    data: Mapping[str, str] = field(default_factory=dict)  #: printed values of names
 
 
 def read(path: Path) -> Paper:
@@ -84,7 +86,7 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
         line = next(found, after or 1)
         return PaperError(f"{name}, line {line}, key {key}: {message}")
 
-    allowed = ("paper", "model", "symbols", "conventions", "meanings", "statement")
+    allowed = ("paper", "model", "symbols", "conventions", "meanings", "units", "data", "statement")
     for key in sorted(data.keys() - {*allowed}):
         raise refuse(key, f"is unknown; allowed are {', '.join(allowed)}")
     texts = {key: data.get(key, "") for key in ("paper", "model")}
@@ -96,6 +98,8 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
         ("symbols", """write "print" = "page's name\""""),
         ("conventions", 'write x = "reversed" or theta = "theta - pi"'),
         ("meanings", 'write m = "mass of the cart"'),
+        ("units", 'write m = "kg"'),
+        ("data", 'write g = "9.81"'),
     ):
         table = data.get(key, {})
         if not isinstance(table, dict) or not all(isinstance(it, str) for it in table.values()):
@@ -125,7 +129,8 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
         else:
             found.append(Statement(text=sympy, is_latex=False, **rest))
     head = str(texts["paper"]), str(texts["model"]), tables["symbols"]
-    return Paper(*head, tuple(found), tables["conventions"], tables["meanings"])
+    rest = (tables[it] for it in ("conventions", "meanings", "units", "data"))
+    return Paper(*head, tuple(found), *rest)
 
 
 def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:

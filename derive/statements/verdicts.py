@@ -65,6 +65,7 @@ class Row:
     evidence: str = ""
     cost: str = ""
     note: str = ""
+    units: str = ""  #: what contradicts in its units, beside its verdict
 
     @property
     def is_expected(self) -> bool:

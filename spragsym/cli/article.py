@@ -264,8 +264,8 @@ def _check_paper(
     paper: Path, model: str | None, only: tuple[str, ...], out: Path | None, row_limit: float
 ) -> None:
     """Print the verdicts on the statements of a file."""
+    from ..paper_ledgers import fields
     from ..papers import check as check_statements
-    from ..papers import fields
 
     with show_progress("deriving what the paper is held against"):
         found = check_statements(paper, model, trust=is_typed("trust"), row_limit=row_limit)

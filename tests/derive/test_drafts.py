@@ -94,6 +94,10 @@ p &= m l^2\dot\theta
 E = T + V
 \]
 
+$$ \frac{d}{dt}\frac{\partial T}{\partial\dot\theta} = m l^2\ddot\theta $$
+
+$$ \dot x_p = l\dot\theta\cos\theta $$
+
     $$ not = mathematics $$
 """
 IN_MARKDOWN = [
@@ -103,6 +107,8 @@ IN_MARKDOWN = [
     ("4", 9, "definition"),
     ("5", 13, "definition"),
     ("6", 17, "definition"),
+    ("7", 20, "identity"),
+    ("8", 22, "definition"),
 ]
 
 

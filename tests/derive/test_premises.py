@@ -14,7 +14,8 @@ import pytest
 
 pytest.importorskip("sympy")
 
-from spragsym.derive.statements.papers import PaperError, paper_of
+from spragsym.derive.statements.dimensions import problems
+from spragsym.derive.statements.papers import Paper, PaperError, Statement, paper_of
 from spragsym.derive.statements.premises import check_premises
 from spragsym.paper_ledgers import as_latex
 from spragsym.papers import PaperCheck
@@ -183,3 +184,38 @@ def test_json_keeps_its_schema() -> None:
     data["rows"][0]["status"] = "right"
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate(data, schema)
+
+
+UNITS = {"m": "kg", "l": "m", "g": "m/s^2"}
+
+
+@pytest.mark.parametrize(
+    ("latex", "said"),
+    [
+        (r"m l^2\ddot\theta + m g l\sin\theta = 0", ""),
+        (r"m l^2\ddot\theta + m g\sin\theta = 0", "m*g*sin(theta) beside m*l**2*atheta"),
+        (r"\omega = \sqrt{l/g}", "sqrt(l/g) beside omega"),  # after ω² = g/l
+        (r"\frac{\partial V}{\partial\theta} = m g l\sin\theta", ""),
+        (
+            r"\frac{\partial V}{\partial\theta} = m g\sin\theta",
+            "m*g*sin(theta) beside diff(V, theta)",
+        ),
+        (r"c = 2\zeta m\sqrt{k/m}, \quad F = k x + c\dot x", ""),
+        (r"A\sin(\omega l) = 0", "omega*l inside sin"),
+    ],
+)
+def test_units_are_solved_from_the_equations_and_told_beside_the_verdict(
+    latex: str, said: str
+) -> None:
+    rows = [r"V = -m g l\cos\theta", r"\omega^2 = g/l", latex]
+    statements = tuple(Statement(str(i), "other", it, True) for i, it in enumerate(rows))
+    found = problems(Paper("", "", {}, statements, units=UNITS))
+    assert found.keys() == ({"2"} if said else set())
+    assert found.get("2", "").startswith(said)
+    scaled = (*statements[:2], replace(statements[2], form="scaled"))
+    assert not problems(Paper("", "", {}, scaled, units=UNITS))
+
+
+def test_what_is_no_unit_is_refused() -> None:
+    with pytest.raises(PaperError, match="m: 'stone' is not a unit"):
+        problems(Paper("", "", {}, (), units={"m": "stone"}))

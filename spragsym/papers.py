@@ -320,8 +320,8 @@ def _judged(task: _PaperTask) -> Checked | Exception:
             paper = replace(task.paper, statements=tuple(kept))
             found = premises.check_premises(paper) if page is None else verdicts.check(paper, page)
             wrong = dimensions.problems(task.paper)
-            rows = [replace(row, units=wrong.get(row.id, "")) for row in found.rows]
-            found = replace(found, rows=tuple(rows))
+            beside = tuple(replace(row, units=wrong.get(row.id, "")) for row in found.rows)
+            found = replace(found, rows=beside)
             reading.BEGUN.reset(token)
         except papers.PaperError as error:
             return ParameterError(str(error))

@@ -57,6 +57,7 @@ class Book:
     #: the reading of each bound name, by form and name
     meant: dict[tuple[str, str], Expr] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
+    data: Mapping[str, str] = field(default_factory=dict)  #: printed values of names
 
     def entries_of(self, statement: Statement) -> tuple[str, ...]:
         """Beginnings of the names of the entries of the matrix that a statement is about."""
@@ -113,14 +114,14 @@ def book_of(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
         if letter := letters.get(name):
             dotted = {rate: rf"\dot{{{letter}}}", second: rf"\ddot{{{letter}}}"}
             letters = dotted | letters
-    return Book(forms, renamed, bound, letters=letters)
+    return Book(forms, renamed, bound, letters=letters, data=paper.data)
 
 
 def bind(statement: Statement, book: Book) -> None:
     """Bind the name on the left of a statement to the object whose value it gives, if it is new."""
     statement = replace(statement, transcribed="" if statement.is_latex else statement.transcribed)
     left, equal, _ = statement.text.partition("=")
-    if not equal or statement.word in ("definition", "scale", "other", "notation"):
+    if not equal or statement.word in ("definition", "scale", "value", "other", "notation"):
         return
     derivation = book.forms[statement.form or "units"]
     if statement.word == "friction" and statement.is_latex:

@@ -129,8 +129,8 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
         else:
             found.append(Statement(text=sympy, is_latex=False, **rest))
     head = str(texts["paper"]), str(texts["model"]), tables["symbols"]
-    rest = (tables[it] for it in ("conventions", "meanings", "units", "data"))
-    return Paper(*head, tuple(found), *rest)
+    more = (tables[it] for it in ("conventions", "meanings", "units", "data"))
+    return Paper(*head, tuple(found), *more)
 
 
 def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:

@@ -24,6 +24,7 @@ from .derivatives import Slope
 from .matrices import matrix_of
 from .objects import Derivation, NoObject, Object, derived
 from .papers import Paper, Statement
+from .printed_values import verdict_on_value
 from .repair import Values, evaluated, same, same_but_for_factor
 from .samples import numeric
 from .tree import Equation, Node, Unread, joined, minus, nodes, printed, residual, symbols
@@ -42,6 +43,7 @@ class Verdict:
     status: str
     evidence: str = ""
     read: str = ""
+    repaired: str = ""
 
 
 @dataclass(frozen=True)
@@ -111,6 +113,14 @@ def read_statement(statement: Statement, book: Book) -> Item | Verdict:
         return Verdict(statement, status, statement.note and "not held against the page")
     problem = ""
     BEGUN.get()(statement.id)
+    if statement.word == "value":
+        try:
+            status, read, right, said = verdict_on_value(statement, book)
+            return Verdict(statement, status, said, read, right)
+        except Unread as error:
+            return Verdict(statement, "unread", error.reason)
+        except (NoObject, ArithmeticError, *TOO_LARGE) as error:
+            return Verdict(statement, "unread", str(error))
     for form in (statement.form,) if statement.form else ("units", "scaled"):
         derivation = book.forms["units" if statement.word == "scale" else form]
         try:

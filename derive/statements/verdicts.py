@@ -201,6 +201,7 @@ def row_without_comparison(verdict: Verdict) -> Row:
         _row_of(verdict.statement),
         status=verdict.status,
         read=verdict.read,
+        repaired=verdict.repaired,
         evidence=verdict.evidence,
     )
 

@@ -219,3 +219,27 @@ def test_units_are_solved_from_the_equations_and_told_beside_the_verdict(
 def test_what_is_no_unit_is_refused() -> None:
     with pytest.raises(PaperError, match="m: 'stone' is not a unit"):
         problems(Paper("", "", {}, (), units={"m": "stone"}))
+
+
+@pytest.mark.parametrize(
+    ("latex", "status", "right"),
+    [
+        (r"\omega_0 = 3.13\,\mathrm{rad/s}", "confirmed", ""),  # sqrt(9.81/1) is 3.13209…
+        (r"\omega_0 = \sqrt{g/l} \approx 3.1321", "confirmed", ""),
+        (r"\omega_0 = 3.14", "misprint", "3.13"),
+        (r"\omega_0 = 3.1320", "misprint", "3.1321"),
+        (r"m g l = 1.962 \times 10^{1} \text{ J}", "confirmed", ""),
+        (r"m g l = 1.96 \times 10^{2}", "misprint", "20"),
+        (r"k = 3", "unread", ""),
+        (r"\omega_0 = g", "unread", ""),
+    ],
+)
+def test_a_printed_number_is_held_to_its_digits(latex: str, status: str, right: str) -> None:
+    rows = [
+        ("T", "energy T", r"T = \frac12 m l^2\dot\theta^2"),
+        ("V", "energy V", r"V = -m g l\cos\theta"),
+        ("w", "definition", r"\omega_0 = \sqrt{g/l}"),
+        ("n", "value", latex),
+    ]
+    row = checked(rows, "[data]\nm = '2'\ng = '9.81'\nl = '1.0'\n").rows[-1]
+    assert (row.status, row.repaired) == (status, right), row.evidence

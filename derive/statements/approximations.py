@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import cast
 
 import sympy as sp
 from sympy import Dummy, Expr, S, Symbol
 
-from .comparison import Comparison, Component
+from .comparison import Comparison, Component, Convention, Conventions
 from .identities import normal_form
 from .reading import Item
 from .samples import numeric
-from .tree import Unread
+from .tree import Unread, Vocabulary, read_sympy, to_sympy
 
 
 @dataclass(frozen=True)
@@ -21,13 +22,15 @@ class LimitCase:
     """A limit that a statement names.
 
     The ``symbols`` tend to ``end``, all ``together`` or each alone. If ``order`` is not 0, the
-    limit is the Taylor polynomial of that order in the symbols together.
+    limit is the Taylor polynomial of that order in the symbols together. At an end of 0 a symbol
+    has the value in ``places``, 0 if there is none.
     """
 
     symbols: tuple[Symbol, ...]
     end: Expr = S.Zero
     together: bool = True
     order: int = 0
+    places: Mapping[Symbol, Expr] = field(default_factory=dict)
 
     def forms(self, value: Expr, comparison: Comparison) -> list[Expr]:
         """The limit of an expression: one expression, or one for each symbol that tends alone.
@@ -44,7 +47,8 @@ class LimitCase:
         if not self.together:
             return [_limit(value, one, self.end) for one in self.symbols]
         if self.end == 0:
-            value = value.xreplace({one: size * one for one in self.symbols})
+            places = {one: self.places.get(one, S.Zero) for one in self.symbols}
+            value = value.xreplace({one: at + size * (one - at) for one, at in places.items()})
         if not self.order:
             return [_limit(value, size if self.end == 0 else self.symbols[0], self.end)]
         terms = [value.subs(size, 0)]
@@ -54,9 +58,9 @@ class LimitCase:
         return [_finite(sp.Add(*terms))]
 
 
-def limit_of(item: Item) -> LimitCase:
-    """The limit of a statement, as ``d*V -> oo``, ``c_x, c_y -> 0``, ``linear in x, y`` or
-    ``cubic in x``.
+def limit_of(item: Item, conventions: Conventions | None = None) -> LimitCase:
+    """The limit of a statement, as ``d*V -> oo``, ``c_x, c_y -> 0``, ``x -> 0, theta -> pi``,
+    ``linear in x, y`` or ``cubic in theta - pi``; a coordinate is the paper's, in its convention.
 
     Raises
     ------
@@ -66,53 +70,99 @@ def limit_of(item: Item) -> LimitCase:
     text, names = item.statement.limit, item.derivation.names
     word, to_order, small = text.partition(" in ")
     order = {"linear": 1, "quadratic": 2, "cubic": 3}.get(word, 0) if to_order else 0
-    what, arrow, end = (small if order else text).partition("->")
-    end, together = end.strip() or "0", "*" not in what
-    listed = [it.strip() for it in what.split("," if together else "*")]
-    is_known = end in ("oo", "0") and not (together and end == "oo" and len(listed) > 1)
-    if not is_known or bool(order) is bool(arrow):
+    product, arrow, end = text.partition("->")
+    if "*" in product and end.strip() in ("oo", "0"):
+        listed = dict.fromkeys((it.strip() for it in product.split("*")), end.strip())
+    else:
+        listed = _small(small) if order else _ends(text)
+    unknown = [it for it in listed if not getattr(names.get(it), "is_Symbol", False)]
+    if (
+        bool(order) is bool(arrow)
+        or not all(listed.values())
+        or ("oo" in listed.values() and "*" not in product and len(listed) > 1)
+    ):
         said = "'d*V -> oo', 'c_x, c_y -> 0', 'linear in x, y', 'quadratic in x' or 'cubic in x'"
         raise Unread(f"limit = {text!r} is none; write as {said}, of names of the page")
-    if unknown := [it for it in listed if not getattr(names.get(it), "is_Symbol", False)]:
+    if unknown:
         said = f"{', '.join(unknown)} is no name of the page; known are {', '.join(sorted(names))}"
         raise Unread(f"limit = {text!r}: {said}")
-    return LimitCase(tuple(names[it] for it in listed), sp.sympify(end), together, order)
+    symbols = tuple(names[it] for it in listed)
+    if "oo" in listed.values():
+        return LimitCase(symbols, sp.oo, "*" not in product)
+    fixed, places = {it: names[it] for it in item.derivation.parameters}, dict[Symbol, Expr]()
+    for name, at in listed.items():
+        try:
+            tree = read_sympy(at, Vocabulary(frozenset(fixed), (), {}))[0].left
+        except Unread as error:
+            raise Unread(f"limit = {text!r}: {at!r} is no number of the page") from error
+        convention = (conventions or {}).get(name, Convention())
+        shift = item.derivation.measured(convention.shift)
+        places[names[name]] = convention.sign * (to_sympy(tree, fixed) - shift)
+    together = "*" not in product
+    return LimitCase(symbols, S.Zero, together, order, {it: at for it, at in places.items() if at})
+
+
+def _small(text: str) -> dict[str, str]:
+    """What is small with the value about which it is, of ``x, theta - pi``."""
+    parts = (it.partition("-") for it in text.split(","))
+    return {name.strip(): at.strip() if minus else "0" for name, minus, at in parts}
+
+
+def _ends(text: str) -> dict[str, str]:
+    """What tends to a value with that value, of ``x, y -> 0, theta -> pi``; empty for none."""
+    found: dict[str, str] = {}
+    for part in reversed(text.split(",")):
+        name, arrow, end = part.partition("->")
+        found[name.strip()] = end.strip() if arrow else next(reversed(found.values()), "")
+    return dict(reversed(found.items()))
 
 
 def is_approximation(comparison: Comparison, part: Component, limit: LimitCase) -> bool:
     """Whether a printed side and one of its targets have the same limit, by exact algebra."""
+    kept = comparison.item.kept
+
+    def forms(exact: Expr) -> list[Expr]:
+        if (key := (str(limit), exact)) not in kept:
+            kept[key] = limit.forms(exact, comparison)
+        return cast(list[Expr], kept[key])
+
     ours = limit.forms(comparison.exactly(part.tree), comparison)
-    return any(
-        all(map(comparison.equals, ours, limit.forms(exact, comparison)))
-        for _, exact in part.targets
-    )
+    return any(all(map(comparison.equals, ours, forms(exact))) for _, exact in part.targets)
 
 
-def in_limit(item: Item, limit: LimitCase) -> Iterator[Item]:
-    """The statement with its object replaced by the object's limit.
-
-    If coordinates are small to some order, a second version takes their rates and accelerations as
-    small too.
+def cases(item: Item, limit: LimitCase) -> list[LimitCase]:
+    """A limit, and of one to an order in coordinates a second one, in which their rates and
+    accelerations are small too.
     """
-    derivation, subject = item.derivation, item.subject
-    also_small = (it for row in derivation.moved if {*row} & {*limit.symbols} for it in row)
-    small = (*limit.symbols, *also_small)
-    cases = [limit, replace(limit, symbols=tuple(dict.fromkeys(small)))]
-    for case in cases if limit.order else cases[:1]:
-        comparison = Comparison(item)
-        entries = tuple(
-            case.forms(entry, comparison)[0] if place in subject.index else entry
-            for place, entry in enumerate(subject.entries)
-        )
-        readings = tuple(
-            replace(one, entry=case.forms(one.entry, comparison)[0]) for one in subject.readings
-        )
-        yield replace(
-            item,
-            subject=replace(subject, entries=entries, readings=readings),
-            targets=tuple(numeric(entry, item.values) for entry in entries),
-            readings=tuple(numeric(one.entry, item.values) for one in readings),
-        )
+    also_small = (it for row in item.derivation.moved if {*row} & {*limit.symbols} for it in row)
+    symbols = tuple(dict.fromkeys((*limit.symbols, *also_small)))
+    is_same = not limit.order or symbols == limit.symbols
+    return [limit] if is_same else [limit, replace(limit, symbols=symbols)]
+
+
+def in_limit(item: Item, limit: LimitCase) -> list[Item]:
+    """The statement with its object replaced by the object's limit, in every case of it."""
+    key = "in limit", str(limit)
+    if key not in item.kept:
+        item.kept[key] = [_in_case(item, case) for case in cases(item, limit)]
+    return cast(list[Item], item.kept[key])
+
+
+def _in_case(item: Item, case: LimitCase) -> Item:
+    subject, comparison = item.subject, Comparison(item)
+    entries = tuple(
+        case.forms(entry, comparison)[0] if place in subject.index else entry
+        for place, entry in enumerate(subject.entries)
+    )
+    readings = tuple(
+        replace(one, entry=case.forms(one.entry, comparison)[0]) for one in subject.readings
+    )
+    return replace(
+        item,
+        subject=replace(subject, entries=entries, readings=readings),
+        targets=tuple(numeric(entry, item.values) for entry in entries),
+        readings=tuple(numeric(one.entry, item.values) for one in readings),
+    )
 
 
 def _limit(value: Expr, symbol: Symbol, end: Expr) -> Expr:

@@ -239,7 +239,25 @@ def _vocabulary(
         {name: str(ratio) for name, ratio in _scales(derivation, book).items() if ratio != 1},
         _arguments(statement, derivation, book, values),
         partial(_slope, derivation, book),
+        states_of(derivation, book, statement.id),
     )
+
+
+def states_of(derivation: Derivation, book: Book, but: str = "") -> dict[str, tuple[str, ...]]:
+    """Names of a paper that are defined as a coordinate or a rate, or as a column of these, with
+    the page's names; without those of the statement ``but``, which is read as it stands.
+    """
+    states = {*map(str, derivation.states)}
+    found = {
+        name: (tree.value,)
+        for name, tree in book.defined.items()
+        if tree.value in states and book.definers.get(name) != but
+    }
+    for name, shape in book.shapes.items():
+        entries = [found.get(entry_name(name, shape, i, 0), ()) for i in range(shape[0])]
+        if shape[1] == 1 and all(entries):
+            found[name] = sum(entries, ())
+    return found
 
 
 def _slope(derivation: Derivation, book: Book, of: str, by: str) -> str:

@@ -272,7 +272,7 @@ class Comparison:
                 return signs[place]
             case "form":
                 rows = math.isqrt(len(self.item.subject.entries))
-                signs *= rows // len(signs)
+                signs = [signs[it] for it in self.item.subject.rows] or signs * (rows // len(signs))
                 return signs[place // rows] * signs[place % rows]
             case _:
                 return 1

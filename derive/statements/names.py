@@ -100,6 +100,14 @@ class Names:
             for word, above in (("states", words[0]), ("rates of states", words[1])):
                 self.columns[word] = self.columns[above] + self.columns[self.next[above]]
             self.next["states"] = "rates of states"
+        self.aliases: dict[str, str] = {}
+        for name, (state, *more) in vocabulary.states.items():
+            if not more:
+                self.aliases[name] = state
+                continue
+            self.columns[name] = (state, *more)
+            self.next[name] = f"rates of {name}"
+            self.columns[self.next[name]] = tuple(self.next.get(it, "") for it in (state, *more))
 
     def times(self) -> set[str]:
         """Letters that stand for time: t and tau, unless the page has such a quantity."""
@@ -178,8 +186,8 @@ class Names:
         if not self.moves(node):
             return Node("number", value="0", at=node.at)
         match node.kind:
-            case "symbol" if node.value in self.next:
-                return replace(node, value=self.next[node.value])
+            case "symbol" if (state := self.aliases.get(node.value, node.value)) in self.next:
+                return replace(node, value=self.next[state])
             case "symbol" if self.derivative is not None and node.value not in self.columns:
                 return self.derived(node, "t")
             case "symbol":
@@ -190,6 +198,8 @@ class Names:
 
     def partial(self, node: Node, by: str) -> Node:
         """The derivative of a tree by a coordinate or rate."""
+        by = self.aliases.get(by, by)
+        node = replace(node, value=self.aliases.get(node.value, node.value))
         is_other = node.kind == "number" or node.value in {*self.next, *self.next.values()}
         if node.value == by:
             return replace(ONE, at=node.at)

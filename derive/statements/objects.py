@@ -70,6 +70,7 @@ class Object:
     #: all values that the name may have where authors differ, the entry first
     readings: tuple[Reading, ...] = ()
     shape: tuple[int, int] | None = None  #: rows and columns of a matrix
+    rows: tuple[int, ...] = ()  #: the coordinate of each row, where that is not its number
 
     @property
     def is_value(self) -> bool:

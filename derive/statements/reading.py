@@ -19,7 +19,7 @@ from ..pages import PageModel
 from ..units import Dimension
 from . import samples
 from .book import TOO_LARGE, Book, book_of, bind, by_name, equations_of, forms_of, meanings, named
-from .book import print_name, with_defined
+from .book import print_name, states_of, with_defined
 from .derivatives import Slope
 from .matrices import matrix_of
 from .objects import Derivation, NoObject, Object, derived
@@ -227,7 +227,10 @@ def _defined(
     book.definers.update(dict.fromkeys(new, statement.id))
     for base, group in itertools.groupby(new, lambda name: name.rpartition("_")[0]):
         names = [*group]
-        if (matrix := matrix_of(names)) is not None and base not in derivation.names:
+        is_print = statement.is_latex and not statement.transcribed
+        is_whole = not is_print or len({new[name].left.at for name in names}) == 1
+        matrix = matrix_of(names) if is_whole else None  # T_1 and T_2 are no vector
+        if matrix is not None and base not in derivation.names:
             book.shapes[base] = matrix[1]
         for name in names if statement.is_latex and matrix is None else ():
             left = statement.text[slice(*new[name].left.at)]
@@ -397,6 +400,42 @@ def _entries(equations: list[Equation], subject: Object, derivation: Derivation)
     return tuple(found[lefts.index(name)] for name in names) if is_chain else tuple(found)
 
 
+def _in_order(
+    subject: Object,
+    equations: Sequence[Equation],
+    known: Mapping[str, Values],
+    derivation: Derivation,
+    book: Book,
+) -> Object:
+    """The linearization in the order of the states that the paper states, or, where it states none,
+    in that of the usual ones with which the print agrees most: all coordinates and then all rates,
+    each coordinate with its rate, or all rates first.
+    """
+    n = len(derivation.places(""))
+    moved = [(str(one), str(rate)) for one, rate, _ in derivation.moved[:n]]
+    names = [one for row in zip(*moved, strict=True) for one in row]
+    stated = [it for it in states_of(derivation, book).values() if {*it} == {*names}]
+    usual = [names, [one for pair in moved for one in pair], [*names[n:], *names[:n]]]
+    subjects = []
+    for own in stated or usual:
+        order = [names.index(it) for it in own]
+        entries = tuple(subject.entries[2 * n * i + j] for i in order for j in order)
+        said = f"{subject.by}, of the states {', '.join(own)}" if own != names else subject.by
+        places = tuple(it % n for it in order)
+        subjects.append(replace(subject, entries=entries, by=said, rows=places))
+
+    def agreeing(one: Object) -> int:
+        found = 0
+        for it, place in zip(equations, one.index, strict=False):
+            is_known = symbols(it.right) <= known.keys()
+            found += is_known and same(
+                evaluated(it.right, known), numeric(one.entries[place], known)
+            )
+        return found
+
+    return max(subjects, key=agreeing)
+
+
 def _as_matched(
     equations: list[Equation],
     index: Sequence[int],
@@ -462,6 +501,8 @@ def _item(
         or not _says_nothing(one, subject, known)
     ]
     equations = claims if len(claims) >= count else equations[-count:]
+    if statement.word == "system":
+        subject = _in_order(subject, equations, known, derivation, book)
     targets = tuple(numeric(entry, values) for entry in subject.entries)
     if subject.is_value:
         subject = replace(subject, index=_entries(equations, subject, derivation))

@@ -91,6 +91,8 @@ class Vocabulary:
     derivative: Callable[[str, str], str] | None = None
     #: without a page, where every name is known: those with dots, which are added as they are read
     dotted: set[str] | None = None
+    #: for each name that is defined as a coordinate, a rate or a column of these: which
+    states: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 class Unread(ValueError):

@@ -19,7 +19,7 @@ from .. import units
 from ..factors import factored
 from ..pages import PageModel
 from . import samples
-from .approximations import LimitCase, in_limit, is_approximation, limit_of
+from .approximations import LimitCase, cases, in_limit, is_approximation, limit_of
 from .blame import Mended, mended
 from .book import TOO_LARGE, by_name, equations_of, forms_of
 from .comparison import Comparison, Component, Conventions, equation_of, judged_side
@@ -170,7 +170,7 @@ def _under_conventions(
     if not wrong:
         return {}, []
     held_against = {
-        id: [*in_limit(it, limit_of(it))] if it.statement.limit else [it]
+        id: [*in_limit(it, limit_of(it, known))] if it.statement.limit else [it]
         for id, it in wrong.items()
     }
     conventions, rows = unstated(held_against, right, known, _holds)
@@ -262,7 +262,7 @@ def _verdict_on(item: Item, conventions: Conventions | None, repair: bool) -> Ro
         derived_by=item.subject.by,
     )
     try:
-        limit = limit_of(item) if item.statement.limit else None
+        limit = limit_of(item, conventions) if item.statement.limit else None
     except Unread as error:
         return replace(row, status="unread", evidence=error.reason)
     if len(parts) < len(item.equations):
@@ -305,7 +305,7 @@ def _verdict_on(item: Item, conventions: Conventions | None, repair: bool) -> Ro
             ]
             versions = [(one, one.components()[number]) for one in in_limits]
             is_limit = any(_is_right(*one) for one in versions)
-            if is_limit or is_approximation(comparison, part, limit):
+            if is_limit or any(is_approximation(comparison, part, it) for it in cases(item, limit)):
                 said = "" if is_limit else "; what the print holds beyond that is not judged"
                 row = replace(
                     _with_difference(row, item, gap), evidence=item.statement.limit + said

@@ -60,3 +60,60 @@ def test_a_friction_that_falls_as_a_power_has_its_limit(tmp_path: Path) -> None:
     path.write_text(text.replace(old, "mu0 * d * v / (1 + d * Abs(v))"), encoding="utf-8")
     judged = {row.id: row.status for row in ledger.judge(pages.read(path))}
     assert (judged["eq-12"], judged["eq-27"], judged["eq-10"]) == ("holds", "holds", "fails")
+
+
+CART = pages.read(Path(__file__).parents[2] / "validation" / "papers" / "cart_pole" / "page.py")
+UP = r"""\begin{bmatrix} 0 & 1 & 0 & 0 \\ 0 & 0 & \frac{m_p g}{m_c} & 0 \\ 0 & 0 & 0 & 1 \\
+    0 & 0 & \frac{(m_c + m_p) g}{m_c l} & 0 \end{bmatrix}"""
+STATES = r"\begin{bmatrix} x \\ \dot x \\ \theta \\ \dot\theta \end{bmatrix}"
+
+
+@pytest.mark.parametrize(
+    ("about", "text", "limit", "old", "new"),
+    [
+        # What is small to first order has small rates, and its cosine may be kept.
+        (
+            "motion x",
+            r"(m_c + m_p)\ddot x + m_p l\ddot\theta\cos\theta = f",
+            "linear in theta",
+            "+ m_p l",
+            "- m_p l",
+        ),
+        # About the state upright, the states in any order, stated or not.
+        ("system", rf"\mathbf A = {UP}", "x -> 0, theta -> pi", "{m_p g}{m_c}", "{m_c g}{m_c}"),
+        (
+            "acceleration theta",
+            r"\ddot\theta = \frac{g}{l}(\theta - \pi) + \frac{\ddot x}{l}",
+            "linear in theta - pi",
+            "- \\pi",
+            "+ \\pi",
+        ),
+    ],
+)
+def test_a_limit_is_read_as_papers_mean_it(
+    about: str, text: str, limit: str, old: str, new: str
+) -> None:
+    """Right to first order with what is of higher order in it, and a fault is found."""
+    defined = ("definition", rf"\mathbf z = {STATES}", {"limit": ""})
+    found = rows(CART, (about, text), (about, text.replace(old, new, 1)), limit=limit)
+    assert [it.status for it in found] == ["approximation", "misprint"], found
+    assert rows(CART, defined, (about, text), limit=limit)[1].status == "approximation"
+
+
+def test_a_column_of_states_has_rates_and_its_order_is_kept() -> None:
+    """z' = A z of z = (x, x', theta, theta') is none of (theta, theta', x, x')."""
+    column = r"\begin{bmatrix} 0 \\ \frac{1}{m_c} \\ 0 \\ \frac{1}{m_c l} \end{bmatrix}"
+    motion = rf"\dot{{\mathbf z}} = {UP}\mathbf z + {column} f"
+    turned = STATES.replace(" x ", " X ").replace(r"t x", r"t X").replace(r"\theta", "x")
+    for states, status in ((STATES, "approximation"), (turned.replace("X", r"\theta"), "unread")):
+        *_, row = rows(
+            CART,
+            ("definition", rf"\mathbf z = {states}", {"limit": ""}),
+            ("acceleration", motion),
+            limit="linear in x, theta",
+            conventions={"theta": "theta - pi"},
+        )
+        assert row.status == status
+    names = ("definition", r"q_1 = x, \quad q_2 = \dot x, \quad T_1 = m_c, \quad T_2 = m_p")
+    law = r"(T_1 + T_2)\dot q_2 + T_2 l\ddot\theta\cos\theta - m_p l\dot\theta^2\sin\theta = f"
+    assert rows(CART, names, ("motion x", law))[1].status == "confirmed"

@@ -461,7 +461,7 @@ class Mechanics:
                 # The clock obeys s″ = Ω (Ω − s′), which is 0 at its rate Ω.
                 rows.append(-(self.speed**2))
                 continue
-            row = self.derivative(potential, symbol) - force
+            row = self.derivative(potential, symbol) - self._at_rest(force)
             for contact in self.contacts:
                 if contact.gap is not None:
                     row -= contact.force * diff(contact.gap, symbol)
@@ -472,11 +472,19 @@ class Mechanics:
 
     @cached_property
     def resistance(self) -> Row:
-        """Minus the forces of the dampers, which are added to the residuals."""
+        """Minus the forces of the dampers, and of applied forces what speeds add to them, which are
+        added to the residuals.
+        """
         return tuple(
-            self.speed * rate if symbol == self.clock else expanded(diff(self.dissipation, rate))
-            for symbol, rate in zip(self.coordinates, self.rates, strict=True)
+            self.speed * rate
+            if symbol == self.clock
+            else expanded(diff(self.dissipation, rate)) + self._at_rest(force) - force
+            for symbol, rate, force in zip(self.coordinates, self.rates, self.applied, strict=True)
         )
+
+    def _at_rest(self, force: Expr) -> Expr:
+        moving = {*self.rates} & force.free_symbols
+        return force.subs(dict.fromkeys(moving, S.Zero)) if moving else force
 
     @property
     def moved(self) -> tuple[tuple[Symbol, Symbol, Expr], ...]:
@@ -530,6 +538,8 @@ def of(page: Page, units: bool = False) -> Mechanics:
         If the page can't be derived.
     """
     energy, _ = page.kinetic_energy
+    if page.timer is not None:  # as of a support that moves
+        energy = energy.subs(speed_of(page.timer.symbol), page.timer.speed)
     scaled = _Scaled(page, units)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
     kinetic, linear, still = _by_rates(page, scaled(energy))

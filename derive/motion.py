@@ -164,7 +164,9 @@ class Motion:
         energy = model.kinetic + model.linear
         momenta = [diff(energy, rate) for rate in model.rates]
         return tuple(
-            expanded(model.page.rate(momentum) - diff(energy, symbol))
+            S.Zero
+            if symbol == model.clock
+            else expanded(model.page.rate(momentum) - diff(energy, symbol))
             for momentum, symbol in zip(momenta, model.coordinates, strict=True)
         )
 

@@ -43,10 +43,12 @@ def shipped() -> tuple[Path, ...]:
     return tuple(sorted(pages, key=lambda path: path.stem != "kang_nam"))
 
 
-def read(path: Path, name: str = "") -> PageModel:
+def read(path: Path, name: str = "", *, only_equations: bool = False) -> PageModel:
     """Read a page; the model is named after its file, or ``name``.
 
-    The page is run as a module of this package. The result is cached by the page's text.
+    The page is run as a module of this package. The result is cached by the page's text. Of
+    ``only_equations`` of motion a page may have no equilibrium: a coordinate without a force, drag,
+    a support that a clock moves.
 
     Raises
     ------
@@ -67,7 +69,8 @@ def read(path: Path, name: str = "") -> PageModel:
                 f"its name {name or path.stem!a} holds more than letters, digits, blanks and "
                 ". - _; rename the file",
             )
-        return _model(path, path.read_text(encoding="utf-8-sig"), name or path.stem)
+        text = path.read_text(encoding="utf-8-sig")
+        return _model(path, text, name or path.stem, only_equations)
     except UnicodeDecodeError as error:
         raise PageError(
             0, f"the file is no text in UTF-8: {error.reason}; save it as UTF-8", path.name
@@ -77,15 +80,15 @@ def read(path: Path, name: str = "") -> PageModel:
 
 
 @cache
-def _model(path: Path, text: str, name: str) -> PageModel:
+def _model(path: Path, text: str, name: str, only_equations: bool) -> PageModel:
     page, docstring = _run(path, text)
     vocabulary.check_characters("the docstring", docstring, 1, "\n\t")
-    statement_checks.check(page, docstring)
+    statement_checks.check(page, docstring, only_equations=only_equations)
     physical_checks.check_units(page)
     physical_checks.groups(page)
     model = mechanics.of(page)
-    smoothness_checks.check(model)
-    physical_checks.check_forces(model)
+    smoothness_checks.check(model, only_equations=only_equations)
+    physical_checks.check_forces(model, only_equations=only_equations)
     statement_checks.check_used(page)
     return PageModel(name, text, docstring, page, model)
 

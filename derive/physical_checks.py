@@ -133,9 +133,9 @@ def scale(page: Page, dimension: Dimension) -> Expr | None:
 # laws and forces
 
 
-def check_forces(model: Mechanics) -> None:
+def check_forces(model: Mechanics, *, only_equations: bool = False) -> None:
     """Raise a PageError for a contact that pulls, friction that drives, or a coordinate without
-    inertia or force.
+    inertia or, unless the page is of ``only_equations``, force.
     """
     for contact in model.contacts:
         _check_contact(model, contact)
@@ -168,7 +168,7 @@ def check_forces(model: Mechanics) -> None:
             f"whole multiples, as cos({model.clock}) or cos(2*{model.clock})",
         )
     for row, (entry, force) in enumerate(zip(model.page.coordinates, model.residuals, strict=True)):
-        if force == 0:
+        if force == 0 and not only_equations:
             working = [
                 str(other.symbol)
                 for index, other in enumerate(model.page.coordinates)

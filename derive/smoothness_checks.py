@@ -18,11 +18,13 @@ from .model import FUNCTIONS, WRITTEN, Contact, PageError, expression_of
 from .statement_checks import statements
 
 
-def check(model: Mechanics) -> None:
-    """Raise a :class:`~derive.model.PageError` for the first statement that can't be generated."""
+def check(model: Mechanics, *, only_equations: bool = False) -> None:
+    """Raise a :class:`~derive.model.PageError` for the first statement that can't be generated; of
+    a page of ``only_equations``, whose contact has no energy.
+    """
     moving = {*model.coordinates, *model.rates, DEPTH, SLIP}
     turning = moving | {angle.symbol for angle in model.angles}
-    for statement in statements(model.page):
+    for statement in () if only_equations else statements(model.page):
         value = model.scaled(statement.value)
         for fault in itertools.chain(
             _no_angles(value, turning),

@@ -21,8 +21,12 @@ from .model import Page, PageError, acceleration_of, expression_of, speed_of
 LONGEST = 40
 
 
-def check(page: Page, docstring: str) -> None:
-    """Raise a :class:`~derive.model.PageError` for the first wrong statement of a page."""
+def check(page: Page, docstring: str, *, only_equations: bool = False) -> None:
+    """Raise a :class:`~derive.model.PageError` for the first wrong statement of a page.
+
+    Of a page of ``only_equations`` nothing is generated, and no equilibrium is asked: forces and
+    kinetic energies may be of any form.
+    """
     if not docstring.strip():
         raise PageError(
             1,
@@ -39,8 +43,10 @@ def check(page: Page, docstring: str) -> None:
             f"{excess.symbol} is coordinate 5 of {len(page.coordinates)}: {Limit.FIFTH_COORDINATE}",
         )
     _check_contacts(page)
-    _check_names(page)
+    _check_names(page, only_equations)
     _check_elements(page)
+    if not only_equations:
+        _check_statics(page)
     _check_places(page)
 
 
@@ -48,7 +54,7 @@ def check(page: Page, docstring: str) -> None:
 # names
 
 
-def _check_names(page: Page) -> None:
+def _check_names(page: Page, only_equations: bool) -> None:
     for datum in (*page.units, *page.parameters):
         name = datum.symbol.name
         if name in reserved.OF_FILES:
@@ -64,7 +70,7 @@ def _check_names(page: Page) -> None:
                 f"{_instead(name)!r}",
             )
     taken: dict[str, tuple[str, int]] = {}
-    for name, what, line in _names(page):
+    for name, what, line in _own_names(page) if only_equations else _names(page):
         for refused, why in (
             (
                 not name.isidentifier() or keyword.iskeyword(name),
@@ -91,6 +97,16 @@ def _check_names(page: Page) -> None:
                 f"{what} is named {name!r}, as is {other}{where}; give one of them another name",
             )
         taken[name] = what, line
+
+
+def _own_names(page: Page) -> Iterator[tuple[str, str, int]]:
+    """The names of what the page states, and of rates and accelerations."""
+    for datum in (*page.units, *page.parameters):
+        yield str(datum.symbol), "this quantity", datum.line
+    for entry in page.coordinates:
+        yield str(entry.symbol), "this coordinate", entry.line
+        yield str(entry.rate), f"the rate of {entry.symbol}", entry.line
+        yield acceleration_of(entry.symbol), f"the acceleration of {entry.symbol}", entry.line
 
 
 def _names(page: Page) -> Iterator[tuple[str, str, int]]:
@@ -288,9 +304,12 @@ def _check_clock(page: Page, own: set[Symbol]) -> None:
     """The clock and its speed, which are its ``own`` symbols, occur only in statements that may
     hold them.
     """
-    said = [(*page.kinetic_energy, "the kinetic energy")]
-    said += [(it.along, it.line, "what friction opposes") for it in page.frictions]
+    said = [(it.along, it.line, "what friction opposes") for it in page.frictions]
     said += [(it.strength, it.line, f"the {it.quality} of this {it.what}") for it in page.elements]
+    _refuse_clock(said, own)
+
+
+def _refuse_clock(said: list[tuple[Expr, int, str]], own: set[Symbol]) -> None:
     for value, line, what in said:
         if value.free_symbols & own:
             raise PageError(
@@ -301,8 +320,33 @@ def _check_clock(page: Page, own: set[Symbol]) -> None:
             )
 
 
+def _own_of_clock(page: Page) -> set[Symbol]:
+    """The clock and its speed."""
+    return {page.timer.symbol, speed_of(page.timer.symbol)} if page.timer else set()
+
+
+def _check_statics(page: Page) -> None:
+    """What is asked of a page whose equilibria are."""
+    own, rates = _own_of_clock(page), set(page.rates)
+    _refuse_clock([(*page.kinetic_energy, "the kinetic energy")], own)
+    for force in page.forces:
+        if any(part.free_symbols & rates for part in force.components):
+            raise PageError(
+                force.line,
+                "this force holds a speed; one in proportion to it is page.damper(c, along=x), and "
+                f"friction is page.friction(…); of any other, {Limit.NONLINEAR_DAMPER}",
+            )
+    for sliding in page.frictions:
+        if sliding.belt == 0 and not own and sliding.holds is None:
+            raise PageError(
+                sliding.line,
+                "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V, "
+                "or friction that holds, by slip=… and holds=…",
+            )
+
+
 def _check_places(page: Page) -> None:
-    own = {page.timer.symbol, speed_of(page.timer.symbol)} if page.timer else set()
+    own = _own_of_clock(page)
     _check_clock(page, own)
     moving, rates = set(page.places), set(page.rates)
     for energy, line in page.energies:
@@ -311,13 +355,6 @@ def _check_places(page: Page) -> None:
                 line,
                 "this potential energy holds a speed; what goes with speed is kinetic(...), "
                 "damper(...) or friction(...)",
-            )
-    for force in page.forces:
-        if any(part.free_symbols & rates for part in force.components):
-            raise PageError(
-                force.line,
-                "this force holds a speed; one in proportion to it is page.damper(c, along=x), and "
-                f"friction is page.friction(…); of any other, {Limit.NONLINEAR_DAMPER}",
             )
     for contact in page.contacts:
         if contact.gap is not None and not contact.gap.free_symbols & moving:
@@ -334,12 +371,6 @@ def _check_places(page: Page) -> None:
                 sliding.line,
                 f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that "
                 f"stays, as V{f': {Limit.PLANE}' if sliding.belt.free_symbols & rates else ''}",
-            )
-        if sliding.belt == 0 and not own and sliding.holds is None:
-            raise PageError(
-                sliding.line,
-                "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V, "
-                "or friction that holds, by slip=… and holds=…",
             )
         if not page.contacts:
             raise PageError(

@@ -356,7 +356,7 @@ def _page(chosen: Path) -> Page:
 
     if chosen.suffix == ".py":
         try:
-            return pages.read(chosen)
+            return pages.read(chosen, only_equations=True)
         except PageError as error:
             raise ParameterError(str(error)) from error
     loaded = load(chosen)

@@ -150,18 +150,21 @@ def in_limit(item: Item, limit: LimitCase) -> list[Item]:
 
 def _in_case(item: Item, case: LimitCase) -> Item:
     subject, comparison = item.subject, Comparison(item)
+
+    def limited(value: Expr) -> Expr:
+        return case.forms(value, comparison)[0]
+
     entries = tuple(
-        case.forms(entry, comparison)[0] if place in subject.index else entry
+        limited(entry) if place in subject.index else entry
         for place, entry in enumerate(subject.entries)
     )
-    readings = tuple(
-        replace(one, entry=case.forms(one.entry, comparison)[0]) for one in subject.readings
-    )
+    readings = tuple(replace(one, entry=limited(one.entry)) for one in subject.readings)
     return replace(
         item,
         subject=replace(subject, entries=entries, readings=readings),
         targets=tuple(numeric(entry, item.values) for entry in entries),
         readings=tuple(numeric(one.entry, item.values) for one in readings),
+        limited=limited,
     )
 
 

@@ -248,7 +248,7 @@ def states_of(derivation: Derivation, book: Book, but: str = "") -> dict[str, tu
     the page's names; without those of the statement ``but``, which is read as it stands.
     """
     states = {*map(str, derivation.states)}
-    found = {
+    found: dict[str, tuple[str, ...]] = {
         name: (tree.value,)
         for name, tree in book.defined.items()
         if tree.value in states and book.definers.get(name) != but

@@ -91,7 +91,7 @@ class Comparison:
         found = {str(symbol): sign * symbol for symbol, sign in self.signs.items()}
         for name, convention in self.conventions.items():
             found[name] += self.item.derivation.measured(convention.shift)
-        return found
+        return found | dict(self.item.meant)
 
     @cached_property
     def values(self) -> dict[str, Values]:
@@ -174,7 +174,8 @@ class Comparison:
                     divided = (rest, -rest, *self._multiples(own, rest))
                     meanings |= dict.fromkeys(divided, f"divided by {divisor}")
                 if subject.law == "covector":
-                    for without, said in self._eliminated(own, place):
+                    others = (*self._multiplied(own, place), *self._eliminated(own, place))
+                    for without, said in others:
                         base = sign * without
                         both = (base, -base, *self._multiples(own, base))
                         meanings |= dict.fromkeys(both, said)
@@ -200,7 +201,7 @@ class Comparison:
         if self.item.statement.word != "acceleration" or not self.exactly(tree).has(*others):
             return None
         row = derived(derivation, f"motion, {subject.side}").entries[place]
-        return sp.expand(second - row / sp.diff(row, second))
+        return self.item.limited(sp.expand(second - row / sp.diff(row, second)))
 
     def _combined(
         self, own: Expr, own_values: Values, bases: Sequence[Expr], place: int
@@ -216,6 +217,34 @@ class Comparison:
                 if same(own_values, numeric(base + multiple, self.item.values)):
                     return {base + multiple: f"with a multiple of the equation of {name}"}
         return {}
+
+    def _multiplied(self, own: Expr, place: int) -> Iterator[tuple[Expr, str]]:
+        """A derived equation times the coordinates and rates that the print has in each term, or
+        all but one; and solved for its acceleration where the print has no other one.
+        """
+        derivation, entry = self.item.derivation, self.item.subject.entries[place]
+        terms, of_ours = (sp.Add.make_args(sp.expand(it)) for it in (own, entry))
+
+        def lacking(state: Expr, among: Sequence[Expr]) -> int:
+            return sum(state not in it.as_powers_dict() for it in among)
+
+        times = [
+            it
+            for it in derivation.states
+            if len(terms) > 2 and lacking(it, terms) <= 1 and lacking(it, of_ours) > 1
+        ]
+        if times:
+            yield entry * sp.Mul(*times), f"times {sp.Mul(*times)}"
+        if place >= len(derivation.accelerations) or self.item.subject.steady:
+            return
+        second = derivation.accelerations[place]
+        others = {*derivation.accelerations} - {second}
+        if own.has(second) and entry.has(*others) and not own.has(*others):
+            solved = derived(derivation, f"acceleration, {self.item.subject.side}").entries[place]
+            slope, gap = sp.diff(own, second), self.item.limited(second - solved)
+            said = "with the other accelerations inserted"
+            yield gap * slope, said
+            yield sp.fraction(sp.together(gap))[0], said
 
     def _eliminated(self, own: Expr, place: int) -> Iterator[tuple[Expr, str]]:
         """A derived equation without the normal forces that the print lacks, which other equations

@@ -188,6 +188,8 @@ class Derivation:
         for contact in self.model.contacts:
             known[contact.depth] = S.Zero if contact.gap is None else -contact.gap
             known[contact.pushing] = self.pushing(contact, side)
+        if self.model.clock is not None:  # whose rate a print has as the speed of the clock
+            known[self.model.rates[-1]] = self.model.speed
         return sp.sympify(expression).xreplace(known).xreplace(self.plain)
 
     def steady(self, expression: Expr, side: str = "contact") -> Expr:

@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from contextvars import ContextVar
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import sympy as sp
@@ -66,6 +66,10 @@ class Item:
     slopes: Mapping[str, Slope]  #: names of derivatives
     letters: Mapping[str, str]  #: LaTeX of names
     book: Book
+    limited: Callable[[Expr], Expr] = lambda value: value  #: the limit in which the object is taken
+    #: names of the page that mean something else in this print
+    meant: Mapping[str, Expr] = field(default_factory=dict)
+    has_units: bool = True  #: whether the units of a print in units can be judged
 
     @cached_property
     def kept(self) -> dict[object, object]:

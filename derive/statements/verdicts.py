@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from typing import cast
 
 import numpy as np
 import sympy as sp
@@ -33,6 +34,7 @@ from .repair import CLOSE, COST, Edit, Pool, Repair, Search, Values, evaluated, 
 from .samples import numeric
 from .tree import Node, Unread, Vocabulary, nodes, printed, read_sympy, symbols, tidied
 from .tree import to_latex, to_sympy
+from .ways import other_ways
 
 #: Verdicts on what is right, as far as it is judged.
 RIGHT = ("confirmed", "definition", "approximation")
@@ -242,15 +244,37 @@ class ProvedRepair:
 def verdict_on(item: Item, conventions: Conventions | None = None, *, repair: bool = True) -> Row:
     """The verdict on one statement, in the coordinate conventions of its paper."""
     BEGUN.get()(item.statement.id)
+    known = conventions or {}
     try:
-        return _verdict_on(item, conventions, repair)
+        if (key := ("as it stands", *known.items())) not in item.kept:
+            item.kept[key] = _in_any_way(item, known)
+        row = cast(Row, item.kept[key])
+        if row.status != "failed" or not repair:
+            return row
+        usual = [item, *(way.item for way in other_ways(item, known) if way.is_usual)]
+        rows = [_verdict_on(it, known, repair) for it in usual]
+        repaired = [it for it in rows if it.status == "misprint"]
+        return min(repaired or rows[:1], key=lambda it: it.edit_cost)
     except TOO_LARGE as error:
         return replace(_row_of(item.statement), status="unread", evidence=too_large(error))
 
 
-def _verdict_on(item: Item, conventions: Conventions | None, repair: bool) -> Row:
-    """The verdict, if nothing is too large."""
-    comparison = Comparison(item, conventions or {})
+def _in_any_way(item: Item, conventions: Conventions) -> Row:
+    """The verdict on a statement without a repair, in the first way in which it is right."""
+    row = _verdict_on(item, conventions, False)
+    if row.status != "failed":
+        return row
+    for way in other_ways(item, conventions):
+        found = _verdict_on(way.item, conventions, False)
+        if found.status in RIGHT:
+            evidence = f"{found.evidence}; {way.said}"
+            return replace(found, status=way.status or found.status, evidence=evidence)
+    return row
+
+
+def _verdict_on(item: Item, conventions: Conventions, repair: bool) -> Row:
+    """The verdict, as the statement is read first, if nothing is too large."""
+    comparison = Comparison(item, conventions)
     parts = comparison.components()
     entries = [item.subject.entries[place] for place in item.subject.index]
     row = replace(
@@ -300,9 +324,7 @@ def _verdict_on(item: Item, conventions: Conventions | None, repair: bool) -> Ro
         gap = comparison.exactly(part.tree) - _nearest_target(comparison, part)
         versions = [(one, its_parts[number]) for one, its_parts in sides]
         if limit is not None:
-            in_limits = in_limits or [
-                Comparison(one, conventions or {}) for one in in_limit(item, limit)
-            ]
+            in_limits = in_limits or [Comparison(one, conventions) for one in in_limit(item, limit)]
             versions = [(one, one.components()[number]) for one in in_limits]
             is_limit = any(_is_right(*one) for one in versions)
             if is_limit or any(is_approximation(comparison, part, it) for it in cases(item, limit)):
@@ -332,8 +354,16 @@ def _verdict_on(item: Item, conventions: Conventions | None, repair: bool) -> Ro
 
 
 def _equal(comparison: Comparison, part: Component) -> list[Expr]:
-    """The targets that a side equals at all samples."""
-    return [exact for target, exact in part.targets if comparison.holds(part.tree, target)]
+    """The targets that a side equals at all samples; a printed 0 also what cancels to 0 there, as
+    the rate of what is conserved along the motion.
+    """
+    is_zero = printed(part.tree) == "0"
+    cancelled = 1e-10  # of samples of order 1
+    return [
+        exact
+        for target, exact in part.targets
+        if comparison.holds(part.tree, target) or (is_zero and np.abs(target).max() < cancelled)
+    ]
 
 
 def _has_accelerations(comparison: Comparison, parts: Iterable[Component]) -> bool:
@@ -583,7 +613,7 @@ def _with_lost_term(comparison: Comparison, part: Component, exact: Expr) -> Rep
 
 def _units_problem(item: Item, parts: Iterable[Component]) -> str:
     """What is wrong with the units of a print; empty if they are consistent, or there are none."""
-    if item.derivation.scaled:
+    if item.derivation.scaled or not item.has_units:
         return ""
     for part in parts:
         try:

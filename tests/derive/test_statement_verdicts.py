@@ -14,6 +14,7 @@ pytest.importorskip("sympy")
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.derive import pages
+from spragsym.derive.model import PageError
 from spragsym.derive.statements import verdicts
 from tests.oracles.printed import Print, paper, rows
 
@@ -181,13 +182,129 @@ def test_a_print_of_more_equations_than_entries_is_unread() -> None:
         ),
         ("motion x", RIGHT.replace("f", r"f\hphantom{x}"), "- m_p", "+ m_p"),
         ("equilibrium theta", r"g = \frac{0}{m_p l\sin\theta}", "0", "m_p"),
+        (  # times a rate
+            "motion theta",
+            r"l\ddot\theta\dot\theta + \ddot x\dot\theta\cos\theta + g\dot\theta\sin\theta = 0",
+            "+ g",
+            "- g",
+        ),
+        (  # without the other acceleration
+            "motion x",
+            r"(m_c + m_p\sin^2\theta)\ddot x = f + m_p(l\dot\theta^2 + g\cos\theta)\sin\theta",
+            "f + m_p",
+            "f - m_p",
+        ),
+        (  # in units in which m_p = l = g = 1
+            "acceleration theta",
+            r"\ddot\theta = -\ddot x\cos\theta - \sin\theta",
+            r"- \sin",
+            r"+ \sin",
+        ),
+        ("identity", r"\ddot\theta - \ddot\theta = 0", r"\ddot\theta -", r"\theta -"),
     ],
 )
 def test_an_equation_is_read_in_every_way_that_papers_mean_it(
     about: str, text: str, old: str, new: str
 ) -> None:
-    """Solved for something, and beside a name under [symbols] that can't be read."""
+    """Solved, multiplied, scaled, and beside a name under [symbols] that can't be read."""
     symbols = {r"\frac{a}{b}": "l", r"\mathscr{L}": "energy L"}
     assert rows(CART, (about, text), renamed=symbols)[0].status == "confirmed"
     fault = rows(CART, ("energy V", r"V = -m_p g l\cos\theta"), (about, text.replace(old, new, 1)))
     assert fault[1].status in ("misprint", "failed", "convention")
+
+
+def test_a_linearized_print_without_a_limit_is_told() -> None:
+    """Right to first order, with what to say; a fault in it is repaired there."""
+    right, wrong = rows(
+        CART,
+        ("motion theta", r"\ddot x + l\ddot\theta + g\theta = 0"),
+        ("motion theta", r"\ddot x + l\ddot\theta - g\theta = 0"),
+    )
+    assert right.status == "approximation"
+    assert "say limit = 'linear in theta'" in right.evidence
+    assert (wrong.status, wrong.repaired) == ("misprint", "ax + l*atheta + g*theta = 0")
+
+
+HEAD = """
+m, k = page.unit("m", "kg", "mass"), page.unit("k", "N/m", "spring")
+l = page.unit("l", "m", "length")
+"""
+MASS = 'x = page.coordinate("x", "m", "displacement")\npage.kinetic(m*page.rate(x)**2/2)\n'
+ANGLE = 'theta = page.coordinate("theta", "rad", "angle")\n'
+RUB = 'mu_c = page.parameter("mu_c", "1", "friction", ">= 0", 0.3)\npage.normal_force(k*l)\n'
+
+
+@pytest.mark.parametrize(
+    ("page", "about", "text", "old", "new"),
+    [
+        (  # nothing acts along φ
+            'r = page.coordinate("r", "m", "distance")\nphi = page.coordinate("phi", "rad", "angle")\n'
+            "v = page.rate\npage.kinetic(m*(v(r)**2 + r**2*v(phi)**2)/2)\npage.potential(k*r**2/2)",
+            "motion phi",
+            r"r\ddot\phi + 2\dot r\dot\phi = 0",
+            "+ 2",
+            "- 2",
+        ),
+        (  # a drag
+            f'{MASS}b = page.parameter("b", "kg/m", "drag", ">= 0", 0.1)\npage.spring(k, along=x)\n'
+            "page.force(-b*Abs(page.rate(x))*page.rate(x), along=x)",
+            "motion x",
+            r"m\ddot x + b|\dot x|\dot x + kx = 0",
+            "+ k",
+            "- k",
+        ),
+        (  # a support that a clock moves
+            f'{ANGLE}a = page.parameter("a", "m", "way", ">= 0", 0.1)\n'
+            'Omega = page.parameter("Omega", "rad/s", "speed", "> 0", 1.0)\ns = page.clock(Omega)\n'
+            "up = page.rate(a*cos(s) - l*cos(theta))\n"
+            "page.kinetic(m*(page.rate(l*sin(theta))**2 + up**2)/2)",
+            "motion theta",
+            r"l\ddot\theta - a\Omega^2\cos\Omega t\sin\theta = 0",
+            "- a",
+            "+ a",
+        ),
+        (  # a floor at rest, under smooth friction
+            f"{MASS}{RUB}page.friction(x, 0, lambda v: mu_c*tanh(v*m/k))".replace(
+                "v*m/k", "v/(l*sqrt(k/m))"
+            ),
+            "motion x",
+            r"m\ddot x = -\mu_c k l\tanh\frac{\dot x}{l\sqrt{k/m}}",
+            "= -",
+            "= ",
+        ),
+        (  # a name as theta0 beside theta
+            f'{ANGLE}theta0 = page.parameter("theta0", "rad", "slope", "[0, pi/2]", 0.1)\n'
+            "page.kinetic(m*l**2*page.rate(theta)**2/2)\n"
+            "page.potential(-k*l**2*cos(theta - theta0))",
+            "motion theta",
+            r"m\ddot\theta + k\sin(\theta - \theta_0) = 0",
+            r"\sin",
+            r"\cos",
+        ),
+    ],
+)
+def test_a_page_needs_no_equilibrium(
+    page: str, about: str, text: str, old: str, new: str, tmp_path: Path
+) -> None:
+    """Equations of motion are judged of pages that are refused where equilibria are asked."""
+    file = tmp_path / "page.py"
+    words = "from spragsym.derive.model import Abs, Page, cos, sin, sqrt, tanh"
+    file.write_text(f'"""A model."""\n{words}\npage = Page("A model.")\n{HEAD}{page}\n', "utf-8")
+    with pytest.raises(PageError):
+        pages.read(file)
+    model = pages.read(file, only_equations=True)
+    right, wrong = rows(model, (about, text), (about, text.replace(old, new, 1)))
+    assert (right.status, wrong.status in ("misprint", "convention")) == ("confirmed", True)
+
+
+def test_a_friction_coefficient_is_a_size_beside_its_sign() -> None:
+    """μ N sgn v where the law of the page has the sign in it."""
+    page = pages.read(PAGE.parents[1] / "stick_slip/page.py")
+    law = r"m\ddot x + d\dot x + kx = \mu N\operatorname{sgn}(v_b - \dot x)"
+    right, wrong, plain = rows(
+        page,
+        ("motion x", law),
+        ("motion x", law.replace("+ d", "- d")),
+        ("motion x", r"m\ddot x + d\dot x + kx = \mu N"),
+    )
+    assert [it.status for it in (right, wrong, plain)] == ["confirmed", "misprint", "confirmed"]

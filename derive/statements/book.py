@@ -240,6 +240,7 @@ def _vocabulary(
         _arguments(statement, derivation, book, values),
         partial(_slope, derivation, book),
         states_of(derivation, book, statement.id),
+        statement.word == "definition",
     )
 
 

@@ -18,6 +18,9 @@ from functools import partial
 import numpy as np
 
 from . import tree
+from .layout import ACCENTS, BOLD, EQUAL, MATRICES, OVER, RELATIONS
+from .layout import ROMAN, TIMES, condition_of, equation_of, equations_inside, flattened
+from .layout import is_condition, label_of, printed_apart, refuse_decimal_comma
 from .lexer import FRACTIONS, Cursor, Token, Tokens, nested, split, texts
 from .matrices import Matrix, Value, determinant, each, identity, inverse, named, negative, node_of
 from .matrices import of_blocks, paired, product, quotient, shape_of, total
@@ -32,40 +35,6 @@ FUNCTIONS |= {f"arc{name[1:]}": name for name in FUNCTIONS if name.startswith("a
 FUNCTIONS |= {"ln": "log", "abs": "Abs", **dict.fromkeys(("sgn", "Sgn", "Sign"), "sign")}
 
 _DERIVATIVES = {r"\dv": "d", r"\pdv": r"\partial"}  #: of the package physics
-_ROMAN = (
-    r"\mathrm",
-    r"\text",
-    r"\mathit",
-    r"\mathsf",
-    r"\operatorname",
-    r"\textrm",
-    r"\mathop",
-    r"\mbox",
-    r"\hbox",
-    r"\rm",
-)
-_BOLD = (r"\mathbf", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
-_ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
-_ACCENTS |= {r"\mathscr": r"\mathcal"}
-_ACCENTS |= dict.fromkeys((r"\boldsymbol", r"\bm", r"\pmb", r"\mathbb", r"\underline"), r"\mathbf")
-_WORDS = ("", "where", "with", "and", "for", "if", "when")  #: between equations
-_BETWEEN = ("\\\\", r"\quad", r"\qquad", ",", ";", r"\Rightarrow", r"\Leftrightarrow", r"\eqno")
-_OVER = (r"\overset", r"\stackrel")
-_TIMES = (r"\cdot", r"\times", "*", r"\ast")
-_MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "array")
-_EQUAL = ("=", ":=", r"\equiv", r"\triangleq", r"\coloneqq")
-_RELATIONS = {
-    sign: name
-    for name, signs in {
-        "Lt": r"< \lt",
-        "Le": r"\le \leq \leqslant",
-        "Gt": r"> \gt",
-        "Ge": r"\ge \geq \geqslant",
-        "Ne": r"\ne \neq",
-        "Eq": "=",
-    }.items()
-    for sign in signs.split()
-}
 
 
 @dataclass(frozen=True)
@@ -112,11 +81,11 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     """
     reader = _LatexReader(vocabulary)
     items: Tokens = nested(text)
-    while len(items) == 1 and (inside := _equations_inside(items[0])):
+    while len(items) == 1 and (inside := equations_inside(items[0])):
         items = inside
-    pieces = _pieces(items)
-    relations = [_condition_of(piece) for piece in pieces if _is_condition(piece)]
-    pieces = [[*it] for it in map(_equation_of, pieces) if it] or relations
+    pieces = [it for it in printed_apart(items) if not reader.is_start(it)]
+    relations = [condition_of(piece) for piece in pieces if is_condition(piece)]
+    pieces = [[*it] for it in map(equation_of, pieces) if it] or relations
     if len(pieces) > 1:
         reader.give_names(pieces)
     equations = [it for piece in pieces for it in reader.equations(piece)]
@@ -128,87 +97,9 @@ def read_latex(text: str, vocabulary: Vocabulary) -> list[Equation]:
     return [replace(without_signs(it), conditions=conditions) for it in equations]
 
 
-def _equations_inside(item: Token) -> Tokens:
-    """The items inside braces, or inside an environment that holds equations; else none."""
-    inside = item.items or ()
-    if item.text == r"\{" and texts(inside) == ["array"]:
-        return _equations_inside(inside[0])
-    is_table = item.text in ("cases", "array") and {*_EQUAL} & {*texts(inside)}
-    return inside[item.text == "array" :] if item.text == "{" or is_table else ()
-
-
-def _is_number(items: Tokens) -> bool:
-    """Whether the items are the number of an equation in brackets, as (3.1a)."""
-    inside = len(items) == 1 and items[0].text == "(" and "".join(texts(items[0].items or ()))
-    return bool(inside and re.fullmatch(r"\d+(\.\d+)*[a-z]?", inside))
-
-
 def _is_order(text: str) -> bool:
     """Whether a text is an order of a derivative or of a matrix, which has one digit."""
     return len(text) == 1 and text.isdecimal()
-
-
-def _is_condition(items: Tokens) -> bool:
-    """Whether the items hold a relation other than equality."""
-    return any(it.text in _RELATIONS and it.text not in _EQUAL for it in items)
-
-
-def _condition_of(items: Tokens) -> list[Token]:
-    """The relation of what stands behind the last sign of equality before it, as in a = b > 0."""
-    relation = next(it for it in items if it.text in _RELATIONS and it.text not in _EQUAL)
-    before, *behind = split(items, relation.text)
-    return [*split(before, *_EQUAL)[-1], *items[len(before) :]]
-
-
-def _equation_of(items: Tokens) -> Tokens:
-    """The items before a relation other than equality, if they are an equation; else none."""
-    if not _is_condition(items):
-        return items
-    count = len(items) - len(_condition_of(items)) - 1
-    return split(items, *(_RELATIONS.keys() - _EQUAL))[0] if count > 0 else []
-
-
-def _pieces(items: Tokens) -> list[list[Token]]:
-    """Equations that are printed side by side or below each other.
-
-    A line that begins with an operator continues the line above it.
-    """
-    separated: list[Token] = []
-    for it in items:
-        is_word = separated and separated[-1].text in _ROMAN
-        if is_word and _label([it]).strip(".,;:") in _WORDS:
-            separated[-1] = replace(separated[-1], text=r"\quad")
-        else:
-            separated.append(it)
-    items, pieces = separated, list[list[Token]]([[]])
-    signs, is_new_line = ("+", "-", *_TIMES, *_EQUAL), False
-    for number, it in enumerate(items):
-        if it.text in _BETWEEN:
-            _refuse_decimal_comma(items, number)
-            is_new_line = is_new_line or it.text == "\\\\"
-            pieces.append([])
-        elif it.text != "&" and (it.text != "." or number < len(items) - 1):
-            if is_new_line and not pieces[-1]:
-                above = next((piece for piece in reversed(pieces) if piece), [])
-                line = split(items[number:], "\\\\")[0]
-                is_whole = all({*_EQUAL} & {*texts(one)} for one in (above, line[1:]))
-                goes_on = it.text in signs and (it.text in _EQUAL or not is_whole)
-                if goes_on or (above and above[-1].text in signs):
-                    pieces = [piece for piece in pieces if piece] or [[]]
-            pieces[-1].append(it)
-            is_new_line = False
-    pieces = [piece for piece in pieces if piece and not _is_number(piece)]
-    for piece in pieces if len(pieces) > 1 else ():
-        if all(it.text not in (*_EQUAL, *_RELATIONS) for it in piece):
-            raise Unread("this part is no equation", piece[0].at[0])
-    return pieces
-
-
-def _refuse_decimal_comma(items: Tokens, number: int) -> None:
-    """Refuse a comma, the item of a number, between digits."""
-    neighbours = texts((*items[number - 1 : number], *items[number + 1 : number + 2]))
-    if items[number].text == "," and sum(text[0].isdigit() for text in neighbours) == 2:
-        raise Unread("a comma between digits: a decimal comma, or two values", items[number].at[0])
 
 
 class _LatexReader:
@@ -230,7 +121,7 @@ class _LatexReader:
                 said = "list one letter or word, with indices, dots or primes"
                 self.names.unread = f"{text} under [symbols] is not one name; {said}"
                 continue  # for statements without it
-            name = name if power is None else replace(name, sup=_label(power))
+            name = name if power is None else replace(name, sup=label_of(power))
             if page in tree.FUNCTIONS and page not in self.names.symbols:
                 self.names.functions[name] = page
                 continue
@@ -260,6 +151,12 @@ class _LatexReader:
         except Unread as error:
             raise Unread(f"{text!r} under [symbols]: {error.reason}") from error
 
+    def is_start(self, items: Tokens) -> bool:
+        """Whether the items are the value of a state at time 0, which says nothing of others."""
+        *name, last = split(items, *EQUAL)[0] or items
+        start = self.only_name(name) if texts(_bracket(last) or ()) == ["0"] else None
+        return start is not None and self.is_state(name)
+
     def equations(self, items: Tokens) -> list[Equation]:
         """Equations of one piece: ``a = b = c`` is ``a = b``, ``a = c``; a number in the chain is
         compared with the side behind it, since it is no name.
@@ -267,9 +164,9 @@ class _LatexReader:
         for it in items:
             if it.text in (r"\approx", r"\simeq"):
                 raise Unread("say in which limit, as limit = 'linear in x, y'", it.at[0])
-            if it.text in _RELATIONS and it.text not in _EQUAL:
+            if it.text in RELATIONS and it.text not in EQUAL:
                 raise Unread(f"{it.text} makes this no equation", it.at[0])
-        sides = split(items, *_EQUAL)
+        sides = split(items, *EQUAL)
         values: list[Value] = []
         for side in sides:
             self.names.is_open = self.gives_names and len(sides) > 1 and not values
@@ -287,7 +184,7 @@ class _LatexReader:
         self.names.is_open = True
         for piece in pieces:
             with suppress(Unread):
-                left, *right = split(piece, *_EQUAL)
+                left, *right = split(piece, *EQUAL)
                 value = self.side(left, piece[0].at[0], True)
                 is_value = isinstance(value, Node) and (self.gives_names or value.kind != "add")
                 self.names.symbols |= symbols(node_of(value)) if is_value else set()
@@ -387,7 +284,7 @@ class _LatexReader:
         here, explicit = Cursor(items), True
         while here.item is not None:
             sign, place = here.text, here.at
-            if sign in (*_TIMES, "/"):
+            if sign in (*TIMES, "/"):
                 if not factors or here.place + 1 == len(items):
                     raise Unread(f"{sign} lacks an operand", place)
                 here.take()
@@ -414,10 +311,10 @@ class _LatexReader:
         here.take()
         while here.text in bounds:
             sign = here.take().text
-            bounds[sign] = _flat(_argument(here))
+            bounds[sign] = flattened(_argument(here))
         index, *listed = split(bounds["_"], "=")
         values = texts([it for part in listed for it in part if it.text != ","])
-        last, body = _label(bounds["^"]), here.items[here.place :]
+        last, body = label_of(bounds["^"]), here.items[here.place :]
         if len(values) == 1 and _is_order(values[0]) and _is_order(last):
             values = [str(number) for number in range(int(values[0]), int(last) + 1)]
         elif last or len(values) < 2:
@@ -516,7 +413,7 @@ class _LatexReader:
             return Factor(self.matrix_power(matrix, power or (), at[0]))
         node = self.by_own_argument(self.applied(node, here, power is not None))
         if power is not None:
-            if texts(_flat(power)) == ["0"]:
+            if texts(flattened(power)) == ["0"]:
                 raise Unread(f"0 above {name}: an index; say it under [symbols]", at[0])
             return Factor(tree.power(node, self.number(power), (at[0], here.end)))
         is_attached = bracketed or here.text == "_"
@@ -646,7 +543,7 @@ class _LatexReader:
 
     def matrix_power(self, matrix: Matrix, exponent: Tokens, start: int) -> Matrix:
         """A matrix with an exponent: transposed, inverted, or itself without one."""
-        match texts(_flat(exponent)):
+        match texts(flattened(exponent)):
             case []:
                 return matrix
             case ["T" | r"\top" | "t"]:
@@ -666,7 +563,7 @@ class _LatexReader:
         if it.text[-1].isdecimal():
             return tree.as_number(it.text, it.at)
         inside = it.items or ()
-        if it.text in ("|", "|bare") and [one.text in _MATRICES for one in inside] != [True]:
+        if it.text in ("|", "|bare") and [one.text in MATRICES for one in inside] != [True]:
             return Node("call", (self.number(inside),), "Abs", it.at)
         if it.text in ("|", "|bare", "vmatrix"):
             table = self.table(it if it.text == "vmatrix" else inside[0])
@@ -675,7 +572,7 @@ class _LatexReader:
             return Node("call", (self.number(inside), ZERO), "max", it.at)
         if it.text == r"\{" and texts(inside) in (["array"], ["matrix"]):
             it = inside[0]
-        if it.text in (*_MATRICES, "cases"):
+        if it.text in (*MATRICES, "cases"):
             return self.environment(it)
         if it.text not in ("(", "[", "{", r"\{"):
             raise Unread(f"{it.text} is not read", it.at[0])
@@ -684,7 +581,7 @@ class _LatexReader:
             return quotient(self.expression(inside[:line]), self.number(inside[line + 1 :]))
         if it.text in ("(", "[") and "," in texts(inside):  # a row, as in (x, y)ᵀ
             for number in range(len(inside)):
-                _refuse_decimal_comma(inside, number)
+                refuse_decimal_comma(inside, number)
             return np.array([[self.number(part) for part in split(inside, ",")]])
         whole = self.expression(inside)
         summed = isinstance(whole, Node) and {*"+-"} & {*texts(inside)}
@@ -712,7 +609,7 @@ class _LatexReader:
         rows = _rows(item)
         if len({*map(len, rows)}) != 1:
             raise Unread("rows of different length", item.at[0])
-        marks = [[_label(cell).rstrip(".") in ("sym", "symm") for cell in row] for row in rows]
+        marks = [[label_of(cell).rstrip(".") in ("sym", "symm") for cell in row] for row in rows]
         is_symmetric = np.any(marks) and len(rows) == len(rows[0])
         for i, j in itertools.combinations(range(len(rows) if is_symmetric else 0), 2):
             for one, other in ((i, j), (j, i)):  # what is left out stands across the diagonal
@@ -725,11 +622,11 @@ class _LatexReader:
         """A determinant, or a diagonal matrix as \\mathrm{diag}(m, m); else None, and nothing is
         read.
         """
-        count, start = 2 if here.text in _ROMAN else 1, here.at
+        count, start = 2 if here.text in ROMAN else 1, here.at
         following = here.items[here.place :][: count + 1]
-        word = "".join(texts(_flat(following[:count]))).removeprefix("\\")
+        word = "".join(texts(flattened(following[:count]))).removeprefix("\\")
         inside = _bracket(following[-1], ("(", "[", r"\{")) if following[count:] else None
-        if word == "det" and {*texts(following[count:])} & {*_MATRICES}:
+        if word == "det" and {*texts(following[count:])} & {*MATRICES}:
             inside = following[count:]
         if word != "det" and (word != "diag" or inside is None):
             return None
@@ -759,20 +656,20 @@ class _LatexReader:
 
         The word "otherwise" is the relation 0 = 0.
         """
-        unread = (r"\quad", r"\qquad", ",", ".", *_ROMAN)
+        unread = (r"\quad", r"\qquad", ",", ".", *ROMAN)
         items = [it for it in items if it.text not in unread]
         # A word is a group of letters; "if" may also be printed as two letters.
         in_word = itertools.takewhile(lambda it: it.text in ("{", "i", "f"), items)
         count = len([*in_word])
-        word = "".join(texts(_flat(items[:count]))).rstrip(".,")
+        word = "".join(texts(flattened(items[:count]))).rstrip(".,")
         if word in ("otherwise", "else") and count == len(items):
             return Node("call", (ZERO, ZERO), "Eq", (place, place))
         if word not in ("", "if", "for", "when", "where"):
             raise Unread(f"the word {word} is not read", place)
-        signs = [_RELATIONS[it.text] for it in items if it.text in _RELATIONS]
+        signs = [RELATIONS[it.text] for it in items if it.text in RELATIONS]
         if not signs:
             raise Unread("a condition without a relation", place)
-        values = map(self.number, split(items[count:], *_RELATIONS))
+        values = map(self.number, split(items[count:], *RELATIONS))
         relations = tuple(
             Node("call", (a, b), sign, (a.at[0], b.at[1]))
             for sign, (a, b) in zip(signs, itertools.pairwise(values), strict=True)
@@ -791,9 +688,9 @@ class _LatexReader:
             raise Unread(r"\log is natural or decadic; print \ln", here.at, ("log", "log10"))
         count = 1
         word = text.removeprefix("\\")
-        if text in _ROMAN:
+        if text in ROMAN:
             count = 2
-            word = re.sub(r"[\W_]", "", "".join(texts(_flat(following[:2]))))
+            word = re.sub(r"[\W_]", "", "".join(texts(flattened(following[:2]))))
         elif word not in FUNCTIONS:
             letters = "".join(
                 it.text if re.fullmatch("[a-z]", it.text) else " " for it in following
@@ -855,7 +752,7 @@ class _LatexReader:
         if here.item is None:
             return argument, "number"
         start = here.at
-        if here.text in (*_TIMES, "/") or self.function(replace(here)):
+        if here.text in (*TIMES, "/") or self.function(replace(here)):
             raise Unread(f"the argument of {name} ends nowhere", start)
         more = node_of(self.factor(here).value)
         if more.kind == "pow":
@@ -896,7 +793,7 @@ class _LatexReader:
         start, following = here.at, here.items[here.place :]
         if sign := _DERIVATIVES.get(here.text):
             here.take()
-            times = _label(here.take().items or ()) if here.text == "[" else "1"
+            times = label_of(here.take().items or ()) if here.text == "[" else "1"
             given = [_argument(here) for _ in range(3) if here.text == "{"]
             if not given or not _is_order(times):
                 raise Unread("a derivative of this order is not read", start)
@@ -910,15 +807,15 @@ class _LatexReader:
             plain = _inside(behind[0]) if behind else []
             below = plain[: 4 if "^" in texts(plain[:3]) else 2]
             here.place += len(above) + 1 + sum(map(len, behind[:1])) - len(plain) + len(below)
-        up, down = (texts(_flat(part)) for part in (above, below))
+        up, down = (texts(flattened(part)) for part in (above, below))
         if len(down) < 2 or down[0] not in ("d", r"\partial") or up[:1] != down[:1]:
             return None
         what, power = [*_inside(above)[1:]], "1"
         if texts(what[:1]) == ["^"]:
-            power, what = _label(what[1:2]), what[2:]
+            power, what = label_of(what[1:2]), what[2:]
         steps: list[Tokens] = []
         for part in split(_inside(below), down[0])[1:]:
-            times = _label(part[-1:]) if texts(part[-2:-1]) == ["^"] else ""
+            times = label_of(part[-1:]) if texts(part[-2:-1]) == ["^"] else ""
             steps += [part[:-2]] * int(times) if _is_order(times) else [part]
         if str(len(steps)) != power:
             raise Unread("a derivative of this order is not read", start)
@@ -954,7 +851,7 @@ class _LatexReader:
         here.take()
         while here.text in marks:
             sign = here.take().text
-            marks[sign] = texts(_flat(_argument(here)))
+            marks[sign] = texts(flattened(_argument(here)))
         power = "".join(marks["^"])
         if self.is_times(marks["_"]) and _is_order(power):
             return len(marks["_"]) * int(power)
@@ -990,10 +887,10 @@ class _LatexReader:
 
     def with_index(self, name: Name, index: Tokens) -> Name:
         """A name with an index; x with the index ,tt is its second rate unless that is a name."""
-        named = replace(name, sub=_label(index))
-        *parts, times = split(_flat(index), ",")
+        named = replace(name, sub=label_of(index))
+        *parts, times = split(flattened(index), ",")
         if parts and self.is_times(texts(times)) and self.names.known(named, (0, 0)) is None:
-            plain = replace(name, sub="".join(map(_label, parts)))
+            plain = replace(name, sub="".join(map(label_of, parts)))
             node = self.names.known(plain, (0, 0))
             if node is not None and self.names.moves(node):
                 return replace(plain, order=name.order + len(times), has_dots=True)
@@ -1026,21 +923,21 @@ class _LatexReader:
         )
         if it.items is not None:
             name = self.only_name(it.items) if it.text == "{" else None
-        elif it.text in (r"\dot", r"\ddot", *_OVER):
-            dots = texts(_argument(here)) if it.text in _OVER else ["."] * it.text.count("d")
+        elif it.text in (r"\dot", r"\ddot", *OVER):
+            dots = texts(_argument(here)) if it.text in OVER else ["."] * it.text.count("d")
             order = len(dots) if {*dots} <= {".", r"\cdot"} else 0
             name = self.only_name(_argument(here))
             if name is None or not order:
                 raise Unread("dots on what is no name", it.at[0])
             name = replace(name, order=name.order + order, has_dots=True)
-        elif it.text in (*_ROMAN, *_BOLD, *_ACCENTS):
+        elif it.text in (*ROMAN, *BOLD, *ACCENTS):
             argument = _argument(here)
-            style = "" if it.text in _ROMAN else _ACCENTS.get(it.text, it.text) + " "
+            style = "" if it.text in ROMAN else ACCENTS.get(it.text, it.text) + " "
             if texts(argument[:1]) in ([r"\dot"], [r"\ddot"]):
                 inner = self.only_name(argument)
                 name = inner and replace(inner, base=f"{style}{inner.base}")
             else:
-                word = "".join(one.text.removeprefix("\\") for one in _flat(argument))
+                word = "".join(one.text.removeprefix("\\") for one in flattened(argument))
                 name = Name(f"{style}{word}")
         elif count := self.names.word(here.items, begin):
             here.place = begin + count
@@ -1058,10 +955,10 @@ class _LatexReader:
                 name = replace(name, order=name.order + 1)
                 continue
             argument = _argument(here)
-            label = _label(argument)
-            raised = texts(_flat(argument))
+            label = label_of(argument)
+            raised = texts(flattened(argument))
             primes = raised.count(r"\prime") + raised.count("'")
-            is_roman = bool(argument) and argument[0].text in _ROMAN
+            is_roman = bool(argument) and argument[0].text in ROMAN
             if sign == "_":
                 if name.sub:
                     raise Unread("two indices", place)
@@ -1084,7 +981,7 @@ class _LatexReader:
                 exponent = argument
         if exponent is not None and not name.sup:
             # An upper index that is listed under [symbols], as in k^{NL}.
-            listed = replace(name, sup=_label(exponent))
+            listed = replace(name, sup=label_of(exponent))
             if listed in self.names.renamed:
                 return listed, None
         return name, exponent
@@ -1101,27 +998,11 @@ def _argument(here: Cursor) -> Tokens:
     it = here.take()
     if it.items is not None and it.text == "{":
         return it.items
-    if it.text in (*_ROMAN, *_BOLD, *_ACCENTS) and here.item is not None:
+    if it.text in (*ROMAN, *BOLD, *ACCENTS) and here.item is not None:
         return [it, here.take()]
     if it.items is not None or it.text in (*FRACTIONS, r"\sqrt", r"\dot", r"\ddot", "^", "_"):
         raise Unread("an argument without braces", it.at[0])
     return [it]
-
-
-def _flat(items: Tokens) -> list[Token]:
-    """Tokens with braces opened and styles left out."""
-    flat: list[Token] = []
-    for it in items:
-        if it.text == "{":
-            flat += _flat(it.items or ())
-        elif it.text not in _ROMAN:
-            flat.append(it)
-    return flat
-
-
-def _label(items: Tokens) -> str:
-    """The text of an index."""
-    return "".join(text.removeprefix("\\") for text in texts(_flat(items)))
 
 
 def _indexed(items: Tokens, index: str, value: str) -> list[Token]:
@@ -1140,8 +1021,8 @@ def _indexed(items: Tokens, index: str, value: str) -> list[Token]:
 
 def _inside(items: Tokens) -> Tokens:
     """Tokens without a style on the first one: \\mathrm{d} x as d x."""
-    if items and items[0].text in _ROMAN:
-        return [*_flat(items[1:2]), *items[2:]]
+    if items and items[0].text in ROMAN:
+        return [*flattened(items[1:2]), *items[2:]]
     return items
 
 
@@ -1165,7 +1046,7 @@ def _is_sign(items: Tokens, number: int) -> bool:
     if items[number].text not in ("+", "-", r"\pm", r"\mp"):
         return False
     earlier, before = ["", "", *texts(items[:number])][-2:]
-    if before in (*_TIMES, "/") and earlier != "^":
+    if before in (*TIMES, "/") and earlier != "^":
         raise Unread("a sign behind an operator; print brackets", items[number].at[0])
     return before not in ("^", "_")
 

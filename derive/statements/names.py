@@ -72,7 +72,7 @@ class Names:
         self.functions_of_one, self.has_roots = vocabulary.arguments.keys(), vocabulary.has_roots
         self.dotted = vocabulary.dotted
         #: whether a name that is not known is a new one, to which a value is given
-        self.is_open = False
+        self.is_open, self.is_definition = False, vocabulary.is_definition
         self.next: dict[str, str] = {}
         for coordinate in vocabulary.coordinates:
             self.next[coordinate] = f"v{coordinate}"
@@ -148,6 +148,8 @@ class Names:
                 return self.known(name, at)
             if before is not None and not (name.has_dots or self.moves(before)):
                 before = before if self.function_of(before) else None  # k' is no rate of k
+            if before is None and name.spelled in self.symbols:  # a speed of no place
+                return leaf(name.spelled, at)
             if before is None or name.has_dots or self.function_of(before) is None:
                 return before and self.rate(before)
             return self.derived(before, "")
@@ -159,8 +161,8 @@ class Names:
         if not found and self.has_roots and re.fullmatch(r"\d([,/]\d)+|pm", name.sub):
             root = self.known(replace(name, sub=""), at)  # as λ_{1,2} and λ_±
             return root if root is not None and root.value in ("lam", "frequency") else None
-        if not found and name.sup == "*":  # of an equilibrium
-            place = self.known(replace(name, sup=""), at)
+        if not found and name.sup == "*" and not (self.is_open and self.is_definition):
+            place = self.known(replace(name, sup=""), at)  # of an equilibrium
             return place if place is not None and place.value in self.next else None
         if len(found) > 1:
             raise Unread(f"{name.spelled} is two names of the page", at[0], (found[0], found[1]))

@@ -104,7 +104,23 @@ def read_paper(paper: Paper, model: PageModel) -> tuple[Book, list[Item | Verdic
             found |= {it.id: read_statement(it, book) for it in pending}
             unread = [it for it in pending if getattr(found[it.id], "status", "") == "unread"]
             pending = unread if len(unread) < len(pending) else []
+    while lost := _names_of_unread(found, book):
+        for kept in (book.bound, book.defined, book.definers):
+            for name in lost & kept.keys():
+                del kept[name]
+        book.meant.clear()
+        readable = [
+            it for it in paper.statements if getattr(found[it.id], "status", "") != "unread"
+        ]
+        found |= {it.id: read_statement(it, book) for it in readable}
     return book, [found[statement.id] for statement in paper.statements]
+
+
+def _names_of_unread(found: Mapping[str, Item | Verdict], book: Book) -> set[str]:
+    """Names that stand for nothing, since the statements that would give them can't be read."""
+    unread = {id for id, it in found.items() if getattr(it, "status", "") == "unread"}
+    bound = {name for name, it in book.bound.items() if it.id in unread}
+    return bound | {name for name, id in book.definers.items() if id in unread}
 
 
 def read_statement(statement: Statement, book: Book) -> Item | Verdict:

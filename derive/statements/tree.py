@@ -93,6 +93,8 @@ class Vocabulary:
     dotted: set[str] | None = None
     #: for each name that is defined as a coordinate, a rate or a column of these: which
     states: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    #: whether a name with a star on the left is one of its own, and not that of an equilibrium
+    is_definition: bool = False
 
 
 class Unread(ValueError):
@@ -284,8 +286,8 @@ def tidied(tree: Node) -> Node:
     values = [it.value for it in args]  # "0" and "1" are those of numbers alone
     match tree.kind:
         case "add":
-            rest = [it for it in args if it.value != "0"] or [ZERO]
-            return joined("add", _spread("add", rest), tree.at)
+            rest = _spread("add", [it for it in args if it.value != "0"])
+            return joined("add", _without_opposites(rest) or [ZERO], tree.at)
         case "mul":
             rest = [it for it in args if it.value != "1"] or [ONE]
             return ZERO if "0" in values else joined("mul", _spread("mul", rest), tree.at)
@@ -303,6 +305,19 @@ def tidied(tree: Node) -> Node:
             above, below = args[0].args if args[0].kind == "div" else (args[0], ONE)
             return tidied(Node("div", (below, above), at=tree.at))
     return replace(tree, args=tuple(args))
+
+
+def _without_opposites(terms: Sequence[Node]) -> list[Node]:
+    """The terms without pairs of one and its negative."""
+    rest = list[Node]()
+    for term in terms:
+        opposite = printed(term.args[0] if term.kind == "neg" else minus(term))
+        place = next((n for n, it in enumerate(rest) if printed(it) == opposite), None)
+        if place is None:
+            rest.append(term)
+        else:
+            del rest[place]
+    return rest
 
 
 def _spread(kind: str, parts: Sequence[Node]) -> list[Node]:

@@ -16,6 +16,7 @@ from spragsym.cli import cli
 from spragsym.derive import pages
 from spragsym.derive.model import PageError
 from spragsym.derive.statements import verdicts
+from spragsym.derive.statements.tree import Vocabulary, printed, read_sympy, tidied
 from tests.oracles.printed import Print, paper, rows
 
 #: A pendulum on a cart, whose angle is 0 where it hangs.
@@ -308,3 +309,33 @@ def test_a_friction_coefficient_is_a_size_beside_its_sign() -> None:
         ("motion x", r"m\ddot x + d\dot x + kx = \mu N"),
     )
     assert [it.status for it in (right, wrong, plain)] == ["confirmed", "misprint", "confirmed"]
+
+
+def test_what_stands_beside_equations_and_what_is_unread_says_nothing() -> None:
+    """Values at time 0, a speed of no place, a star of its own, and names of a row that is unread."""
+    start, _, speed, _, star, energy, unread, using = rows(
+        CART,
+        ("motion x", rf"{RIGHT}, \quad x(0) = x_0, \quad \dot x(0) = 0"),
+        ("definition", r"\dot x_p = \dot x + l\dot\theta\cos\theta"),
+        ("identity", r"\ddot x_p = \ddot x + l\ddot\theta\cos\theta - l\dot\theta^2\sin\theta"),
+        ("definition", r"\theta^* = \pi"),
+        ("identity", r"\cos\theta^* = -1"),
+        ("energy V", r"\mathscr{V} = -m_p g l\cos\theta"),
+        ("energy T", r"K = \frac12\qq"),
+        ("identity", r"\frac{\partial K}{\partial\dot x} = m_c\dot x"),
+    )
+    assert [it.status for it in (start, speed, star, energy)] == ["confirmed"] * 4
+    assert [it.status for it in (unread, using)] == ["unread"] * 2
+    (row,) = rows(CART, ("motion x", RIGHT.replace("f", "f + 2x - 2x")), is_latex=True)
+    assert row.status == "confirmed"
+
+
+def test_a_repair_is_shown_without_what_an_edit_leaves() -> None:
+    """Neither a term and its negative, nor a factor 1 or a power 0."""
+    names = Vocabulary(frozenset("abv"), (), {})
+    for text, shown in (
+        ("a + b - a", "b"),
+        ("a - (a + b) + b*v**0", "a - (a + b) + b"),
+        ("a-a", "0"),
+    ):
+        assert printed(tidied(read_sympy(text, names)[0].left)) == shown

@@ -133,10 +133,10 @@ def test_an_energy_is_repaired_in_the_reading_that_it_is_nearest_to() -> None:
         ("+", "linear in x, y", "approximation"),
         ("-", "linear in x, y", "failed"),
         ("+", "linear in x", "failed"),
-        ("+", "", "failed"),
+        ("+", "", "approximation"),
         ("+", "linear in w", "w is no name"),
         ("+", "theta0, w, q -> 0", "w, q is no name"),
-        ("+", "x, y -> 1", "is none"),
+        ("+", "x, y -> w", "is no number of the page"),
         ("+", "x, y", "is none"),
     ],
 )
@@ -166,10 +166,11 @@ def test_a_motion_is_judged_on_the_side_that_is_named(side: str, push: str, stat
     assert _judged(f"acceleration y{side}", f"ay = -({forces})").status == status
 
 
-def test_a_factor_of_the_state_is_no_factor() -> None:
-    """An equation times a coordinate is another one, and so is an energy times 2."""
+def test_a_factor_of_the_state_is_told() -> None:
+    """An equation times a coordinate says so, and an energy times 2 is another one."""
     text = "x*(m*ax + k_x*x + k/2*(x - y) - mu*N)"
-    assert _judged("motion x", text, "units", COUPLING).status != "confirmed"
+    row = _judged("motion x", text, "units", COUPLING)
+    assert (row.status, "times x" in row.evidence) == ("confirmed", True)
     assert _judged("energy T", "T = m*(vx**2 + vy**2)", "units", COUPLING).status == "misprint"
 
 

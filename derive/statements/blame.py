@@ -63,7 +63,8 @@ def _users(wrong: Mapping[str, Item]) -> dict[str, dict[str, Item]]:
     found: dict[str, dict[str, Item]] = {}
     for id, item in wrong.items():
         book = item.book
-        for name in sorted(used(item.equations, book) & book.definers.keys()):
+        names = (used(item.equations, book) & book.definers.keys()) - book.multipliers
+        for name in sorted(names):
             if book.definers[name] != id:
                 found.setdefault(name, {})[id] = item
     return found

@@ -58,6 +58,8 @@ class Book:
     meant: dict[tuple[str, str], Expr] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)  #: LaTeX of names, as printed
     data: Mapping[str, str] = field(default_factory=dict)  #: printed values of names
+    #: names of multipliers: forces of constraint, whose values the paper's equations give
+    multipliers: frozenset[str] = frozenset()
 
     def entries_of(self, statement: Statement) -> tuple[str, ...]:
         """Beginnings of the names of the entries of the matrix that a statement is about."""
@@ -101,6 +103,8 @@ def book_of(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
     A name whose meaning is the word for an object, as "damping", is bound to that object.
     """
     renamed, letters, bound = dict(paper.renamed), dict[str, str](), dict[str, Statement]()
+    multipliers = {it for it in renamed.values() if re.fullmatch(r"multiplier(_\w+)?", it)}
+    multipliers -= set().union(*(it.names.keys() for it in forms.values()))
     for text, meaning in paper.renamed.items():
         is_own = any(meaning in it.names for it in forms.values())
         if meaning.split(" ")[0] in (*MATRICES, "energy") and not is_own:
@@ -114,7 +118,14 @@ def book_of(paper: Paper, forms: Mapping[str, Derivation]) -> Book:
         if letter := letters.get(name):
             dotted = {rate: rf"\dot{{{letter}}}", second: rf"\ddot{{{letter}}}"}
             letters = dotted | letters
-    return Book(forms, renamed, bound, letters=letters, data=paper.data)
+    return Book(
+        forms,
+        renamed,
+        bound,
+        letters=letters,
+        multipliers=frozenset(multipliers),
+        data=paper.data,
+    )
 
 
 def bind(statement: Statement, book: Book) -> None:
@@ -122,6 +133,8 @@ def bind(statement: Statement, book: Book) -> None:
     statement = replace(statement, transcribed="" if statement.is_latex else statement.transcribed)
     left, equal, _ = statement.text.partition("=")
     if not equal or statement.word in ("definition", "scale", "value", "other", "notation"):
+        return
+    if is_hamiltonian(statement):  # whose momenta are in its print alone
         return
     derivation = book.forms[statement.form or "units"]
     if statement.word == "friction" and statement.is_latex:
@@ -151,6 +164,11 @@ def bind(statement: Statement, book: Book) -> None:
             entry = entry_name(name, subject.shape or (0, 0), i, j)
             whole = f"({letter})" if "_" in letter else letter
             book.letters[entry] = f"{whole}_{{{entry.rpartition('_')[2]}}}"
+
+
+def is_hamiltonian(statement: Statement) -> bool:
+    """Whether a statement is about Hamilton's function."""
+    return statement.about.partition(",")[0] == "energy H"
 
 
 def by_name(equation: Equation, known: Container[str]) -> Equation:
@@ -211,6 +229,7 @@ def _vocabulary(
     shapes = {name: held.shape for name, held in objects if held.shape is not None}
     values = meanings(derivation, book)
     given = book.defined.keys() | book.shapes.keys() | book.bound.keys() | values.keys()
+    given |= book.multipliers
     has_roots, gives_names = statement.word == "characteristic", statement.word == "definition"
     is_steady = False
     with suppress(NoObject, ArithmeticError):

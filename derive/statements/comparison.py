@@ -99,7 +99,7 @@ class Comparison:
         known = self.item.values
         changed = dict(self.converted)
         if changed:
-            changed |= {name: self.names[name] for name in self.item.slopes}
+            changed |= {name: self.names.get(name, sp.nan) for name in self.item.slopes}
         values = {**known} | {name: numeric(it, known) for name, it in changed.items()}
         return with_defined(values, self.item.defined)
 

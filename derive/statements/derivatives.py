@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 
 import sympy as sp
-from sympy import Expr, diff
+from sympy import Dummy, Expr, Symbol, diff
 
 from .. import laws
 from ..mechanics import SLIP, FrictionForce
+from .identities import is_zero
 from .names import function_behind
 from .objects import TIME, Derivation
 from .tree import Node, Unread, symbols, to_sympy
@@ -89,10 +91,59 @@ def expressions(
             else:
                 sign = (signs or {}).get(slope.by, 1)
                 with suppress(Unread):
-                    found[slope.name] = sign * of_value(found[slope.of], slope.by, derivation)
+                    value = None
+                    if slope.of in defined:
+                        value = derivation.kept(
+                            "by momenta",
+                            f"{slope.name}, {found[slope.of]}",
+                            partial(by_momenta, slope, defined, dict(found), derivation),
+                        )
+                    if value is None:
+                        value = of_value(found[slope.of], slope.by, derivation)
+                    found[slope.name] = sign * value
             del pending[slope.name]
         if not ready and not ready_slopes:
             return found
+
+
+def by_momenta(
+    slope: Slope, defined: Mapping[str, Node], known: Mapping[str, Expr], derivation: Derivation
+) -> Expr | None:
+    """The partial derivative of a function of coordinates and momenta, as Hamilton's is, by one of
+    these while the others stay; None where the name is defined as no such function.
+    """
+    momenta: dict[str, Symbol] = {}
+
+    def written(name: str) -> Expr:
+        """The value of a name, in symbols of the momenta."""
+        if name not in defined:
+            return known[name]
+        if name not in momenta and _is_momentum(known[name], derivation):
+            momenta[name] = Dummy(name, real=True)
+        if name in momenta:
+            return momenta[name]
+        return to_sympy(defined[name], {it: written(it) for it in symbols(defined[name])})
+
+    if _is_momentum(known[slope.of], derivation):
+        return None
+    value = derivation.expanded(written(slope.of))
+    by = momenta.get(slope.by, derivation.names.get(slope.by))
+    if not momenta or value.has(*derivation.model.rates) or by is None:
+        return None
+    return diff(value, by).xreplace({it: known[name] for name, it in momenta.items()})
+
+
+def _is_momentum(value: Expr, derivation: Derivation) -> bool:
+    """Whether an expression is the momentum ∂T/∂q′ of a coordinate, in either direction."""
+    if not value.has(*derivation.model.rates) or value.has(*derivation.accelerations):
+        return False
+    near, value = 1e-12, derivation.expanded(value)
+    for gap in (value - sign * it for it in derivation.momenta for sign in (1, -1)):
+        names = sorted(gap.free_symbols, key=str)
+        at = {it: sp.Rational(3 + place, 7 + 2 * place) for place, it in enumerate(names)}
+        if abs(complex(sp.N(gap.subs(at)))) < near and is_zero(gap):
+            return True
+    return False
 
 
 def of_value(value: Expr, by: str, derivation: Derivation) -> Expr:

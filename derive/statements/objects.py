@@ -216,6 +216,13 @@ class Derivation:
         return tuple(zip(self.model.coordinates, self.model.rates, self.accelerations, strict=True))
 
     @cached_property
+    def momenta(self) -> tuple[Expr, ...]:
+        """The momentum ∂T/∂q′ of every coordinate, in coordinates and rates."""
+        energy = self.expanded(self.spelled(self.model.kinetic + self.model.linear))
+        rates = self.model.rates[: len(self.places(""))]
+        return tuple(sp.diff(energy, rate) for rate in rates)
+
+    @cached_property
     def states(self) -> tuple[Symbol, ...]:
         """Symbols of the coordinates and rates."""
         return (*self.model.coordinates, *self.model.rates)
@@ -422,7 +429,8 @@ def _identity(derivation: Derivation, name: str, side: str) -> Object:
 
 
 def _energy(derivation: Derivation, name: str, side: str) -> Object:
-    """The kinetic energy T, the potential energy V (or U) or the Lagrangian L.
+    """The kinetic energy T, the potential energy V (or U), the Lagrangian L or Hamilton's function
+    H = p q′ − L, in rates.
 
     The potentials of constant applied forces, the energy of the contacts and, in V, the centrifugal
     potential may be counted or not: each choice is a reading.
@@ -436,9 +444,10 @@ def _energy(derivation: Derivation, name: str, side: str) -> Object:
         by, names = "mechanics.Mechanics.kinetic", frozenset({name})
         return Object((kinetic,), by, names=names, unit=units.read("J"))
     values = {"V": potential, "L": kinetic - potential}
+    values["H"] = derivation.spelled(derivation.model.kinetic) - still + potential
     if name not in values:
-        raise NoObject(f"there is no energy {name}; there are T, V and L")
-    sign = 1 if name == "V" else -1
+        raise NoObject(f"there is no energy {name}; there are T, V, L and H")
+    sign = -1 if name == "L" else 1
     works = _potentials_of_forces(derivation)
     if len(works) > 3:  # all are counted, or none
         works = [sp.Add(*works)]

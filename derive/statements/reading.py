@@ -19,7 +19,7 @@ from ..pages import PageModel
 from ..units import Dimension
 from . import samples
 from .book import TOO_LARGE, Book, book_of, bind, by_name, equations_of, forms_of, meanings, named
-from .book import print_name, states_of, with_defined
+from .book import is_hamiltonian, print_name, states_of, with_defined
 from .derivatives import Slope
 from .matrices import matrix_of
 from .objects import Derivation, NoObject, Object, derived
@@ -27,8 +27,8 @@ from .papers import Paper, Statement
 from .printed_values import verdict_on_value
 from .repair import Values, evaluated, same, same_but_for_factor
 from .samples import numeric
-from .tree import Equation, Node, Unread, joined, minus, nodes, printed, residual, symbols
-from .tree import to_sympy
+from .tree import ONE, ZERO, Equation, Node, Unread, joined, minus, nodes, printed, renamed
+from .tree import residual, symbols, to_sympy
 
 
 #: Words of statements whose equations hold on the page by themselves, and not about an object.
@@ -354,6 +354,29 @@ def _known_names(
     return replace(subject, entries=entries, by=by, index=index, names=names)
 
 
+def _of_multipliers(
+    equations: list[Equation], statement: Statement, book: Book
+) -> tuple[list[str], list[Equation]]:
+    """The multipliers that get their values from equations, which are kept in the book, and the
+    other equations. Each is linear in what it gives a value.
+    """
+    found: list[str] = []
+    for name in sorted(book.multipliers):
+        if book.definers.get(name, statement.id) != statement.id:
+            continue
+        for one in equations:
+            tree = residual(one)
+            if name not in symbols(tree):
+                continue
+            first, second = (renamed(tree, {name: it}) for it in (ZERO, ONE))
+            book.defined[name] = Node("div", (first, Node("add", (first, minus(second)))))
+            book.definers[name] = statement.id
+            found.append(name)
+            equations = [it for it in equations if it is not one]
+            break
+    return found, equations
+
+
 def _sides_by_length(equation: Equation) -> Equation:
     """An equation with its longer side on the right, where faults are sought; of one with 0 there,
     the last term is moved to the left.
@@ -494,6 +517,10 @@ def _item(
             if verdict is not None and (not equations or verdict.status == "failed"):
                 return verdict
         else:
+            given, equations = _of_multipliers(equations, statement, book)
+            if given and not equations:
+                said = f"{', '.join(given)} has its value from this equation"
+                return Verdict(statement, "definition", said)
             equations = [*map(_sides_by_length, equations)]
         subject = _known_names(equations, subject, derivation, book)
     else:
@@ -507,6 +534,11 @@ def _item(
     if len(equations) < count:
         reason = f"{statement.about} has {count} entries, and the print {len(equations)}"
         return Verdict(statement, "unread", f"{reason}; name one of them in about")
+    if is_hamiltonian(statement):
+        for one in (it for it in equations if it.left.kind == "symbol"):
+            if one.left.value not in derivation.names:
+                book.defined[one.left.value] = one.right
+                book.definers[one.left.value] = statement.id
     if subject.is_value and statement.word not in ASSERTED:
         known_names = derivation.names.keys() - subject.names
         equations = [by_name(one, known_names) for one in equations]

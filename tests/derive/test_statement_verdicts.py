@@ -214,6 +214,7 @@ def test_an_equation_is_read_in_every_way_that_papers_mean_it(
     assert fault[1].status in ("misprint", "failed", "convention")
 
 
+@pytest.mark.thorough
 def test_a_linearized_print_without_a_limit_is_told() -> None:
     """Right to first order, with what to say; a fault in it is repaired there."""
     right, wrong = rows(
@@ -298,6 +299,7 @@ def test_a_page_needs_no_equilibrium(
     assert (right.status, wrong.status in ("misprint", "convention")) == ("confirmed", True)
 
 
+@pytest.mark.thorough
 def test_a_friction_coefficient_is_a_size_beside_its_sign() -> None:
     """μ N sgn v where the law of the page has the sign in it."""
     page = pages.read(PAGE.parents[1] / "stick_slip/page.py")
@@ -339,3 +341,30 @@ def test_a_repair_is_shown_without_what_an_edit_leaves() -> None:
         ("a-a", "0"),
     ):
         assert printed(tidied(read_sympy(text, names)[0].left)) == shown
+
+
+@pytest.mark.thorough
+def test_hamiltons_equations_and_multipliers_are_judged() -> None:
+    """Of a function of momenta, which stay where it is differentiated, and a force of constraint."""
+    page = pages.read(PAGE.parents[1] / "pendulum/page.py")
+    turned = r"\dot p = -\frac{\partial H}{\partial\theta} - \frac{b p}{m l^2}"
+    drawn = r"\frac{u_0 - b\dot\theta}{l}"
+    statuses = [
+        it.status
+        for it in rows(
+            page,
+            ("definition", r"p = m l^2\dot\theta"),
+            ("energy H", r"H = \frac{p^2}{2 m l^2} - m g l\cos\theta - u_0\theta"),
+            ("identity", r"\dot\theta = \frac{\partial H}{\partial p}"),
+            ("identity", turned),
+            ("identity", turned.replace("= -", "= ")),
+            ("definition", r"x = l\sin\theta, \quad y = -l\cos\theta"),
+            ("identity", rf"m\ddot x = -\lambda x + {drawn}\cos\theta"),
+            ("identity", rf"m\ddot y = -m g - \lambda y + {drawn}\sin\theta"),
+            ("identity", r"\lambda l = m l\dot\theta^2 + m g\cos\theta"),
+            ("identity", r"\lambda l = m l\dot\theta^2 - m g\cos\theta"),
+            renamed={r"\lambda": "multiplier"},
+        )
+    ]
+    hamilton = ["definition", *["confirmed"] * 3, "misprint"]
+    assert statuses == [*hamilton, *["definition"] * 2, *["confirmed"] * 2, "misprint"]

@@ -258,8 +258,8 @@ def _vocabulary(
         {name: str(ratio) for name, ratio in _scales(derivation, book).items() if ratio != 1},
         _arguments(statement, derivation, book, values),
         partial(_slope, derivation, book),
-        states_of(derivation, book, statement.id),
-        statement.word == "definition",
+        states=states_of(derivation, book, statement.id),
+        is_definition=statement.word == "definition",
     )
 
 

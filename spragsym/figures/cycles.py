@@ -56,7 +56,7 @@ from .style import (
 )
 
 #: Markers of bifurcations of cycles.
-MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
+MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^", "branch_point": "D"}
 
 
 def _sliding() -> Parameters:

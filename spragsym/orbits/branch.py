@@ -48,6 +48,7 @@ from .arclength import (
     within,
 )
 from .events import (
+    BRANCH_POINT,
     MERGES,
     SLIDING,
     DetectedEvent,
@@ -71,7 +72,8 @@ class CycleEvent(Result):
     Attributes
     ----------
     kind : str
-        "fold", "period_doubling", "torus", "grazing", "homoclinic" or "end". With dry friction
+        "fold", "branch_point" where another branch of cycles crosses, as where a symmetry is
+        broken, "period_doubling", "torus", "grazing", "homoclinic" or "end". With dry friction
         also the sliding bifurcations, at each of which a phase of the cycle shrinks to nothing:
 
         - "grazing-sliding": a phase of sticking; the orbit touches x′ = V in contact. (If it
@@ -163,8 +165,8 @@ class CycleBranch(Result):
         """A cycle on the other branch at an event, from which :func:`cycle_branch` can start.
 
         At a period doubling this is a doubled cycle; at the end of a branch of doubled cycles the
-        cycle that doubles there; where another branch crosses (a fold whose ``how`` says so) a
-        cycle on that branch; at any other fold a cycle on the other side of it.
+        cycle that doubles there; at a branch point a cycle on the branch that crosses; at a fold a
+        cycle on the other side of it.
 
         Parameters
         ----------
@@ -213,7 +215,7 @@ class CycleBranch(Result):
             between = [
                 event
                 for event, before in zip(self.events, self.places, strict=True)
-                if before == index and event.kind in CRITERIA
+                if before == index and event.kind in (*CRITERIA, BRANCH_POINT)
             ]
             if between:
                 yield index, between[0 if self.stable[index - 1] else -1]
@@ -239,7 +241,8 @@ class CycleBranch(Result):
         >>> len(branch.of("end"))
         2
         """
-        offered = (*CRITERIA, "grazing", *SLIDING, "homoclinic", "catastrophic-sliding", "end")
+        others = ("grazing", *SLIDING, "homoclinic", "catastrophic-sliding", "end")
+        offered = (*CRITERIA, BRANCH_POINT, *others)
         chosen = [one_of("kinds", kind, offered) for kind in kinds]
         return tuple(event for event in self.events if event.kind in chosen)
 
@@ -670,10 +673,10 @@ def cycle_events(
     require_kind(
         "event", event, CycleEvent, "one of the events of a branch, of ss.cycle_branch(...)"
     )
-    if event.kind not in (*CRITERIA, "grazing"):
+    if event.kind not in (*CRITERIA, BRANCH_POINT, "grazing"):
         raise ParameterError(
             f"event = {event.kind} is not followed in two parameters; give a fold, "
-            "period_doubling, torus or grazing"
+            "branch_point, period_doubling, torus or grazing"
         )
     model = event.cycle.field
     free = tuple(model.parameters.index(one_of("vary", name, model.parameters)) for name in vary)
@@ -689,7 +692,7 @@ def cycle_events(
         if not 0 < span < np.inf:  # no range is given
             span = max(0.25 * abs(orbit.values[index]), 0.02)
         spans.append(span)
-    holds = partial(at_zero, event.kind)
+    holds = partial(at_zero, "fold" if event.kind == BRANCH_POINT else event.kind)
     if event.kind == "grazing":
         holds = partial(touching, event.found.border)
     setting = Setting(orbit.flow, free, event.cycle.period / orbit.field.time, tuple(spans), holds)

@@ -38,7 +38,7 @@ from ..statics.equilibria import equilibria
 from . import Cycle, CycleBranch, cycle, cycle_branch
 from .arclength import BranchPoint, between, placed, steps, turning, within, zero_of
 from .branch import all_followed
-from .events import SLIDING
+from .events import BRANCH_POINT, SLIDING
 from .finding import cycle_near
 from .options import BranchOptions
 from .orbit import same_cycle
@@ -526,12 +526,11 @@ def _of_cycles(branches: Sequence[CycleBranch]) -> Iterator[Label]:
         "grazing": "GR",
         "homoclinic": "HC",
         "catastrophic-sliding": "CT",
-        "crossing": "BPC",
+        BRANCH_POINT: "BPC",
         **dict(zip(SLIDING, ("GS", "CS", "SS", "AS"), strict=True)),
     }
     for number, branch in enumerate(branches):
         for event in branch.events:
-            kind = "crossing" if event.found.crossed is not None else event.kind
-            if kind in labels:
+            if event.kind in labels:
                 x = float(event.cycle.state[0])
-                yield Label(labels[kind], event.value, x, "cycles", number)
+                yield Label(labels[event.kind], event.value, x, "cycles", number)

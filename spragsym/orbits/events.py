@@ -30,6 +30,7 @@ from .arclength import (
     between,
     corrected,
     differences,
+    directions,
     level_and_rate,
     placed,
     turning,
@@ -40,6 +41,9 @@ from .arclength import (
 #: Sliding bifurcations of cycles: M. di Bernardo, C. Budd, A. Champneys, P. Kowalczyk 2008.
 SLIDING = ("grazing-sliding", "crossing-sliding", "switching-sliding", "adding-sliding")
 
+
+#: Kind of an event at which another branch of cycles crosses, as where a symmetry is broken.
+BRANCH_POINT = "branch_point"
 
 #: Text for the end of a branch of doubled cycles.
 MERGES = "it meets the cycle of half its period, which doubles there"
@@ -104,6 +108,10 @@ def detected_events(
         for kind in kinds
         if significant_value(kind, since[kind]) * significant_value(kind, other) < 0
     ]
+    # At a fold only the first of these changes: both do where a branch turns at a branch point.
+    turns = {"fold", "crossing"} <= {*changed}
+    if turns:
+        changed.remove("crossing")
     extrema = matched_events(one.touches, other.touches)
     arrivals = matched_events(sliding_entries(one), sliding_entries(other))
     unmatched = [*lost(one, extrema, length), *lost(other, extrema, -length)]
@@ -144,7 +152,11 @@ def detected_events(
     for kind in changed:
         first = since[kind]
         arc = length if first is one else between(first, other)
-        yield from _located(kind, partial(criterion, kind), first, other, arc)
+        for event in _located(kind, partial(criterion, kind), first, other, arc):
+            yield event
+            if turns and event.kind == "fold":
+                test = partial(criterion, "crossing")
+                yield from _located("crossing", test, since["crossing"], other, arc)
 
 
 def vertical(one: BranchPoint, other: BranchPoint, length: float) -> bool:
@@ -334,9 +346,21 @@ def _located(
         at = "at a grazing" if point.orbit.field.borders else "within rounding next to a fold"
         how = f"a multiplier jumps past its value there, as it does {at}"
     crossed = None
-    if kind == "crossing":
-        kind, crossed, how = "fold", point.tangent, "another branch of cycles crosses this one"
+    if kind == "crossing" or (kind == "fold" and _forks(point)):
+        kind, crossed, how = (
+            BRANCH_POINT,
+            point.tangent,
+            "another branch of cycles crosses this one",
+        )
     yield DetectedEvent(kind, point.orbit, error_of_value, crossed=crossed, how=how)
+
+
+def _forks(point: BranchPoint) -> bool:
+    """True if a branch turns where another one passes, as that of a mirrored pair does where its
+    symmetry is broken: closed orbits have two directions there, at a fold one.
+    """
+    next_smallest, smallest = directions(point.setting, point.orbit)[0][-2:]
+    return bool(smallest < 1e-4 * next_smallest)
 
 
 def _error(

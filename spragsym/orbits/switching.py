@@ -24,7 +24,7 @@ from .arclength import (
     resolution,
     turning,
 )
-from .events import MERGES
+from .events import BRANCH_POINT, MERGES
 from .orbit import Cycle, cycle_of
 
 if TYPE_CHECKING:
@@ -40,11 +40,11 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
             "of branch.events"
         )
     step = as_number("step", step, POSITIVE)
-    if not (event.kind in ("period_doubling", "fold") or event.how == MERGES):
+    if not (event.kind in ("period_doubling", "fold", BRANCH_POINT) or event.how == MERGES):
         raise ParameterError(
             "no other branch of cycles begins at a "
             f"{event.kind}{f' where {event.how}' if event.how else ''}; give a period "
-            "doubling, a fold, or an end where two branches meet"
+            "doubling, a fold, a branch point, or an end where two branches meet"
         )
     if event.how == MERGES:
         return cycle  # the event holds the cycle of half the period
@@ -53,7 +53,7 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     setting = Setting(
         orbit.flow, (index,), cycle.period / orbit.field.time, ((branch.to[1] - branch.to[0]) / 2,)
     )
-    if event.kind == "fold" and crossed is None:
+    if event.kind == "fold":
         return _beyond(branch, event, step)
     rounds = 2 if event.kind == "period_doubling" else 1
     point = _other_direction(point_of(setting, setting.integrated(orbit.guess)), crossed, rounds)

@@ -334,12 +334,17 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
     branch = ss.cycle_branch(
         found, "e", between={"e": (-0.2, 0.15)}, options=ss.BranchOptions(longest_step=0.3)
     )
-    (crossing,) = branch.of("fold")
+    (crossing,) = branch.of("branch_point")
     assert crossing.value == pytest.approx(0, abs=1e-8)
     assert "another branch" in crossing.how
     other = branch.switch(crossing, step=0.1)
     assert other.state[1] ** 2 == pytest.approx(other.values[0], abs=1e-10)
     assert abs(other.state[1]) > 0.05
+    pair = ss.cycle_branch(other, "e", between={"e": (-0.2, 0.15)})
+    turn, *_ = pair.of("branch_point")  # where the pair of mirrored branches turns
+    assert turn.value == pytest.approx(0, abs=1e-8)
+    assert not pair.of("fold")
+    assert abs(pair.switch(turn, step=0.1).state[1]) < 1e-8
 
 
 def test_a_cycle_that_hardly_moves_has_a_leading_coordinate() -> None:
@@ -385,7 +390,7 @@ def test_where_a_mass_between_two_stops_ceases_to_swing_alike_and_does_so_again(
 
     want = [fsolve(half, near)[2] for near in ((1.505, 0.08, 0.582), (1.62, 0.17, 0.681))]
     branch = ss.cycle_branch(cycle, "omega", between={"omega": (0.5, 1.25)})
-    for found, exact in zip(branch.of("fold"), want, strict=True):
+    for found, exact in zip(branch.of("branch_point"), want, strict=True):
         assert found.value == pytest.approx(exact, abs=found.error + 1e-9)
         assert found.error < 1e-6
         assert "another branch" in found.how

@@ -79,8 +79,9 @@ def _other_direction(point: BranchPoint, crossed: FloatArray | None, rounds: int
     """The branching point, repeated for a number of rounds, with the direction of the other branch.
 
     There the Jacobian has a two-dimensional null space. The direction is that in the null space
-    orthogonal to the known branch, normalized to 1 in the first state. ``crossed`` is the known
-    branch's direction, None for the tangent of ``point``.
+    orthogonal to the known branch, normalized to 1 in the first state; to 10 in arclength, if the
+    other branch hardly changes that state. ``crossed`` is the known branch's direction, None for
+    the tangent of ``point``.
     """
     setting, guess = point.setting, point.orbit.guess
     orbit = setting.integrated(
@@ -94,8 +95,10 @@ def _other_direction(point: BranchPoint, crossed: FloatArray | None, rounds: int
     known = known / norm(known)
     plane = directions(setting, orbit)[1][-2:]
     plane = plane - np.outer(plane @ known, known)
-    direction = max(plane, key=norm) / weights
-    return BranchPoint(setting, orbit, direction / norm(direction[: orbit.field.size]))
+    across = max(plane, key=norm)
+    direction = across / weights
+    unit = max(norm(direction[: orbit.field.size]), 0.1 * norm(across))
+    return BranchPoint(setting, orbit, direction / unit)
 
 
 def _beyond(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:

@@ -40,7 +40,15 @@ from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import magnitude, norm
 from ..results.result import Result
 from ..statics.equilibria import equilibria
-from .system import FateVerdict, Saddle, System, judged, saddle_near, verified
+from .system import (
+    FateVerdict,
+    Saddle,
+    System,
+    TooUnstableError,
+    judged,
+    saddle_near,
+    verified,
+)
 
 if TYPE_CHECKING:
     from .orbit import Cycle
@@ -141,7 +149,8 @@ def basin_boundary(
     ------
     ParameterError, ParameterTypeError
         For invalid arguments, and unless there is exactly one divergent equilibrium (near
-        ``saddle``, if that is given).
+        ``saddle``, if that is given) with one unstable direction: where three λ grow, its stable
+        manifold bounds no basin.
 
     Notes
     -----
@@ -218,19 +227,19 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     among the equilibria of steady sliding, or if there is none, among those without contact.
     """
     n = len(p.model.coordinates)
-    found: list[Saddle] = []
+    found, wider = list[Saddle](), False
     if near is not None:
         guess = as_numbers("saddle", near)
         if guess.shape not in ((n,), (2 * n,)):
             raise ParameterError(
                 f"saddle has the shape {guess.shape}; give the {n} coordinates of a place near it"
             )
-        found = _saddles(system, [guess])
+        found, wider = _saddles(system, [guess])
     for contact in (None, False) if near is None else ():
-        if not found and contact in (None, *p.model.regimes):
+        if not (found or wider) and contact in (None, *p.model.regimes):
             rests = equilibria(p, contact)
             columns = [column[rests.states] for column in rests.coordinates.values()]
-            found = _saddles(system, np.transpose(columns))
+            found, wider = _saddles(system, np.transpose(columns))
     if len(found) != 1:
         listed = "; ".join(str(np.round(each.state, 6).tolist()) for each in found)
         none = (
@@ -245,16 +254,21 @@ def _saddle(system: System, p: ParameterSet, near: Any) -> Saddle:
     return found[0]
 
 
-def _saddles(system: System, places: Iterable[FloatArray]) -> list[Saddle]:
-    """The different saddles that Newton's method finds from several guesses."""
-    found: list[Saddle] = []
+def _saddles(system: System, places: Iterable[FloatArray]) -> tuple[list[Saddle], bool]:
+    """The different saddles that Newton's method finds from several guesses, and whether there is
+    one beside them that bounds no basin.
+    """
+    found, wider = list[Saddle](), False
     for guess in places:
-        with suppress(ConvergenceError):
+        try:
             saddle = saddle_near(system, guess)
-            states = system.scales(saddle.state).states
-            if not any(magnitude((saddle.state - one.state) / states) < 1e-9 for one in found):
-                found.append(saddle)
-    return found
+        except ConvergenceError as error:
+            wider |= isinstance(error, TooUnstableError)
+            continue
+        states = system.scales(saddle.state).states
+        if not any(magnitude((saddle.state - one.state) / states) < 1e-9 for one in found):
+            found.append(saddle)
+    return found, wider
 
 
 @dataclass(frozen=True)

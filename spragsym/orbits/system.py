@@ -271,13 +271,19 @@ def rounding_of(matrix: FloatArray) -> float:
     return 1e-13 * max(1.0, magnitude(matrix))
 
 
+class TooUnstableError(ConvergenceError):
+    """A saddle has three unstable directions or more: its stable manifold bounds no basin."""
+
+
 def saddle_near(system: System, state: FloatArray) -> Saddle:
     """The saddle near a state, by Newton's method; ConvergenceError if the equilibrium does not
-    have exactly one unstable direction.
+    have exactly one unstable direction, TooUnstableError if it has another odd number of them.
     """
     rest = system.equilibrium(state)
     eigenvalues, vectors, error = spectrum(system, rest)
     growing = np.flatnonzero(eigenvalues.real > error)
+    if len(growing) > 1 and len(growing) % 2:
+        raise TooUnstableError(f"the saddle has {len(growing)} unstable directions")
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
         raise ConvergenceError("the equilibrium is no saddle")
     which = int(growing[0])

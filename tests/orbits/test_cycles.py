@@ -540,6 +540,11 @@ MISTAKES = [
     (lambda _: ss.fate_boundary(at(42.0), "theta0", between={"theta0": (0.7,)}), "is no range"),
     (lambda _: ss.basin_boundary(at(40.0), **BELT, plane=("x", "x")), "is not two of x, y, vx, vy"),
     (lambda _: ss.basin_boundary(at(40.0), **BELT, saddle=(0.0,)), "give the 2 coordinates"),
+    (lambda _: ss.basin_boundary(at(45.0, mu0=0.1), **BELT, points=1), "none that grows in one"),
+    (
+        lambda _: ss.basin_boundary(at(45.0, mu0=0.1), **BELT, saddle=(0.7678, -0.0327)),
+        "none that grows in one direction only",
+    ),
 ]
 
 

@@ -16,17 +16,20 @@ along the open branch. States on the closed branch have gap ≤ 0, those on the 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import ConvergenceError
 from ..models.model import Touching, label_of
+from ..numerics import contractors
 from ..numerics.arithmetic import determinant
 from ..numerics.interval_arrays import (
     BoolArray,
     FloatArray,
     Int8Array,
+    IntArray,
     Intervals,
     ends_around,
     quiet,
@@ -34,7 +37,7 @@ from ..numerics.interval_arrays import (
     spans_of,
 )
 from ..results import EquilibriumType
-from ..results.points import Ended, Points
+from ..results.points import Ended, Points, nothing_ends
 from ..statics import stability
 from ..statics.balance import Balance
 from ..statics.forces import as_intervals
@@ -136,6 +139,37 @@ def at_point(points: Points, row: int) -> tuple[Family, FloatArray, FloatArray]:
     family = Family.of(p, points.vary, balance=Balance(p.model, touching_at(points, row)))
     z = np.array([float(points[name][row]) for name in (*family.balance.coordinates, *points.vary)])
     return family, z, ends_around(z, points.error[row] * scale_of(z))[:, :, None]
+
+
+#: How many λ lie on the imaginary axis at points of each kind.
+_CRITICAL = {"fold": 1, "pitchfork": 1, "cusp": 1, "touch": 1, "BT": 2, "ZH": 3, "HH": 4}
+
+
+def unstable_numbers(points: Points) -> IntArray:
+    """Columns ``unstable_before`` and ``unstable_after`` of points that are no onsets along one
+    parameter: the least and the largest number of growing λ beside each, shape (2, points).
+    """
+    from .normal_forms import growing_beside  # many who ask for folds never ask for this
+
+    found = np.full((2, len(points)), -1)
+    for row, kind in enumerate(points.kind.tolist()):
+        if kind not in _CRITICAL:
+            continue
+        family, z, ends = at_point(points, row)
+        given, n = family.at(z[family.balance.n :, None])[:, 0], family.balance.n
+        radii = contractors.distance(ends[:, :, 0], z)
+        critical = _CRITICAL[kind]
+        others = growing_beside(family.balance, given, z[:n], points.vary, radii, critical)
+        if others >= 0:
+            found[:, row] = others, others + critical
+    return found
+
+
+def with_numbers(points: Points) -> Ended:
+    """What ends at points that are neither folds nor borders: nothing; with the numbers of growing
+    λ.
+    """
+    return replace(nothing_ends(points), unstable=unstable_numbers)
 
 
 def enter_border_folds(points: Points, found: Ended) -> None:

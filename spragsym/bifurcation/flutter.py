@@ -37,6 +37,7 @@ from ..numerics.interval_arrays import (
 )
 from ..numerics.vectors import in_one_turn, magnitude
 from ..results import Points
+from ..results.points import UNSTABLE
 from ..statics import stability
 from ..statics.balance import NEGLIGIBLE, Balance
 from ..statics.forces import Evaluation
@@ -81,6 +82,8 @@ from .points import (
 if TYPE_CHECKING:
     from .normal_forms import Coefficient, NormalForm
 
+#: Of an onset at which a state is unstable on both sides.
+ON_UNSTABLE = "on an unstable state"
 #: Frequencies ω of what oscillates at a state, from its M, C + G and K.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 #: Points of one search, their kinds and their frequencies.
@@ -587,6 +590,20 @@ def of_forms(forms: Sequence[Any], name: str, missing: float) -> FloatArray:
     return np.array([missing if isinstance(form, str) else getattr(form, name) for form in forms])
 
 
+def unstable_beside(forms: Sequence[Any]) -> IntArray:
+    """How many λ grow at smaller and at larger values of the parameter, shape (2, points)."""
+    others, crossing = of_forms(forms, "others", -1).astype(int), of_forms(forms, "crossing", 0.0)
+    undecided = ~(np.abs(crossing) > of_forms(forms, "crossing_error", np.inf)) | (others < 0)
+    return np.where(undecided, -1, others + 2 * np.array([crossing < 0, crossing > 0]))
+
+
+def onset_of(before: IntArray, after: IntArray) -> NDArray[np.str_]:
+    """What sets in where the numbers of λ that grow are these on both sides, in words."""
+    least = np.minimum(before, after)
+    words = ["undecided", "of instability"]
+    return np.select([least < 0, least == 0], words, ON_UNSTABLE)
+
+
 def _column(name: str, missing: float) -> cached_property[FloatArray]:
     """A cached column of the normal forms of onsets."""
     return cached_property(lambda found: of_forms(found.normal_forms, name, missing))
@@ -618,21 +635,24 @@ class Onsets(Points):
         the parameter goes ``"up"`` or ``"down"``; else empty.
     unstable_before, unstable_after : ndarray of int
         How many λ have a positive real part at slightly smaller and at slightly larger values of
-        the parameter; −1 where that is undecided. Where neither is 0, the onset is one of a state
-        that is unstable on both sides, and the cycle that is born is too, whatever
-        ``criticality``.
+        the parameter; −1 where that is undecided.
+    onset : ndarray of str
+        ``"of instability"`` where one of these numbers is 0; ``"on an unstable state"`` where
+        neither is: the state is unstable on both sides, and the cycle that is born is too, whatever
+        ``criticality``; ``"undecided"``.
     why : tuple of str
         Why the criticality of an onset is undecided; empty where it is decided.
     """
 
     schema = (
-        *(each for each in Points.schema if each.name not in ("ends", "when")),
+        *(each for each in Points.schema if each.name not in ("ends", "when", *UNSTABLE)),
         Column("omega", "1/s", "frequency of the onset", row="behind"),
         Column("branch", "1", "number of the state from below in theta"),
         Column("count", "1", "number of states at this point"),
         Column("side", "1", "side on which flutter is"),
         Column("criticality", "1", "supercritical, subcritical or undecided", row="behind"),
         Column("when", "1", "direction of the parameter in which it sets in", row="behind"),
+        Column("onset", "1", "of instability, or on an unstable state", row="behind"),
         Column("unstable_before", "1", "growing eigenvalues at smaller values", row="beside"),
         Column("unstable_after", "1", "growing eigenvalues at larger values", row="beside"),
         Column("lyapunov", "", "first Lyapunov coefficient", row="beside"),
@@ -647,7 +667,7 @@ class Onsets(Points):
         """Names of the columns that describe each onset."""
         more = ("omega", "branch", "count", "side")
         columns = (name for name in more if self._own(name) in self._values)
-        return (*columns, "kind", "criticality")
+        return (*columns, "kind", "criticality", "onset")
 
     @cached_property
     def normal_forms(self) -> tuple[Any, ...]:
@@ -669,23 +689,18 @@ class Onsets(Points):
         decided = np.abs(self.crossing) > self.crossing_error
         return np.where(decided, np.where(self.crossing > 0, "up", "down"), "")
 
-    @cached_property
-    def unstable_before(self) -> IntArray:
-        """How many λ grow at slightly smaller values of the parameter; −1 if undecided."""
-        return self._unstable("unstable_before", "down")
+    @property
+    def onset(self) -> NDArray[np.str_]:
+        """Of instability, or on an unstable state; else undecided."""
+        return onset_of(self.unstable_before, self.unstable_after)
 
     @cached_property
-    def unstable_after(self) -> IntArray:
-        """How many λ grow at slightly larger values of the parameter; −1 if undecided."""
-        return self._unstable("unstable_after", "up")
-
-    def _unstable(self, name: str, growing: str) -> IntArray:
+    def _unstable(self) -> IntArray:
         """Those of a closed form, or the others of the normal form and the pair where it grows."""
-        if (own := self._own(name)) in self._values:
-            return np.asarray(self._values[own])
-        others = of_forms(self.normal_forms, "others", -1).astype(int)
-        undecided = (self.when == "") | (others < 0)
-        return np.where(undecided, -1, others + 2 * (self.when == growing))
+        own = [self._own(name) for name in UNSTABLE]
+        if own[0] in self._values:
+            return np.array([self._values[name] for name in own])
+        return unstable_beside(self.normal_forms)
 
     @cached_property
     def criticality(self) -> NDArray[np.str_]:

@@ -21,12 +21,19 @@ from ..display import own_name
 from ..models.model import Model
 from ..models.parameters import ParameterSet, Ranges, as_count
 from ..numerics import contractors
-from ..numerics.interval_arrays import BoolArray, ComplexArray, FloatArray, Intervals
+from ..numerics.interval_arrays import (
+    BoolArray,
+    ComplexArray,
+    FloatArray,
+    IntArray,
+    Intervals,
+)
 from ..results import Curve, Points, Result
-from ..results.points import joined_curves
+from ..results.points import UNSTABLE, joined_curves
 from ..statics import stability
 from ..statics.stability import slope_over
 from .bifurcation_sets import FoldCurves, any_pair, on_lines
+from .borders import with_numbers
 from .defining_systems import (
     FOLD,
     NO_SLOPE,
@@ -46,6 +53,8 @@ from .flutter import (
     form_or_why,
     frequencies,
     of_forms,
+    onset_of,
+    unstable_beside,
 )
 from .normal_forms import Coefficient, NormalForm, coefficients
 from .options import ContinuationOptions
@@ -61,6 +70,8 @@ from .points import (
     which,
 )
 
+#: Columns of generalized Hopf points, beside where they are.
+_OF_CHANGES = ("error", *UNSTABLE)
 #: Reason why a point has no normal form.
 UNPROVED = "no generic Hopf point is proved there"
 
@@ -85,16 +96,19 @@ class OnsetCurves(Result):
     curves : tuple of Curve
         Onsets in order along each curve. Each point is proved; that neighbours lie on one curve is
         not. Columns: the two parameters, the coordinates, ``omega``, ``lyapunov`` with its bound
-        ``lyapunov_error``, NaN and inf where there is no coefficient, ``criticality`` as in
+        ``lyapunov_error``, NaN and inf where there is no coefficient, ``criticality``,
+        ``unstable_before`` and ``unstable_after`` along the first parameter, and ``onset`` as in
         :class:`spragsym.results.Onsets`, and ``touching`` with several contacts.
     points : Points
         All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"``
         (zero–Hopf: it meets a fold) and ``"HH"`` (double Hopf: two curves meet; only for two
         coordinates, and for parts of a model that do not act on each other), proved.
+        ``unstable_before`` and ``unstable_after`` are the least and the largest number of λ that
+        grow in states beside a point.
     changes : mapping
         Generalized Hopf points (GH), where l₁ changes its sign along a curve. Columns: the two
-        parameters, the coordinates, and ``error``, the distance of the two proved points with
-        opposite signs between which it lies.
+        parameters, the coordinates, ``error``, the distance of the two proved points with opposite
+        signs between which it lies, and ``unstable_before`` and ``unstable_after`` of these.
     lines : mapping
         For each parameter, the values at which all onsets along the other parameter are searched.
     complete : bool
@@ -289,9 +303,10 @@ class _Plane(Family):
         if not points.complete:
             where = "of points: {}" if damping else "of states: {}"
             said += tuple(Remark(where, remark) for remark in points.remarks)
-        own = own_name(self.balance.model, "error")
-        names = (*self.vary, *self.balance.coordinates, own)
+        own = (own_name(self.balance.model, name) for name in _OF_CHANGES)
+        names = (*self.vary, *self.balance.coordinates, *own)
         rows = dict(zip(names, np.array(changes).reshape(-1, len(names)).T, strict=True))
+        rows |= {name: rows[name].astype(int) for name in names[-len(UNSTABLE) :]}
         between = dict(zip(self.vary, map(tuple, self.spans.tolist()), strict=True))
         complete = (points.complete or not damping) and whole and not len(undecided)
         return OnsetCurves(
@@ -321,7 +336,8 @@ class _Plane(Family):
             if sought.has_simple_pair:
                 forms = self.forms(on, states)
             curve = self.curve(states, omega, forms)
-            yield curve, self.changes(on, states, curve.criticality.tolist())
+            beside = unstable_beside(forms)
+            yield curve, self.changes(on, states, curve.criticality.tolist(), beside)
 
     def of_damping(self, undecided: FloatArray, share: float) -> tuple[str, ...]:
         """A remark if C is at most this share of K in the middle of some undecided boxes."""
@@ -369,7 +385,8 @@ class _Plane(Family):
                 middle = parts[-1].roots.middle
                 ends[row] = np.concatenate([ends[row], middle], axis=1)
         found = all_of(parts or [nothing(self)])
-        return arranged(self, found, np.array(kinds, dtype=str)), ends
+        points = arranged(self, found, np.array(kinds, dtype=str))
+        return replace(points, _ended=with_numbers), ends
 
     def roots(self, states: FloatArray) -> ComplexArray:
         """All λ, shape (N, 2 n)."""
@@ -402,20 +419,23 @@ class _Plane(Family):
 
     def curve(self, states: FloatArray, omega: FloatArray, forms: Forms) -> Curve:
         """The states as a curve, with frequencies and criticality as columns."""
+        before, after = unstable_beside(forms)
         ours = {
             "omega": omega,
             "lyapunov": of_forms(forms, "lyapunov", np.nan),
             "lyapunov_error": of_forms(forms, "lyapunov_error", np.inf),
             "criticality": np.array([criticality_of(form)[0] for form in forms], dtype=str),
+            **dict(zip(UNSTABLE, (before, after), strict=True)),
+            "onset": onset_of(before, after),
         }
         own = {own_name(self.balance.model, name): column for name, column in ours.items()}
         return Curve({**self.named(states), **own, **which(self.balance, omega.size)})
 
     def changes(
-        self, curves: FoldCurves, states: FloatArray, kinds: Sequence[str]
+        self, curves: FoldCurves, states: FloatArray, kinds: Sequence[str], beside: IntArray
     ) -> list[list[float]]:
         """Points between neighbours with opposite signs of l₁, by bisection; a row of numbers for
-        each.
+        each. ``beside`` are the numbers of λ that grow on both sides of each state.
         """
         decided = [k for k, kind in enumerate(kinds) if kind != "undecided"]
         # l₁ also changes its sign at a pole, a zero–Hopf point, where det K does too.
@@ -429,10 +449,11 @@ class _Plane(Family):
             return []
         first, last = np.array(pairs).T
         one, two = states[:, first], states[:, last]
+        numbers = np.where((beside[:, first] == beside[:, last]).all(axis=0), beside[:, first], -1)
         self._halve(curves, one, two, np.array(kinds)[first])
         middle, n = 0.5 * (one + two), self.balance.n
         return np.concatenate(
-            [middle[n:], middle[:n], np.abs(two - one).max(axis=0)[None]]
+            [middle[n:], middle[:n], np.abs(two - one).max(axis=0)[None], numbers]
         ).T.tolist()
 
     def _halve(

@@ -16,7 +16,6 @@ Derivatives come from Taylor polynomials: along u = z q + z̄ q̄ + ½ g z² + h
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -33,7 +32,6 @@ from ..numerics.arithmetic import (
     Matrix,
     Number,
     as_complex,
-    characteristic,
     dot,
     linear_solution,
 )
@@ -52,7 +50,6 @@ from ..numerics.jets import Jet, gradient, variables
 from ..statics import namespaces
 from ..statics.balance import Balance, PreciseBalance
 from ..statics.forces import Values
-from ..statics.stability import routh_column
 
 #: Bits of all balls; the box around the point leaves about fifty significant ones.
 BITS = 106
@@ -131,27 +128,32 @@ def normal_form(
         _floats(along).real,
         _floats(square),
         _floats(mean).real,
-        _others_growing(A, pair.omega),
+        pair.others,
     )
 
 
-def _others_growing(A: Matrix, omega: Any) -> int:
-    """How many eigenvalues with a positive real part A has beside the pair ± i ω, by Routh's array;
-    −1 if a sign in it is undecided.
+def growing_beside(
+    balance: Balance,
+    given: FloatArray,
+    state: FloatArray,
+    vary: Sequence[str],
+    radii: FloatArray,
+    critical: int,
+) -> int:
+    """How many λ have a positive real part at a point at which ``critical`` others are known to lie
+    on the imaginary axis; −1 where that is undecided. Arguments as for :func:`normal_form`.
     """
-    size = len(A)
-    unit = [[-1 if row == column else 0 for column in range(size)] for row in range(size)]
-    quotient = list[Any]()  # by λ² + ω², the highest coefficient first
-    for coefficient in characteristic(A, unit)[:1:-1]:
-        before = omega * omega * quotient[-2] if len(quotient) > 1 else 0
-        quotient.append(coefficient - before)
     try:
-        signs = [balls.sign(_ball(entry)) for entry in routh_column(quotient[::-1])]
-    except ZeroDivisionError:
+        point = _in_balls(balance, given, state, vary, radii)
+        _require_smooth(point)
+        own, radius = _discs(_diagonal(point.linear()[0])[0])
+    except (UndecidedSign, ZeroDivisionError, np.linalg.LinAlgError):
         return -1
-    if 0 in signs:
-        return -1
-    return sum(one != other for one, other in itertools.pairwise(signs))
+    beside = np.abs(own.real) > radius
+    distance = np.abs(own[beside, None] - own[~beside]) * (1 - _ROUNDING)
+    apart = (distance > radius[beside, None] + radius[~beside]).all()
+    decided = apart and np.count_nonzero(~beside) == critical
+    return int((own.real > radius).sum()) if decided else -1
 
 
 class _Side:
@@ -416,7 +418,8 @@ class _Pair:
     """A pair ± i ω of a matrix A = X Z X⁻¹, where X are approximate eigenvectors.
 
     ``z`` is the eigenvector of i ω in the basis X, and ``inverse`` is X⁻¹. Linear systems are
-    solved in this basis, where Z is nearly diagonal and no pivoting is needed.
+    solved in this basis, where Z is nearly diagonal and no pivoting is needed. ``others`` are the
+    other λ with a positive real part, −1 where that is undecided.
     """
 
     omega: Any
@@ -424,6 +427,7 @@ class _Pair:
     X: Matrix
     Z: Matrix
     inverse: Matrix
+    others: int = -1
 
     @property
     def left(self) -> list[Complex]:
@@ -459,6 +463,17 @@ def _in_basis(A: Matrix, X: Matrix, R: Matrix) -> tuple[Matrix, Matrix]:
 
 def _pair(A: Sequence[Sequence[Ball]]) -> _Pair:
     """The pair ± i ω of all matrices in A that have two eigenvalues with the sum 0."""
+    bounds, X, Z, inverse = _diagonal(A)
+    ends, others = _isolated(bounds)
+    with balls.precision(BITS):
+        omega, *z = (balls.between(Fraction(-low), Fraction(high)) for low, high in ends.T)
+    return _Pair(omega, _complexes(z), X, Z, inverse, others)
+
+
+def _diagonal(A: Sequence[Sequence[Ball]]) -> tuple[FloatArray, Matrix, Matrix, Matrix]:
+    """Bounds on the parts of a nearly diagonal Z, as for :func:`_isolated`, with X, Z and X⁻¹ of A
+    = X Z X⁻¹.
+    """
     _, vectors = np.linalg.eig(np.array([_floats(row).real for row in A]))
     X, R = (
         [[Complex(_ball(float(one.real)), _ball(float(one.imag))) for one in row] for row in rows]
@@ -466,33 +481,48 @@ def _pair(A: Sequence[Sequence[Ball]]) -> _Pair:
     )
     Z, inverse = _in_basis(A, X, R)
     numbers = np.array([[list(map(_float, (one.re, one.im))) for one in row] for row in Z])
-    ends = _isolated(rounded_outward(ends_around(numbers[..., 0], numbers[..., 1])))
-    with balls.precision(BITS):
-        omega, *z = (balls.between(Fraction(-low), Fraction(high)) for low, high in ends.T)
-    return _Pair(omega, _complexes(z), X, Z, inverse)
+    bounds = rounded_outward(ends_around(numbers[..., 0], numbers[..., 1]))
+    return bounds, X, Z, inverse
 
 
-def _isolated(Z: FloatArray) -> FloatArray:
+#: Relative error of complex operations on middles of intervals.
+_ROUNDING = 2.0**-50
+
+
+def _off_diagonal(Z: FloatArray) -> FloatArray:
+    """Bounds on the entries beside the diagonal, and on it those of its distance from its
+    middle.
+    """
+    own = Z[:, range(Z.shape[1]), range(Z.shape[1])]
+    off = Intervals(Z).magnitude.sum(axis=-1)
+    np.fill_diagonal(off, contractors.distance(own, Intervals(own).middle).sum(axis=-1))
+    return off
+
+
+def _discs(Z: FloatArray) -> tuple[ComplexArray, FloatArray]:
+    """Centres and radii of Gershgorin's discs, which hold the eigenvalues."""
+    size, off = range(Z.shape[1]), _off_diagonal(Z)
+    parts = Intervals(Z[:, size, size]).middle
+    middle = parts[:, 0] + 1j * parts[:, 1]
+    radius = np.maximum(off.sum(axis=0), off.sum(axis=1)) + np.abs(middle) * _ROUNDING
+    return middle, radius * (1 + 4 * _ROUNDING)
+
+
+def _isolated(Z: FloatArray) -> tuple[FloatArray, int]:
     """Enclosures of ω and of the eigenvector of i ω, for nearly diagonal matrices that have two
     eigenvalues with the sum 0.
 
     ``Z`` are ends of the real and imaginary parts of the entries, shape (2, n, n, 2). Returns −low
-    and high of ω, then of the parts of the eigenvector's entries, shape (2, 1 + 2 n).
+    and high of ω, then of the parts of the eigenvector's entries, shape (2, 1 + 2 n); and how many
+    other eigenvalues have a positive real part, −1 where that is undecided.
 
     Gershgorin's discs hold the eigenvalues. If the disc of i ω meets no other, its eigenvector has
     the entry 1 at the index of the disc, and entries of at most size 1 elsewhere. Raises
     UndecidedSign unless there is just one such pair.
     """
-    n = Z.shape[1]
+    n, rounding, off = Z.shape[1], _ROUNDING, _off_diagonal(Z)
     size, own = range(n), Z[:, range(n), range(n)]
-    parts = Intervals(own).middle
-    middle = parts[:, 0] + 1j * parts[:, 1]
-    rounding = 2.0**-50  # relative error of complex operations on the middles
-    off = Intervals(Z).magnitude.sum(axis=-1)
-    np.fill_diagonal(off, contractors.distance(own, parts).sum(axis=-1))
-    radius = (np.maximum(off.sum(axis=0), off.sum(axis=1)) + np.abs(middle) * rounding) * (
-        1 + 4 * rounding
-    )
+    middle, radius = _discs(Z)
 
     def apart(i: int, centre: complex, j: int) -> bool:
         """Whether the disc i, moved to that centre, does not meet the disc j."""
@@ -519,7 +549,10 @@ def _isolated(Z: FloatArray) -> FloatArray:
     out[:, 0] = rounded_outward(own[:, k, 1] + off[k] @ spread * (1 + 4 * rounding))
     out[:, 1::2] = out[:, 2::2] = spread
     out[:, 1 + 2 * k] += (-1.0, 1.0)
-    return out
+    beside = ~np.isin(size, (k, conjugate))
+    growing = middle.real[beside] > radius[beside]
+    decided = growing | (middle.real[beside] < -radius[beside])
+    return out, int(growing.sum()) if decided.all() else -1
 
 
 # ------------------------------------------------------------------------------------------------
@@ -528,11 +561,16 @@ def _isolated(Z: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class Coefficient:
-    """l₁ of a Hopf point, a bound on its error, and ``reach`` as in :class:`NormalForm`."""
+    """l₁ of a Hopf point and d Re λ / d parameter, with bounds on their errors, and ``reach`` and
+    ``others`` as in :class:`NormalForm`.
+    """
 
     lyapunov: float
     lyapunov_error: float
+    crossing: float
+    crossing_error: float
     reach: float
+    others: int
 
 
 def coefficients(
@@ -590,29 +628,32 @@ class _InMode:
         _, X = np.linalg.eig(matrices)
         basis = _rows_of(X), _rows_of(np.linalg.pinv(X))
         Z = self.balance.tapes.evaluated("basis", _entries_in_basis, A[:, rows], *basis)
-        pairs = list[FloatArray]()
+        pairs, others = list[FloatArray](), list[int]()
         shown = list[int]()
         for k, entries in enumerate(np.moveaxis(Z.ends[:, : 2 * size**2], -1, 0)):
             try:
-                pairs.append(_isolated(entries.reshape(2, size, size, 2)))
+                pair, beside = _isolated(entries.reshape(2, size, size, 2))
+                pairs.append(pair)
+                others.append(beside)
                 shown.append(k)
             except UndecidedSign as reason:
                 out[rows[k]] = str(reason) if wide[rows[k]] else None
         rows = rows[shown]
         if not rows.size:
             return out
-        pair = Intervals(np.stack(pairs, axis=-1))
-        asked = boxes[:, rows], basis[0][:, shown], Z[:, shown], pair, parameters[:, rows]
+        known = Intervals(np.stack(pairs, axis=-1))
+        asked = boxes[:, rows], basis[0][:, shown], Z[:, shown], known, parameters[:, rows]
         found = self._taped("form", self._form, *asked)
         middle = found.middle
-        error = contractors.distance(found.ends[:, :1], middle[:1])[0]
+        error, off = contractors.distance(found.ends[:, :2], middle[:2])
         for k, row in enumerate(rows.tolist()):
             size = abs(middle[0, k])
             # Even an error 32 times smaller would leave the sign open.
             undecidable = bounded[row] and 32 * size < error[k]
             if np.isfinite(error[k]) and (wide[row] or undecidable or size > error[k]):
-                reach = _reach(middle[1:, k].tolist())
-                out[row] = Coefficient(float(middle[0, k]), float(error[k]), reach)
+                value, crossing, *slips = middle[:, k].tolist()
+                numbers = value, float(error[k]), crossing, float(off[k])
+                out[row] = Coefficient(*numbers, _reach(slips), others[k])
         return out
 
     def _taped(self, name: str, rows: Callable[..., Sequence[Any]], *given: Intervals) -> Intervals:
@@ -642,13 +683,14 @@ class _InMode:
     def _form(
         self, boxes: Intervals, X: Intervals, Z: Intervals, pair: Intervals, parameters: Intervals
     ) -> list[Any]:
-        """l₁, then the sliding speeds and their derivatives along the pair."""
+        """l₁ and the crossing, then the sliding speeds and their derivatives along the pair."""
         point, entries, (omega, *z) = self._at(boxes, parameters), list(Z), pair
         half = len(entries) // 2
-        basis = map(_square, (list(X), entries[:half], entries[half:]))
+        basis = [_square(part) for part in (list(X), entries[:half], entries[half:])]
         _, by_parameter = point.linear()
-        lyapunov, _, q, *_ = point.form(_Pair(omega, _complexes(z), *basis), by_parameter)
-        return [lyapunov, *point.slips(q)]
+        known = _Pair(omega, _complexes(z), basis[0], basis[1], basis[2])
+        *numbers, q, _, _, _, _ = point.form(known, by_parameter)
+        return [*numbers, *point.slips(q)]
 
 
 def _entries_in_basis(A: Intervals, X: Intervals, R: Intervals) -> list[Any]:

@@ -53,7 +53,7 @@ from ..numerics.interval_arrays import (
 from ..numerics.jets import constant, gradient, variables
 from ..numerics.precise_roots import exact_ends, third_derivative
 from ..results import EquilibriumType
-from ..results.points import Ended, Points, nothing_ends, nowhere
+from ..results.points import Ended, Points, nowhere
 from ..statics.balance import NEGLIGIBLE, Balance, PreciseBalance
 from ..statics.equilibria import equilibria
 from ..statics.forces import Evaluation, Values
@@ -62,7 +62,7 @@ from ..statics.options import SearchOptions
 from ..statics.precise_balance import clusters, on_side
 from ..statics.reference_state import nearest_state
 from ..statics.stability import with_a_zero
-from .borders import at_point, borders, enter_border_folds
+from .borders import at_point, borders, enter_border_folds, with_numbers
 from .defining_systems import (
     FOLD,
     Augmented,
@@ -429,7 +429,7 @@ def ended(points: Points) -> Ended:
     """Columns ``ends``, ``when`` and ``after`` of points; empty except at folds along one
     parameter.
     """
-    found = replace(nothing_ends(points), after=_afterwards)
+    found = replace(with_numbers(points), after=_afterwards)
     enter_border_folds(points, found)
     for row in np.flatnonzero(points.kind == "fold") if len(points.vary) == 1 else ():
         try:

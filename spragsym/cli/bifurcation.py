@@ -16,7 +16,7 @@ import spragsym as ss
 from ..core.errors import ParameterError
 from ..core.progress import show_progress
 from ..display import own_name
-from ..results.points import Points, after_if_known
+from ..results.points import UNSTABLE, Points, after_if_known
 from . import options as o
 from .case import Case, Row
 from .output import drawn, print_rows
@@ -187,7 +187,8 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
     )
     own = partial(own_name, case.model)
     forms = map(own, ("omega", "lyapunov", "lyapunov_error"))
-    columns = (own("criticality"), *names, *coordinates, *forms)
+    beside = [*map(own, UNSTABLE)]
+    columns = (own("criticality"), own("onset"), *names, *coordinates, *forms, *beside)
     curves = [
         case.row({name: curve[name] for name in columns}, ss.results.Onsets)
         for curve in found.curves
@@ -197,7 +198,11 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
     special = {name: [*found.points[name], *found.changes[name]] for name in places}
     between = found.changes[own("error")]
     kinds, errors = [*found.points.kind, *["GH"] * len(between)], [*found.points.error, *between]
-    points = case.rows({own("kind"): kinds, **special, own("error"): errors}, ss.results.Onsets)
+    numbers = {
+        own(name): [*getattr(found.points, name), *found.changes[own(name)]] for name in UNSTABLE
+    }
+    columns_of_points = {own("kind"): kinds, **special, **numbers, own("error"): errors}
+    points = case.rows(columns_of_points, ss.results.Onsets)
     answer = {
         "curves": curves,
         "points": points,
@@ -213,24 +218,23 @@ def onsets(case: Case, undamped: bool, plot: Path | None, n: int) -> object:
             [
                 {
                     "curve": number,
-                    "points": len(kinds := curve[own("criticality")]),
+                    "points": len(curve[own("criticality")]),
                     **{
                         f"{title} {end}": pick(curve[title])
                         for title in titles
                         for end, pick in (("from", min), ("to", max))
                     },
-                    "onset": ", ".join(
-                        kind
-                        for kind in ("supercritical", "subcritical", "undecided")
-                        if kind in kinds
-                    ),
+                    **{
+                        name: ", ".join(dict.fromkeys(curve[own(name)]))
+                        for name in ("criticality", "onset")
+                    },
                 }
                 for number, curve in enumerate(curves, 1)
             ],
         )
         print_rows(
             "Points on them",
-            [{title: row[title] for title in (own("kind"), *titles)} for row in points],
+            [{title: row[title] for title in (own("kind"), *titles, *beside)} for row in points],
         )
         print_open("Onsets", answer)
         click.echo(

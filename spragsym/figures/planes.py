@@ -16,9 +16,11 @@ from scipy.ndimage import binary_dilation, distance_transform_edt, zoom
 
 import spragsym as ss
 
+from ..bifurcation.flutter import ON_UNSTABLE
 from ..bifurcation.hopf_curves import OnsetCurves
 from ..core.errors import ModelError, require_kind
 from ..core.questions import model_of
+from ..display import own_name
 from ..models import Model
 from ..models.parameters import ParameterSet, Ranges, Span
 from ..numerics.interval_arrays import FloatArray
@@ -103,10 +105,11 @@ def draw_onset_curves(
     artists.
 
     Lines are full where the onset is supercritical, dashed where it is subcritical, and dotted
-    where that is undecided. Dots: l₁ changes its sign (generalized Hopf, GH). Squares: points of
-    codimension two (Bogdanov–Takens, BT; zero–Hopf, ZH; double Hopf, HH). With damping, the region
-    in which oscillations grow is shaded and labelled "unstable". Without damping, two modes meet on
-    the lines, which are grey. Undecided parts of the searched lines are thick.
+    where that is undecided; grey where the state is unstable on both sides. Dots: l₁ changes its
+    sign (generalized Hopf, GH). Squares: points of codimension two (Bogdanov–Takens, BT; zero–Hopf,
+    ZH; double Hopf, HH). With damping, the region in which oscillations grow is shaded and labelled
+    "unstable". Without damping, two modes meet on the lines, which are grey. Undecided parts of the
+    searched lines are thick.
 
     Parameters
     ----------
@@ -123,11 +126,13 @@ def draw_onset_curves(
     styles = {"supercritical": "-", "subcritical": "--", "undecided": ":" if found.damping else "-"}
     for curve in found.curves:
         x, y = places(model, found.vary, curve)
-        for part in runs(curve.criticality):
-            kind = str(curve.criticality[part][0])
-            artists += ax.plot(
-                x[part], y[part], styles[kind], color=color, label=once(ax, f"{kind} onsets")
-            )
+        own = own_name(model, "onset")
+        beside = curve[own] == ON_UNSTABLE
+        for part in runs(np.char.add(curve.criticality, np.where(beside, own, ""))):
+            kind, other = str(curve.criticality[part][0]), beside[part][0]
+            label = f"{kind} onsets {ON_UNSTABLE}" if other else f"{kind} onsets"
+            drawn = GREY if other else color
+            artists += ax.plot(x[part], y[part], styles[kind], color=drawn, label=once(ax, label))
     for labels, points, marker, offset, name in (
         (itertools.repeat("GH"), found.changes, "o", (3, 3), "generalized Hopf points"),
         (found.points.kind, found.points, "s", (3, -9), "points of codimension two"),
@@ -364,7 +369,12 @@ def bifurcation_figure(
     )
     at = f" at {values}" if values else ""
     three = ", three in contact in the shaded regions and one elsewhere" if shaded else ""
-    sets_in = " Oscillation sets in on the black or grey lines." if onsets else ""
+    lines = (
+        "black lines, and on grey ones in a state that is unstable already"
+        if onsets and onsets.damping
+        else "grey lines"
+    )
+    sets_in = f" Oscillation sets in on the {lines}." if onsets else ""
     return figure.describe(
         f"""Bifurcation set of {model.name}{at}: two equilibria in contact meet on the lines{three};
         dots are cusps.{on_undecided(found)}{sets_in}""",

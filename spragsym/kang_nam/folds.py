@@ -34,6 +34,7 @@ from ..numerics.balls import (
     sign,
     with_enough_bits,
 )
+from ..numerics.interval_arrays import IntArray
 from ..numerics.polynomials import RootOf, in_t, on_circle, roots_on_the_line
 from ..results.points import Ended, Points, nothing_ends
 from . import kernel
@@ -95,8 +96,21 @@ def folds(
         ends,
         when,
         dict(zip(STATE, np.array(after, dtype=float).reshape(-1, 4).T.copy(), strict=True)),
+        _unstable_numbers,
     )
     return within(listed(p, (vary,), kind, rows, ended=ended), between)
+
+
+def _nothing_ends(points: Points) -> Ended:
+    """The columns of points at which nothing ends."""
+    return replace(nothing_ends(points), unstable=_unstable_numbers)
+
+
+def _unstable_numbers(points: Points) -> IntArray:
+    """The numbers of growing λ, of folds as of any model."""
+    from ..bifurcation.borders import unstable_numbers  # imported late: it loads the search
+
+    return unstable_numbers(points)
 
 
 def _words(fold: Fold) -> tuple[str, str, str]:
@@ -112,7 +126,7 @@ def listed(
     kind: NDArray[np.str_],
     rows: Sequence[tuple[float, ...]],
     *,
-    ended: Ended | Callable[[Points], Ended] = nothing_ends,
+    ended: Ended | Callable[[Points], Ended] = _nothing_ends,
     spans: Sequence[Span] | None = None,
 ) -> Points:
     """The result with points from rows of :meth:`SurfacePoint.row`; ``spans`` are the ranges that

@@ -44,6 +44,8 @@ from .options import BranchOptions
 from .orbit import same_cycle
 from .system import FixedPoints, System
 
+#: Growth in units of the motion beyond which an equilibrium is unstable.
+GROWS = 1e-10
 #: Options of branches of equilibria, with steps in units of the motion and of half the range.
 OF_EQUILIBRIA = BranchOptions(first_step=0.0025, longest_step=0.02, shortest_step=1e-7, kink=0.0)
 
@@ -80,7 +82,9 @@ class Label(Result):
     crossing-sliding, SS switching-sliding, AS adding-sliding, CT catastrophic-sliding.
 
     ``height`` is the first coordinate, of a cycle its maximum. ``of`` is "equilibria" or "cycles",
-    ``branch`` the index of the branch among these.
+    ``branch`` the index of the branch among these. ``unstable_before`` and ``unstable_after`` are
+    how many λ grow in equilibria of the branch at smaller and at larger values of the parameter, at
+    a fold the smaller and the larger number of its two sides; −1 of cycles.
     """
 
     label: str
@@ -88,6 +92,8 @@ class Label(Result):
     height: float
     of: str
     branch: int
+    unstable_before: int = -1
+    unstable_after: int = -1
 
 
 @dataclass(frozen=True, eq=False)
@@ -361,7 +367,10 @@ def _labels(rest: FixedPoints, line: Sequence[BranchPoint], number: int) -> Iter
         for label, point in (("LP", fold), ("H", hopf)):
             if point is not None:
                 x = float(natural(point.orbit).state[0])
-                yield Label(label, point.value, x, "equilibria", number)
+                ends = sorted((one, other), key=lambda end: end.value)
+                beside = [sum(z.real > GROWS for z in rest.eigenvalues(end)) for end in ends]
+                beside = sorted(beside) if label == "LP" else beside
+                yield Label(label, point.value, x, "equilibria", number, *beside)
 
 
 def _passes(line: Sequence[BranchPoint], point: BranchPoint) -> bool:
@@ -445,7 +454,7 @@ def _equilibria(
             branch = EquilibriumBranch(
                 np.array([each.value for each in line]),
                 states * scales.places,
-                np.array(growth) < 1e-10,
+                np.array(growth) <= GROWS,
                 "contact" if contact is True else model.regimes[contact],
             )
             yield branch, list(_labels(rest, line, len(found)))

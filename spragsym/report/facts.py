@@ -59,8 +59,9 @@ class FoldRow:
 
     Its location is ``friction``, ``inclination_deg``, or ``value`` of another loading parameter in
     SI; the other two are None. ``ends`` and ``when`` are those of
-    :class:`~spragsym.results.Points`. ``before`` and ``after`` are coordinates in the units of the
-    file; ``after`` is NaN if no state remains.
+    :class:`~spragsym.results.Points`; ``unstable`` is how many λ grow with damping in the
+    state that ends, −1 where that is undecided. ``before`` and ``after`` are coordinates in the
+    units of the file; ``after`` is NaN if no state remains.
     """
 
     kind: str
@@ -71,6 +72,7 @@ class FoldRow:
     when: str
     before: Numbers
     after: Numbers
+    unstable: int
 
 
 @dataclass(frozen=True, repr=False)
@@ -447,7 +449,8 @@ def _rows(study: Study, found: dict[str, Points]) -> tuple[FoldRow, ...]:
             before, after = (in_units(study, selected_rows(state, i)) for state in places)
             words = (points.kind, points.ends, points.when)
             kind, ends, when = (str(word[i]) for word in words)
-            rows.append(FoldRow(kind, friction, angle, other, ends, when, before, after))
+            unstable = int(points.unstable_before[i])
+            rows.append(FoldRow(kind, friction, angle, other, ends, when, before, after, unstable))
     return tuple(rows)
 
 

@@ -475,10 +475,10 @@ def _folds(report: Facts) -> Rows:
                 f"{unit}"
             )
             left = nothing if math.isnan(row.after[key]) else goes
+            state = f"{row.ends} state" + ", unstable with damping," * (row.unstable > 0)
             yield (
                 name,
-                f"the {row.ends} state ends as it {'rises' if row.when == 'up' else 'falls'}; "
-                f"{left}",
+                f"the {state} ends as it {'rises' if row.when == 'up' else 'falls'}; {left}",
             )
 
 

@@ -26,15 +26,19 @@ from ..models.forces import derived_of_states
 from ..models.model import Model
 from ..models.parameters import FloatArray
 from ..numerics.columns import selected_rows
-from ..numerics.interval_arrays import BoolArray, Int8Array, Shape
+from ..numerics.interval_arrays import BoolArray, Int8Array, IntArray, Shape
 from .equilibria import Equilibria, EquilibriumType
 from .result import Items, Named, OfStates, Result, Rows
+
+#: Columns of how many eigenvalues grow on both sides.
+UNSTABLE = ("unstable_before", "unstable_after")
 
 
 @dataclass(frozen=True, eq=False)
 class Ended(Result):
     """What ends at each of several points: the columns ``ends``, ``when`` and ``after`` of
-    :class:`Points`; ``after`` may be a function that computes it.
+    :class:`Points`; ``after`` may be a function that computes it, and so may ``unstable``, its
+    columns ``unstable_before`` and ``unstable_after``.
     """
 
     schema = (Column("{p}_after", "{p}", "{p} of the state that is jumped to"),)
@@ -42,6 +46,7 @@ class Ended(Result):
     ends: NDArray[np.str_]
     when: NDArray[np.str_]
     after: Mapping[str, FloatArray] | Callable[[Points], Mapping[str, FloatArray]]
+    unstable: IntArray | Callable[[Points], IntArray] | None = None
 
 
 def nothing_ends(points: Points) -> Ended:
@@ -99,6 +104,11 @@ class Points(OfStates, Rows):
         where there is none or a search does not decide it, and for other kinds. Each is a search of
         its own, with the budget of one, where there is no closed form: ``print`` shows what was
         asked for before.
+    unstable_before, unstable_after : ndarray of int
+        How many λ of the full linearization grow in the one and in the other of two states that
+        meet: the least and the largest number in states beside a point; −1 where that is undecided,
+        and at borders, where forces have a kink. Of :class:`spragsym.results.Onsets`, at smaller
+        and at larger values of the parameter.
     region : ndarray
         Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then
         parameters. A parameter that is larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of
@@ -122,6 +132,8 @@ class Points(OfStates, Rows):
         Column("ends", "1", "which of two states is stable and ends there", row="behind"),
         Column("when", "1", "direction of the parameter in which it ends", row="behind"),
         Column("{p}_after", "{p}", "{p} of the state that is jumped to"),
+        Column("unstable_before", "1", "growing eigenvalues on one side", row="beside"),
+        Column("unstable_after", "1", "growing eigenvalues on the other side", row="beside"),
         Column("error", "1", "bound on |error| / max(1, |value|)"),
     )
 
@@ -155,7 +167,7 @@ class Points(OfStates, Rows):
     @property
     def _items(self) -> Items:
         names = (*self.vary, *self.state_columns, *self._values, *self.parameters.ranges)
-        ours = map(self._own, (*self._of_each, "error"))
+        ours = map(self._own, (*self._of_each, *UNSTABLE, "error"))
         return Items(tuple(dict.fromkeys([*names, *ours])), self._column)
 
     @property
@@ -240,7 +252,12 @@ class Points(OfStates, Rows):
         values = selected_rows(self._values, which)
         ended = self._ended
         if isinstance(ended, Ended) and not callable(ended.after):
-            ended = Ended(ended.ends[which], ended.when[which], selected_rows(ended.after, which))
+            ended = Ended(
+                ended.ends[which],
+                ended.when[which],
+                selected_rows(ended.after, which),
+                ended.unstable if callable(ended.unstable) else self._unstable[:, which],
+            )
         return replace(
             self, kind=self.kind[which], error=self.error[which], _values=values, _ended=ended
         )
@@ -273,7 +290,8 @@ class Points(OfStates, Rows):
         )
 
     def _for_file(self) -> Self:
-        return replace(self, _ended=replace(self._what_ends, after=self.after))
+        ended = replace(self._what_ends, after=self.after, unstable=self._unstable)
+        return replace(self, _ended=ended)
 
     @cached_property
     def _what_ends(self) -> Ended:
@@ -304,6 +322,23 @@ class Points(OfStates, Rows):
         found = self._what_ends.after
         return found(self) if callable(found) else found
 
+    @cached_property
+    def _unstable(self) -> IntArray:
+        """The columns ``unstable_before`` and ``unstable_after``, shape (2, points)."""
+        found = self._what_ends.unstable
+        found = found(self) if callable(found) else found
+        return np.full((2, len(self)), -1) if found is None else found
+
+    @property
+    def unstable_before(self) -> IntArray:
+        """Growing eigenvalues on one side."""
+        return self._unstable[0]
+
+    @property
+    def unstable_after(self) -> IntArray:
+        """Growing eigenvalues on the other side."""
+        return self._unstable[1]
+
     def _column(self, name: str) -> NDArray[Any]:
         if name in self._values:
             return self._values[name]
@@ -312,6 +347,9 @@ class Points(OfStates, Rows):
             return np.full(len(self), np.nan if given is None or given.ndim else float(given))
         if name in self.state_columns:
             return self._derived[name]
+        for each in UNSTABLE:
+            if name == self._own(each):
+                return np.asarray(getattr(self, each))
         return self.data()[name]
 
 

@@ -323,3 +323,44 @@ def test_how_many_eigenvalues_grow_on_either_side(
             off = np.abs(places - onsets.state(row)[:, None]).max(axis=0)
             found.append(int((eq.damped_eigenvalues[np.nanargmin(off)].real > 0).sum()))
         assert [onsets.unstable_before[row], onsets.unstable_after[row]] == found
+        assert onsets["unstable_after"][row] == found[1]
+        assert onsets.onset[row] == ("of instability" if 0 in found else "on an unstable state")
+
+
+@pytest.mark.parametrize("method", ["auto", "search"])
+@pytest.mark.parametrize("mu0", [0.1, 0.5])
+def test_how_many_eigenvalues_grow_in_the_two_states_that_meet(mu0: float, method: Any) -> None:
+    """At a fold: against eigenvalues of both a little beside it; of selected points too."""
+    p = ss.Parameters.article(mu0=mu0)
+    folds = ss.folds(p, method=method)
+    found = []
+    for value, when, x in zip(folds.theta0, folds.when, folds.x, strict=True):
+        eq = ss.equilibria(p.replace(theta0=value + (-1e-6 if when == "up" else 1e-6)))
+        two = np.argsort(np.abs(eq.x - x))[:2]
+        found.append(sorted((eq.damped_eigenvalues[two].real > 0).sum(axis=-1)))
+    assert np.transpose([folds.unstable_before, folds.unstable_after]).tolist() == found
+    last = folds.select(folds.theta0 == folds.theta0[-1])
+    assert [last["unstable_before"][0], last["unstable_after"][0]] == found[-1]
+
+
+def test_the_numbers_on_curves_are_those_of_eigenvalues() -> None:
+    """Beside every fifth point of all curves; and of generalized Hopf and zero–Hopf points."""
+    p, vary = ss.Parameters.article(), ("theta0", "mu0")
+    found = ss.onset_curves(p, vary, 5, between={"theta0": (0.1, 3.0), "mu0": (0.02, 0.4)})
+    seen = set()
+    for curve in found.curves:
+        for k in range(0, len(curve), 5):
+            numbers = []
+            for side in (-1e-5, 1e-5):
+                eq = ss.equilibria(p.replace(theta0=curve.theta0[k] + side, mu0=curve.mu0[k]))
+                row = np.nanargmin(np.abs(eq.x - curve.x[k]))
+                numbers.append(int((eq.damped_eigenvalues[row].real > 0).sum()))
+            told = [curve.unstable_before[k], curve.unstable_after[k]]
+            assert told in (numbers, [-1, -1])
+            seen.add(curve.onset[k])
+    assert seen >= {"of instability", "on an unstable state"}
+    for kind, low, high in zip(
+        found.points.kind, found.points.unstable_before, found.points.unstable_after, strict=True
+    ):
+        assert (kind, low, high) == ("ZH", 0, 3)
+    assert found.changes["unstable_before"].dtype.kind == "i"

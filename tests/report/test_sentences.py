@@ -169,6 +169,7 @@ fold = partial(
         when="up",
         before={"x_mm": 7.797},
         after={"x_mm": 43.55},
+        unstable=0,
     ),
 )
 

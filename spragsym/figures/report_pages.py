@@ -25,7 +25,6 @@ from ..bifurcation.defining_systems import ranges
 from ..bifurcation.flutter import ON_UNSTABLE
 from ..bifurcation.hopf_curves import OnsetCurves
 from ..core.errors import ConvergenceError, SpragsymError
-from ..display import own_name
 from ..files.text import filled
 from ..models.load import mechanism
 from ..models.parameters import ParameterSet, Ranges, Span
@@ -246,8 +245,7 @@ def _kinds_of(onsets: OnsetCurves) -> str:
         "undecided": ("dotted", "which of the two is not decided"),
     }
     lines = [f"{line}: {words}" for kind, (line, words) in looks.items() if kind in kinds]
-    own = own_name(onsets.points.parameters.model, "onset")
-    if any((curve[own] == ON_UNSTABLE).any() for curve in onsets.curves):
+    if any((curve.onset == ON_UNSTABLE).any() for curve in onsets.curves):
         lines.append("grey: of a state that is unstable on both sides")
     if len(onsets.changes["error"]):
         lines.append("GH: where that changes")

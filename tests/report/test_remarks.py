@@ -239,8 +239,9 @@ def test_the_caption_of_the_map(
 ) -> None:
     kinds = np.array(["supercritical", "subcritical", "undecided"])
     curve = {"theta0": np.array([0.8, 0.9]), "mu0": np.array([0.2, 0.4])}
+    onset = np.array(["of instability", "on an unstable state", "undecided"])
     found = SimpleNamespace(
-        curves=[type("Curve", (dict,), {"criticality": kinds})(curve)],
+        curves=[type("Curve", (dict,), {"criticality": kinds, "onset": onset})(curve)],
         undecided=(),
         vary=("theta0", "mu0"),
         between={"theta0": (0.1, 3.0), "mu0": (0.0, 1.0)},
@@ -254,8 +255,9 @@ def test_the_caption_of_the_map(
         f"The map of stability. The brake (dot) works where small oscillations {words}; they grow "
         "in a state at least where it is shaded, hardly where lightly. Full line: it begins with a small amplitude "
         "(supercritical); dashed: with a large one at once (subcritical); dotted: which of the two "
-        "is not decided; GH: where that changes; BT: a line ends where two states meet; ZH: a line "
-        "touches one on which two states meet; HH: two lines cross, and two frequencies set in."
+        "is not decided; grey: of a state that is unstable on both sides; GH: where that changes; "
+        "BT: a line ends where two states meet; ZH: a line touches one on which two states meet; "
+        "HH: two lines cross, and two frequencies set in."
     ]
 
 

@@ -54,7 +54,8 @@ summary{cursor:pointer;color:var(--quiet);padding:.2rem 0}
 @media (max-width:40rem){dl{grid-template-columns:1fr}dt{margin-top:.3rem}}
 @page{size:A4;margin:15mm}
 @media print{html{font-size:10pt}body{margin:0;padding:0;max-width:none;font-size:1rem}
-.filters{display:none}article{break-inside:avoid}details::details-content{content-visibility:visible}
+.filters{display:none}article{break-inside:avoid}
+details::details-content{content-visibility:visible}
 .print,dd{overflow:visible}}
 """.strip()
 

@@ -212,7 +212,8 @@ def _macros(text: str) -> tuple[dict[str, tuple[int, str]], str]:
     """
     found: dict[str, tuple[int, str]] = {}
     begin = re.compile(
-        r"\\(?:(?:re)?newcommand|providecommand)\*?\s*\{?\s*(\\[A-Za-z]+)\s*\}?\s*(?:\[(\d)\])?\s*(?=\{)"
+        r"\\(?:(?:re)?newcommand|providecommand)\*?\s*\{?\s*(\\[A-Za-z]+)\s*\}?"
+        r"\s*(?:\[(\d)\])?\s*(?=\{)"
         r"|\\g?def\s*(\\[A-Za-z]+)\s*((?:#\d)*)\s*(?=\{)"
         r"|\\DeclareMathOperator\*?\s*\{?(\\[A-Za-z]+)\}?\s*(?=\{)"
     )

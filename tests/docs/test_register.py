@@ -3,6 +3,7 @@ as generated, what it names exists; and statements of rows that no other test ma
 """
 
 import runpy
+import tomllib
 from typing import Any
 
 import pytest
@@ -74,6 +75,23 @@ def test_exported_c_allocates_nothing() -> None:
     assert {line for line in text.splitlines() if line.startswith("#include <")} <= {
         f"#include <{name}.h>" for name in ("math", "float", "stdint", "string")
     }
+
+
+def test_where_the_table_says_nothing_no_verdict_says_otherwise() -> None:
+    text = (DOCS / "checked_papers.md").read_text(encoding="utf-8")
+    head, _, *lines = [line.strip("| ").split(" | ") for line in text.splitlines() if "|" in line]
+    rows = [dict(zip(head, line, strict=True)) for line in lines]
+    assert len(rows) >= 8
+    for row in rows:
+        files = (ROOT / "validation/papers" / row["NAME"].strip("`")).glob("*.toml")
+        expected = [
+            said.get("expect", "confirmed")
+            for file in files
+            for said in tomllib.loads(file.read_text(encoding="utf-8"))["statement"]
+        ]
+        nothing_wrong = row["what was wrong"].startswith("nothing")
+        assert nothing_wrong == ("misprint" not in expected), row
+        assert not {"failed", "approximation"} & {*expected}, row
 
 
 def test_a_page_of_html_loads_nothing() -> None:

@@ -31,6 +31,7 @@ from .explorer import explore as explore
 from .kang_nam.parameters import Parameters as Parameters
 from .kang_nam.parameters import PhysicalParameters as PhysicalParameters
 from .matrices.answers import modes as modes
+from .matrices.contacts import ContactPair as ContactPair
 from .matrices.model import matrices as matrices
 from .matrices.options import MatrixOptions as MatrixOptions
 from .models import Model as Model

@@ -33,6 +33,7 @@ __all__ = ["COMMANDS", "cli", "main"]
 #: called.
 COMMANDS = {
     "report": ("pages", "A verdict on the brake of a file, with units."),
+    "squeal": ("squeal", "Every onset of squeal of a finite-element model."),
     "check": ("article", "Hold the article against the derivation."),
     "equilibria": ("equilibria", "All equilibria of one point."),
     "bifurcation": ("bifurcation", "Folds, flutter onsets, and cusps."),

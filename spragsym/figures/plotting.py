@@ -15,6 +15,7 @@ from ..article.drawn import DRAWN
 from ..bifurcation.hopf_curves import OnsetCurves
 from ..core.errors import ParameterError, require_kind
 from ..design.probability import JumpProbability
+from ..matrices.answers import MatrixOnsets
 from ..motion.sweeps import Basin, Sweep
 from ..orbits import Cycle, CycleBranch, CycleEvent, Fate, FateMap, Lyapunov
 from ..orbits.diagram import Diagram
@@ -31,6 +32,7 @@ from .cycles import (
 from .motions import draw_basin, draw_motion, draw_phase, draw_sweep
 from .planes import draw_onset_curves, draw_shown_set
 from .report_pages import draw_shares
+from .squeal import draw_squeal, squeal_figure
 from .style import BLACK, Sheet, own_axes, places, styled
 
 if TYPE_CHECKING:
@@ -81,6 +83,7 @@ def plot(result: Result, ax: Axes | None = None, **options: Any) -> Any:
         Diagram: diagram_figure,
         CycleBranch: branch_figure,
         FateMap: fate_map_figure,
+        MatrixOnsets: squeal_figure,
     }
     if ax is None and type(result) in figures:
         return figures[type(result)](result, **options)
@@ -213,5 +216,6 @@ for _type, _draw in (
     (Diagram, draw_diagram),
     (CycleBranch, draw_branch),
     (FateMap, draw_fate_map),
+    (MatrixOnsets, draw_squeal),
 ):
     _drawn.register(_type, _draw)

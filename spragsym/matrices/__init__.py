@@ -8,7 +8,7 @@ from .answers import flutter_onsets as flutter_onsets
 from .answers import modes as modes
 
 #: Modules that other rooms ask; each is loaded when it is imported.
-__all__ = ["answers", "files", "model", "onsets", "options"]
+__all__ = ["answers", "contacts", "example", "files", "model", "onsets", "options"]
 
 
 class _Callable(_types.ModuleType):

@@ -17,8 +17,9 @@ from ..models.parameters import ParameterSet, Ranges, as_number, varied_range
 from ..numerics.interval_arrays import ComplexArray, FloatArray
 from ..results.result import Named, Rows
 from .model import MatrixModel
-from .onsets import OnsetSearch
+from .onsets import OnsetSearch, PairCrossing
 from .options import MatrixOptions
+from .reduction import onset_of_whole
 
 #: Damping ratio up to which a mode counts as undamped: far above the rounding of eigenvalues.
 _UNDAMPED = 1e-8
@@ -59,6 +60,8 @@ class MatrixOnsets(_OfMatrices):
     ----------
     vary : str
         The parameter; its values are an attribute under its name, as ``mu``.
+    between : tuple of float
+        The range.
     frequency, frequency_error : ndarray
         \\|Im λ\\| in rad/s, and a bound on its error.
     error : ndarray
@@ -68,9 +71,12 @@ class MatrixOnsets(_OfMatrices):
         real one does.
     direction : ndarray of str
         ``"up"`` where it grows faster than the threshold for larger values, ``"down"`` for smaller.
-    partner : ndarray
-        Frequency in rad/s of the mode with which it merges, by floats: the one that bends its
+    partner_hz : ndarray
+        Frequency in Hz of the mode with which it merges, by floats: the one that bends its
         eigenvalue most. NaN for divergence.
+    full_model : ndarray
+        Of a reduced model: the parameter at the same onset of the model before its reduction,
+        computed from the two modes that are nearest; NaN where it is lost.
     threshold : float
         Growth in 1/s above which it is squeal.
     complete : bool
@@ -91,18 +97,30 @@ class MatrixOnsets(_OfMatrices):
         Column("frequency_hz", "Hz", "frequency in Hz"),
         Column("kind", "1", "flutter or divergence"),
         Column("direction", "1", "the parameter's direction in which it sets in"),
-        Column("partner", "1/s", "frequency in rad/s of the mode that it merges with"),
+        Column("partner_hz", "Hz", "frequency in Hz of the mode that it merges with"),
         Column("error", "1", "bound on the error of the parameter"),
+        Column("full_model", "1", "the parameter in the model before its reduction"),
     )
 
     parameters: Any
     vary: str
+    between: tuple[float, float]
     threshold: float
     complete: bool
     undecided: FloatArray
     growing: FloatArray
     remarks: tuple[str, ...]
     values: Mapping[str, NDArray[Any]] = field(repr=False)
+
+    @cached_property
+    def eigenvalues(self) -> tuple[FloatArray, ComplexArray]:
+        """Eigenvalues with Im λ ≥ 0 at 241 values of the parameter, by LAPACK: the value of each,
+        and λ in 1/s.
+        """
+        pencil = self.parameters.model.pencil(self.parameters, self.vary)
+        values = np.linspace(*self.between, 241)
+        each = [pencil.eigenbasis(float(value))[0] for value in values]
+        return np.repeat(values, [len(one) for one in each]), np.concatenate(each)
 
 
 def flutter_onsets(
@@ -126,6 +144,7 @@ def flutter_onsets(
     model = cast(MatrixModel, p.model)
     name = "mu" if vary is None else vary
     model.require_parameter(name)
+    model.require_small()
     span = (
         (0.0, 1.0)
         if between is None and name == "mu"
@@ -152,6 +171,15 @@ def flutter_onsets(
                 f"the onset at {one.value:.10g} lies at an end of the range: on which side of the "
                 "end is not decided"
             )
+    beyond = [one for one in rows if one.proof.frequency > 2.0 * np.pi * model.highest_hz]
+    rows = [one for one in rows if one not in beyond]
+    full = _in_full(p, name, growth, rows)
+    if model.full is not None:
+        remarks.append(
+            f"reduced from {model.full.size} coordinates, and meant up to {model.highest_hz:.4g} "
+            f"Hz: {len(beyond)} onsets beyond that are left out; full_model has those of all "
+            "coordinates, computed from each onset"
+        )
     if found.undecided:
         gaps = np.array(found.undecided)
         share = np.diff(gaps).sum() / (span[1] - span[0])
@@ -168,12 +196,15 @@ def flutter_onsets(
         "frequency_hz": frequency / (2.0 * np.pi),
         "kind": np.array(["flutter" if one.frequency else "divergence" for one in proofs], "<U10"),
         "direction": np.array(["up" if one.direction > 0 else "down" for one in proofs], "<U4"),
-        "partner": np.array([one.partner for one in rows]),
+        "partner_hz": np.array([one.partner / (2.0 * np.pi) for one in rows]),
         "error": np.array([one.error for one in proofs]),
     }
+    if model.full is not None:
+        values["full_model"] = full
     return MatrixOnsets(
         parameters=p,
         vary=name,
+        between=span,
         threshold=growth,
         complete=not found.undecided,
         undecided=np.array(found.undecided).reshape(-1, 2),
@@ -181,6 +212,23 @@ def flutter_onsets(
         remarks=tuple(remarks),
         values=values,
     )
+
+
+def _in_full(p: ParameterSet, name: str, growth: float, rows: list[PairCrossing]) -> FloatArray:
+    """The onsets of a reduced model in the one before, or NaN."""
+    model, found = cast(MatrixModel, p.model), np.full(len(rows), np.nan)
+    if model.full is None:
+        return found
+    own = model.pencil(p, name)
+    held = {one: p[one] for one in model.parameters}
+    whole = model.full.pencil(model.full.Parameters(**held), name)
+    for place, one in enumerate(rows):
+        proof, near = one.proof, complex(growth, one.proof.frequency)
+        shapes = np.vstack([part.nearest(one.value, near)[1] for part in (own, own.transposed)])
+        space = model.basis @ np.hstack([shapes.real.T, shapes.imag.T])
+        guess = one.value, proof.frequency, proof.direction
+        found[place] = onset_of_whole(whole, growth, guess, space)
+    return found
 
 
 def _default(values: ComplexArray) -> tuple[float, list[str]]:
@@ -283,19 +331,13 @@ def modes(p: ParameterSet) -> Modes:
             "modes is asked of matrices, made by spragsym.matrices; of a page, equilibria has "
             "growth and stability of each state"
         )
+    model.require_small()
     pencil = model.pencil(p, "mu")
     t = p.scalars("mu")[0]
     values, vectors = pencil.eigenbasis(t)
     order = np.lexsort((values.real, values.imag))
     values, vectors = values[order], vectors[:, order]
-    transposed = type(pencil)(
-        pencil.mass.T,
-        tuple((of, one.T) for of, one in pencil.damping),
-        tuple((of, one.T) for of, one in pencil.stiffness),
-        pencil.damping_slope.T,
-        pencil.stiffness_slope.T,
-    )
-    others, left = transposed.eigenbasis(t)
+    others, left = pencil.transposed.eigenbasis(t)
     left = left[:, np.abs(values[:, None] - others).argmin(axis=1)]
     D, _ = pencil.at(t)
     norm = np.einsum("ik,ik->k", left, pencil.mass @ vectors * (2.0 * values) + D @ vectors)

@@ -1,4 +1,4 @@
-"""Matrices from files: MatrixMarket, Harwell-Boeing, MATLAB, NumPy and SciPy."""
+"""Matrices from files: of finite-element programs, MatrixMarket, MATLAB, NumPy and SciPy."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from ..core.errors import ParameterError, one_of
 from ..files.text import FilePath, contents, path_text
+from .exports import Label, Labelled, abaqus, bulk, harwell_boeing, mapping, output4
 
 #: Bytes of the largest file that is read.
 LARGEST = 2_000_000_000
@@ -22,15 +23,17 @@ def read(path: FilePath, variable: str | None = None) -> Any:
     Parameters
     ----------
     path : str or path
-        ``.mtx`` of MatrixMarket, as Ansys writes it; ``.hb``, ``.rua``, ``.rsa`` or ``.mat`` in
-        Harwell-Boeing's or MATLAB's format; ``.npy``, ``.npz``.
+        ``.mtx`` of MatrixMarket, or of Abaqus' ``*MATRIX OUTPUT``; ``.matrix``, ``.hb``, ``.rua``
+        or ``.rsa`` of Harwell and Boeing, as Ansys' ``HBMAT`` writes it; ``.op4``, formatted, and
+        ``.pch``, ``.bdf`` or ``.dat`` with ``DMIG`` of Nastran; ``.mat`` of MATLAB; ``.npy``,
+        ``.npz``.
     variable : str, optional
         The name of the matrix in a file with several.
 
     Returns
     -------
-    ndarray or sparse array
-        As the library reads it, to the bit.
+    ndarray, sparse array, or Labelled
+        To the bit; ``Labelled`` if the file has labels of nodes.
 
     Raises
     ------
@@ -53,11 +56,16 @@ def read(path: FilePath, variable: str | None = None) -> Any:
     try:
         found = reader(data)
     except Exception as error:  # whatever a library says of damaged bytes
+        why = "it ends too early" if isinstance(error, StopIteration) else error
         raise ParameterError(
-            f"{shown} is no {ending} file with a matrix, or it is damaged: {error}"
+            f"{shown} is no {ending} file with a matrix, or it is damaged: {why}"
         ) from error
     if isinstance(found, dict):
         found = _chosen(shown, found, variable)
+    if isinstance(found, Labelled):
+        if not found.dofs:
+            raise ParameterError(f"{shown} holds no matrix; export one")
+        return found
     kind = getattr(found, "dtype", np.dtype(object)).kind
     if kind not in "fiu" or len(getattr(found, "shape", ())) != 2:
         raise ParameterError(f"{shown} holds no real matrix; export one by itself")
@@ -78,16 +86,16 @@ def _chosen(shown: str, found: dict[str, Any], variable: str | None) -> Any:
     return found[one_of(f"the matrix in {shown}", variable, found)]
 
 
-def _matrix_market(data: bytes) -> Any:
+def _of_text(reader: Callable[[str], Any]) -> Callable[[bytes], Any]:
+    return lambda data: reader(data.decode("ascii"))
+
+
+def _mtx(data: bytes) -> Any:
+    if not data.startswith(b"%%MatrixMarket"):
+        return abaqus(data.decode("ascii"))
     from scipy.io import mmread
 
     return mmread(io.BytesIO(data))
-
-
-def _harwell_boeing(data: bytes) -> Any:
-    from scipy.io import hb_read
-
-    return hb_read(io.StringIO(data.decode("ascii")))
 
 
 def _matlab(data: bytes) -> Any:
@@ -109,12 +117,27 @@ def _archive(data: bytes) -> Any:
     return load_npz(io.BytesIO(data))
 
 
+def read_dofs(path: FilePath) -> tuple[Label, ...]:
+    """The degrees of freedom of rows, of the file ``.mapping`` that Ansys writes beside a matrix;
+    errors are those of :func:`read`.
+    """
+    shown = path_text(path)
+    try:
+        return mapping(contents(path, LARGEST, "a file .mapping").decode("ascii"))
+    except ValueError as error:
+        if isinstance(error, ParameterError):
+            raise
+        raise ParameterError(
+            f"{shown} is no .mapping of Ansys, or it is damaged: {error}"
+        ) from error
+
+
 #: The reader of each ending.
 READERS: dict[str, Callable[[bytes], Any]] = {
-    ".mtx": _matrix_market,
-    ".hb": _harwell_boeing,
-    ".rua": _harwell_boeing,
-    ".rsa": _harwell_boeing,
+    ".mtx": _mtx,
+    **dict.fromkeys((".matrix", ".hb", ".rua", ".rsa"), _of_text(harwell_boeing)),
+    ".op4": _of_text(output4),
+    **dict.fromkeys((".pch", ".bdf", ".dat"), _of_text(bulk)),
     ".mat": _matlab,
     ".npy": _numpy,
     ".npz": _archive,

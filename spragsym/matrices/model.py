@@ -2,18 +2,33 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any, NoReturn, TypeAlias
 
 import numpy as np
+from scipy.sparse import csr_array, issparse
 
 from ..core.errors import ModelError, ParameterError, ParameterTypeError
 from ..display import Column
+from ..files.text import path_text
 from ..models.model import Model, parameter_class
-from ..models.parameters import NOT_NEGATIVE, FloatArray, ParameterSet, as_mapping, as_numbers
+from ..models.parameters import (
+    NOT_NEGATIVE,
+    FloatArray,
+    ParameterSet,
+    as_count,
+    as_mapping,
+    as_numbers,
+)
 from ..numerics.definite import Pencil, Terms
+from .contacts import ContactPair, Dof, directions, read_contacts
+from .exports import Label, Labelled
+from .files import read, read_dofs
+from .reduction import basis
 
 #: A matrix: an array, a sparse one of SciPy, or the name of a file.
 Matrix: TypeAlias = Any
@@ -31,23 +46,38 @@ class MatrixModel(Model):
 
     Attributes
     ----------
-    given : mapping of str to ndarray
+    given : mapping of str to ndarray, of more than 1000 coordinates to sparse array
         The matrices by name: ``M``, ``C``, ``G``, ``K``, ``friction``, and those of the parameters.
+    dofs : tuple of (node, number)
+        The degree of freedom of each row, if it is known.
+    pairs : tuple of ContactPair
+        If ``friction`` was made of them.
+    full : MatrixModel or None
+        The model that was reduced, by ``basis``, and is meant up to ``highest_hz``.
     """
 
+    full: MatrixModel | None = None
+    basis: FloatArray
+    highest_hz: float = math.inf
+
     def __init__(
-        self, given: Mapping[str, FloatArray], names: Mapping[str, tuple[str, ...]]
+        self,
+        given: Mapping[str, Matrix],
+        names: Mapping[str, tuple[str, ...]],
+        dofs: tuple[Label, ...] = (),
+        pairs: tuple[ContactPair, ...] = (),
     ) -> None:
         self.given, self.names = dict(given), dict(names)
+        self.dofs, self.pairs = dofs, pairs
         entries = [
             _entry("mu", None, "friction coefficient", low=0.0),
-            _entry("Omega", None if np.any(given["G"]) else 0.0, "speed of rotation", "1/s"),
+            _entry("Omega", 0.0 if is_zero(given["G"]) else None, "speed of rotation", "1/s"),
             *(_entry(one, 0.0, f"stiffness in units of {one}") for one in names["stiffnesses"]),
             *(_entry(one, 0.0, f"damping in units of {one}") for one in names["dampings"]),
         ]
         about: dict[str, Any] = {
             "name": "matrices",
-            "summary": f"matrices of {len(given['M'])} coordinates",
+            "summary": f"matrices of {given['M'].shape[0]} coordinates",
             "drawing": "",
             "parameters": entries,
             "coordinates": [],
@@ -70,7 +100,7 @@ class MatrixModel(Model):
     @property
     def size(self) -> int:
         """Number of coordinates."""
-        return len(self.given["M"])
+        return int(self.given["M"].shape[0])
 
     @property
     def clock(self) -> str:
@@ -96,13 +126,13 @@ class MatrixModel(Model):
 
     def pencil(self, p: ParameterSet, vary: str) -> Pencil:
         """The matrices of a set of parameters as sums that depend on one of them."""
-        given, zero = self.given, np.zeros_like(self.given["M"])
+        given, zero = self.given, 0.0 * self.given["M"]
         parts = {"mu": given["friction"], "Omega": given["G"]} | given
         of_damping = ("Omega", *self.names["dampings"])
         fixed = {
             name: (p.scalars(name)[0], parts[name])
             for name in self.parameters
-            if name != vary and np.any(parts[name])
+            if name != vary and not is_zero(parts[name])
         }
         damping: Terms = ((1.0, given["C"]),)
         stiffness: Terms = ((1.0, given["K"]),)
@@ -114,11 +144,65 @@ class MatrixModel(Model):
         slopes = (parts[vary], zero) if vary in of_damping else (zero, parts[vary])
         return Pencil(given["M"], damping, stiffness, *slopes)
 
+    def reduced(self, modes: int, corrections: int | None = None) -> MatrixModel:
+        """The model in few coordinates: modes without friction and damping, and static corrections
+        to what the other matrices do.
+
+        Parameters
+        ----------
+        modes : int
+            How many; the model is meant up to two thirds of the frequency of the last.
+        corrections : int, optional
+            The most of these; as many as modes, by default.
+
+        Returns
+        -------
+        MatrixModel
+            Onsets of it have a column ``full_model``: those of the model itself, computed from
+            each of them.
+
+        Raises
+        ------
+        ParameterError
+            If there are not so many modes.
+
+        Examples
+        --------
+        >>> import numpy as np, spragsym as ss
+        >>> K = 1e6 * (2.0 * np.eye(40) - np.eye(40, k=1) - np.eye(40, k=-1))
+        >>> pair = ss.ContactPair(across=(10, 11), along=(12, 14), stiffness=1e6)
+        >>> m = ss.matrices(np.eye(40), K, [pair], rayleigh=(1.0, 1e-6)).reduced(12)
+        >>> on = ss.flutter_onsets(m.Parameters())
+        >>> m.size, on.mu.round(3), on.full_model.round(3)
+        (14, array([0.956]), array([0.954]))
+        """
+        most = as_count("modes", modes, 1, self.size - 1)
+        more = most if corrections is None else as_count("corrections", corrections, 0)
+        space, highest = basis(self.given, most, more)
+        given = {name: space.T @ (one @ space) for name, one in self.given.items()}
+        given["M"] = 0.5 * (given["M"] + given["M"].T)
+        found = MatrixModel(given, self.names)
+        found.full, found.basis, found.highest_hz = self, space, highest / (3.0 * np.pi)
+        return found
+
+    def require_small(self) -> None:
+        """Raise for a model that is only asked when it is reduced."""
+        if self.size > LARGEST:
+            raise ParameterError(
+                f"the model has {self.size} coordinates, more than {LARGEST}; reduce it, as "
+                "m.reduced(modes=100)"
+            )
+
     def __repr__(self) -> str:
         return f"matrices of {self.size} coordinates, parameters {', '.join(self.parameters)}"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return MatrixModel, (self.given, self.names)
+        own = {"full": self.full, "basis": self.__dict__.get("basis")}
+        return (
+            MatrixModel,
+            (self.given, self.names, self.dofs, self.pairs),
+            own | {"highest_hz": self.highest_hz},
+        )
 
 
 def _no_algebra() -> NoReturn:
@@ -153,6 +237,7 @@ def matrices(
     dampings: Mapping[str, Matrix] | None = None,
     damping_ratio: float | None = None,
     rayleigh: tuple[float, float] | None = None,
+    dofs: Sequence[Label] | str | os.PathLike[str] | None = None,
 ) -> MatrixModel:
     """A model of matrices, as of a finite-element program: vibrations about steady sliding.
 
@@ -163,7 +248,8 @@ def matrices(
     M, K, friction : array_like, sparse array, or path
         Mass, stiffness, and what stiffness the friction coefficient 1 adds; shape (n, n). M is
         symmetric and positive definite. A path is read by its ending, as
-        ``.mtx``, ``.mat``, ``.npy``.
+        ``.mtx``, ``.mat``, ``.npy``. In place of the matrix ``friction`` is a list of
+        :class:`ContactPair`, or a table of them, ``.csv``.
     C, G : likewise, optional
         Damping, and gyroscopic terms at the speed of rotation ``Omega`` = 1.
     stiffnesses, dampings : mapping of str to matrices, optional
@@ -172,6 +258,9 @@ def matrices(
         Adds damping of this ratio to every mode of M and the symmetric part of K.
     rayleigh : tuple of two floats, optional
         Adds the damping α M + β K.
+    dofs : sequence of (node, number), or path, optional
+        The degree of freedom of each row, or Ansys' file ``.mapping`` with them. Files with labels
+        of nodes bring their own: rows are those of M and K, in the order of nodes.
 
     Returns
     -------
@@ -195,47 +284,80 @@ def matrices(
     >>> onsets.mu.round(3), onsets.kind, onsets.complete
     (array([0.339]), array(['flutter'], dtype='<U10'), True)
     """
-    from .files import read
-
-    def dense(name: str, one: Matrix) -> FloatArray:
-        if isinstance(one, str | os.PathLike):
-            one = read(one)
-        if hasattr(one, "toarray"):
-            if max(one.shape) > LARGEST:
-                raise ParameterError(
-                    f"{name} has {one.shape[0]} coordinates, more than {LARGEST}; give those of "
-                    "a reduced model, as finite-element programs export them"
-                )
-            one = one.toarray()
-        return as_numbers(name, one)
-
-    given = {"M": dense("M", M), "K": dense("K", K), "friction": dense("friction", friction)}
-    zero = np.zeros_like(given["M"])
-    for name, one in (("C", C), ("G", G)):
-        given[name] = zero if one is None else dense(name, one)
     more = {
         "stiffnesses": as_mapping("stiffnesses", stiffnesses, '{"k_pad": K_pad}'),
         "dampings": as_mapping("dampings", dampings, '{"c_shim": C_shim}'),
     }
+    raw = {"M": M, "K": K, "friction": friction, "C": C, "G": G}
     for kind, named in more.items():
         for name, one in named.items():
-            if name in (*given, "mu", "Omega") or not str(name).isidentifier():
+            if name in (*raw, "mu", "Omega") or not str(name).isidentifier():
                 raise ParameterError(f"{kind} has the name {name!r}; give another, a word")
-            given[name] = dense(f"{kind}[{name!r}]", one)
-    n = len(given["M"]) if given["M"].ndim == 2 else 0
+            raw[name] = one
+    raw = {name: _read(one) for name, one in raw.items() if one is not None}
+    labels = read_dofs(dofs) if isinstance(dofs, str | os.PathLike) else tuple(dofs or ())
+    of_nodes = [raw[name].dofs for name in ("M", "K") if isinstance(raw[name], Labelled)]
+    labels = labels or tuple(sorted({*itertools.chain(*of_nodes)}))
+    places: dict[Dof, int] = {one: place for place, one in enumerate(labels)}
+    pairs = raw["friction"] if _are_pairs(raw["friction"]) else ()
+    given = {name: _dense(name, raw[name], places) for name in raw if raw[name] is not pairs}
+    n = int(given["M"].shape[0]) if given["M"].ndim == 2 else 0
+    if pairs:
+        W_n, W_t, stiffness = directions(pairs, n, places)
+        given["friction"] = _dense("friction", csr_array(W_t.T * stiffness) @ csr_array(W_n), {})
+    for name in ("C", "G"):
+        given.setdefault(name, 0.0 * given["M"])
     for name, each in given.items():
         if each.shape != (n, n) or not n:
             raise ParameterError(
                 f"{name} has the shape {each.shape}; all matrices are square, of the size of M"
             )
     own = given["M"]
-    if not np.allclose(own, own.T, rtol=0.0, atol=1e-10 * np.abs(own).max()) or not _positive(own):
+    if abs(own - own.T).max() > 1e-10 * abs(own).max() or not _positive(own):
         raise ParameterError("M is no mass matrix: it must be symmetric and positive definite")
     given["C"] = given["C"] + _damping(given, damping_ratio, rayleigh)
-    return MatrixModel(given, {kind: tuple(named) for kind, named in more.items()})
+    names = {kind: tuple(named) for kind, named in more.items()}
+    return MatrixModel(given, names, labels, tuple(pairs))
 
 
-def _positive(matrix: FloatArray) -> bool:
+def _are_pairs(one: Matrix) -> bool:
+    listed = isinstance(one, list | tuple) and len(one) > 0
+    return listed and all(isinstance(each, ContactPair) for each in one)
+
+
+def _read(one: Matrix) -> Matrix:
+    """A matrix, or contact pairs, from a file if it is a path."""
+    if not isinstance(one, str | os.PathLike):
+        return one
+    return read_contacts(one) if path_text(one).lower().endswith(".csv") else read(one)
+
+
+def _dense(name: str, one: Matrix, places: Mapping[Dof, int]) -> Matrix:
+    """A matrix as an array of floats; a large sparse one as it is."""
+    if isinstance(one, Labelled):
+        unknown = [each for each in one.dofs if each not in places]
+        if unknown:
+            raise ParameterError(
+                f"{name} has the degree of freedom {unknown[0]}, which neither M nor K has"
+            )
+        one = one.over(places)
+    if issparse(one):
+        if max(one.shape) > LARGEST:
+            as_numbers(name, one.data)
+            return one
+        one = one.toarray()
+    return as_numbers(name, one)
+
+
+def is_zero(matrix: Matrix) -> bool:
+    """Whether all elements are 0."""
+    return not abs(matrix).max()
+
+
+def _positive(matrix: Matrix) -> bool:
+    """Whether it is positive definite; of a large sparse one the diagonal is looked at."""
+    if issparse(matrix):
+        return bool((matrix.diagonal() > 0).all())
     try:
         np.linalg.cholesky(matrix)
     except np.linalg.LinAlgError:
@@ -244,14 +366,19 @@ def _positive(matrix: FloatArray) -> bool:
 
 
 def _damping(
-    given: Mapping[str, FloatArray],
+    given: Mapping[str, Matrix],
     ratio: float | None,
     rayleigh: tuple[float, float] | None,
-) -> FloatArray:
+) -> Matrix:
     """Damping of one ratio of all modes, and of Rayleigh's two factors."""
     M, K = given["M"], given["K"]
-    total = np.zeros_like(M)
+    total = 0.0 * M
     if ratio is not None:
+        if issparse(M):
+            raise ParameterError(
+                f"damping_ratio = {ratio!r} is that of all modes, which {M.shape[0]} coordinates "
+                "have too many of; give rayleigh, or C"
+            )
         from scipy.linalg import eigh
 
         share = as_numbers("damping_ratio", ratio, NOT_NEGATIVE)

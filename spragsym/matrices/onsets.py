@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.linalg.lapack import zgetrf, zgetrs
 
 from ..core.progress import doing, tell
 from ..numerics.definite import Middle, Pencil, Series, Window, window
 from ..numerics.interval_arrays import BoolArray, ComplexArray
 from .options import MatrixOptions
+from .reduction import inverse
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,10 @@ class OnsetSearch:
                 )
         self.stretches.sort(key=lambda one: one.low)
         self.crossings.sort(key=lambda one: one.value)
-        self.undecided.sort()
+        self.undecided = [
+            (min(one for one, _ in group), max(one for _, one in group))
+            for group in _touching(sorted(self.undecided))
+        ]
         return self
 
     def merged(self) -> list[Stretch]:
@@ -99,6 +102,9 @@ class OnsetSearch:
                 yield (*ends, None)
             return
         left = right = t
+        if guess is None and middle.is_neutral(0.5 * (high - low)):
+            self.undecided.append((low, high))
+            return
         if guess is None:
             signs, free = middle.values.real, self._near(middle, max(high - t, t - low))
             sides = (Series(middle, signs, self.options.terms, free),) * 2
@@ -122,8 +128,8 @@ class OnsetSearch:
         if not near.size:
             return None
         frequency = abs(float(middle.values[near[0]].imag))
-        value = polished(self.pencil, self.growth, end, frequency)
-        return value if value is not None and abs(value - end) <= reach else None
+        found = polished(self.pencil, self.growth, end, frequency)
+        return found[0] if found is not None and abs(found[0] - end) <= reach else None
 
     def _middle(self, t: float) -> Middle | None:
         """The eigenbasis at a value; None if floats have none."""
@@ -205,13 +211,24 @@ class OnsetSearch:
             return None
         index = int(np.where(passed.any(axis=0), passed.argmax(axis=0), len(steps)).argmin())
         step = int(passed[:, index].argmax())
-        value = polished(
+        found = polished(
             self.pencil, self.growth, middle.t + float(steps[step]), abs(along[step, index].imag)
         )
-        if value is None or not ends[0] - slack <= value <= ends[1] + slack:
+        if found is None or not ends[0] - slack <= (value := found[0]) <= ends[1] + slack:
             return None
         known = any(abs(value - one.value) <= one.proof.half for one in self.crossings)
         return None if known else value
+
+
+def _touching(spans: list[tuple[float, float]]) -> list[list[tuple[float, float]]]:
+    """Spans in their order, those that touch together."""
+    groups: list[list[tuple[float, float]]] = []
+    for one in spans:
+        if groups and one[0] <= groups[-1][-1][1]:
+            groups[-1].append(one)
+        else:
+            groups.append([one])
+    return groups
 
 
 def _partner(middle: Middle, index: int) -> float:
@@ -226,23 +243,31 @@ def _partner(middle: Middle, index: int) -> float:
     return float(middle.values[int(bends.argmax())].imag)
 
 
-def polished(pencil: Pencil, growth: float, value: float, frequency: float) -> float | None:
-    """The parameter at which an eigenvalue has the real part ``growth``, by Newton in floats."""
-    M, size = pencil.mass, len(pencil.mass)
+def polished(
+    pencil: Pencil,
+    growth: float,
+    value: float,
+    frequency: float,
+) -> tuple[float, float] | None:
+    """The parameter at which an eigenvalue has the real part ``growth``, and its frequency, by
+    Newton in floats.
+    """
+    M = pencil.mass
     s, step = complex(growth, frequency), np.inf
-    q: ComplexArray = np.ones(size, dtype=complex)
-    y = q.copy()
+    q: ComplexArray = np.ones(M.shape[0], dtype=complex)
+    y: ComplexArray = np.ones(M.shape[0], dtype=complex)
     for turn in range(30):
-        D, S = pencil.at(value)
-        L = s * s * M + s * D + S
-        lu, pivots, singular = zgetrf(L)
-        if singular:  # it is an eigenvalue, to the bit
-            return value
+        D, _ = pencil.at(value)
+        L = pencil.dynamic_stiffness(s, value)
+        try:
+            solve, solve_transposed = inverse(L)
+        except np.linalg.LinAlgError:  # it is an eigenvalue, to the bit
+            return value, abs(s.imag)
         dL = 2.0 * s * M + D
         for _ in range(3 if turn == 0 else 1):
-            q = zgetrs(lu, pivots, dL @ q)[0]
+            q = solve(dL @ q)
             q /= np.linalg.norm(q)
-            y = zgetrs(lu, pivots, dL.T @ y, trans=1)[0]
+            y = solve_transposed(dL.T @ y)
             y /= np.linalg.norm(y)
         by_s = y @ (dL @ q)
         by_t = y @ ((s * pencil.damping_slope + pencil.stiffness_slope) @ q)
@@ -256,5 +281,5 @@ def polished(pencil: Pencil, growth: float, value: float, frequency: float) -> f
         if abs(step) <= 4e-16 * max(abs(value), 1e-3 * abs(step)) or (
             turn > 4 and abs(step) <= 1e-12 * abs(value)
         ):
-            return value
+            return value, abs(s.imag)
     return None

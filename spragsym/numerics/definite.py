@@ -14,6 +14,7 @@ included; the matrices themselves are taken as they are, as floats.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from math import comb
@@ -75,6 +76,33 @@ class Pencil:
             _size((*self.damping, (t, self.damping_slope))),
             _size((*self.stiffness, (t, self.stiffness_slope))),
         )
+
+    def dynamic_stiffness(self, s: complex, t: float) -> ComplexArray:
+        """s² M + s D + S, rounded."""
+        D, S = self.at(t)
+        return (s * s * self.mass + s * D + S).astype(complex)
+
+    @property
+    def transposed(self) -> Pencil:
+        """That of the left vectors."""
+        return self._each(lambda one: one.T)
+
+    def within(self, space: FloatArray) -> Pencil:
+        """Its projection on the columns of an array."""
+        return self._each(lambda one: space.T @ (one @ space))
+
+    def _each(self, change: Callable[[FloatArray], FloatArray]) -> Pencil:
+        damping, stiffness = (
+            tuple((of, change(one)) for of, one in part) for part in (self.damping, self.stiffness)
+        )
+        slopes = change(self.damping_slope), change(self.stiffness_slope)
+        return Pencil(change(self.mass), damping, stiffness, *slopes)
+
+    def nearest(self, t: float, s: complex) -> tuple[ComplexArray, ComplexArray]:
+        """The two eigenvalues that are nearest to s, and their vectors as rows."""
+        values, vectors = self.eigenbasis(t)
+        two = np.abs(values - s).argsort()[:2]
+        return values[two], vectors.T[two]
 
     @property
     def order(self) -> int:
@@ -234,6 +262,12 @@ class Middle:
         bends = (B * B.T / np.where(away == 0, np.inf, away)).sum(axis=1)
         rows = np.r_[:p, 2 * p : len(values)]
         return np.array([self.values, np.diagonal(B)[rows], bends[rows]])
+
+    def is_neutral(self, reach: float) -> bool:
+        """Whether an eigenvalue stays at η up to roundings as far as ±``reach``, by floats."""
+        paths = np.abs(self.paths.real)
+        small = 1e-12 * float(np.abs(self.values).max())
+        return bool((reach ** np.arange(3) @ paths <= small).any())
 
     def in_pairs(self, matrix: FloatArray) -> ComplexArray:
         """A matrix of the real basis in the basis of all pairs x, their conjugates, and real x."""

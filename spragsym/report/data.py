@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from ..core.errors import ParameterError, SpragsymError, hint
+from ..core.errors import ModelError, ParameterError, SpragsymError, hint
 from ..core.type_variables import T
 from ..design.sampling import Correlation, dependence
 from ..files.text import FilePath, brake_text, path_text, printed, toml_of
@@ -52,8 +52,8 @@ def read_brake(path: FilePath, trust: bool | str = False) -> Study:
     return _FileReader(path_text(path), brake_text(path)).read(trust)
 
 
-class _FileReader:
-    """Reader of the text of a file, which adds file and line to errors."""
+class DataFile:
+    """The text of a file in TOML; errors bear the file and the line."""
 
     def __init__(self, path: str, text: str) -> None:
         self.path, self.text, self.lines = path, text, text.splitlines()
@@ -79,6 +79,29 @@ class _FileReader:
             yield
         except SpragsymError as error:
             raise ParameterError(f"{self.of(key)}: {before}{error}") from error
+
+    def content(self) -> dict[str, Any]:
+        """The data of the text."""
+        try:
+            return toml_of(self.text)
+        except ValueError as error:
+            raise ParameterError(self._syntax(str(error))) from error
+
+    def _syntax(self, message: str) -> str:
+        """Message for a syntax error, with the line and an example, from that of tomllib."""
+        found = re.search(r" \(at line (\d+), column \d+\)", message)  # else at the end
+        number = int(found[1]) if found else len(self.lines)
+        line = self.lines[number - 1].strip() if 0 < number <= len(self.lines) else ""
+        key = line.partition("=")[0].strip()
+        example = example_of(key, quantities(USUAL).units.get(key, "kg"))
+        cure = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
+        if "overwrite" in message or "twice" in message:
+            cure = f"{key} is there twice; keep one of the two"
+        return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
+
+
+class _FileReader(DataFile):
+    """Reader of a file with a table [brake]."""
 
     def read(self, trust: bool | str) -> Study:
         """The study that the file describes."""
@@ -117,17 +140,17 @@ class _FileReader:
                         f"{key} = {value!r} is not a quantity of the model {model}{remark}"
                     )
                 unit = kind.units[key]
-                _looked_at(read if unit == "1" else check_words, key, value, unit, ranges[key])
+                looked_at(read if unit == "1" else check_words, key, value, unit, ranges[key])
         with self.at("damping_ratio"):
             ratio = own["damping_ratio"]
             if ratio is not None:
-                ratio = _looked_at(read_exact, "damping_ratio", ratio, "1", RATIO)
+                ratio = looked_at(read_exact, "damping_ratio", ratio, "1", RATIO)
         with self.at("vary"):
             check_load(kind, own["vary"])
         self._check_missing(table.keys(), own, kind, dampers)
         for key, value in table.items():
             with self.at(key):
-                found[key] = _looked_at(read, key, value, kind.units[key], ranges[key])
+                found[key] = looked_at(read, key, value, kind.units[key], ranges[key])
         with self.at("friction", f"friction = {own['friction']!r}: "):
             fit = None if own["friction"] is None else self._friction(own["friction"], found, kind)
         data: dict[str, Any] = {"model": kind.model.where, "damping_ratio": ratio, "fit": fit}
@@ -165,10 +188,13 @@ class _FileReader:
 
     def _table(self) -> dict[str, Any]:
         """The table [brake], the only one in the file."""
-        try:
-            content = toml_of(self.text)
-        except ValueError as error:
-            raise ParameterError(self._syntax(str(error))) from error
+        content = self.content()
+        if "matrices" in content:
+            raise ModelError(
+                f"{self.path} is a brake of matrices, which tell small vibrations about one state "
+                f"of sliding: ask spragsym squeal {self.path}; equilibria, folds, cusps, jumps, "
+                "motions, cycles, fates and basins are not asked of it, nor is it explored"
+            )
         if not content:
             raise ParameterError(
                 f"{self.path} is empty: [brake] is missing; begin with a line [brake]"
@@ -184,18 +210,6 @@ class _FileReader:
         raise ParameterError(
             f"{where}: {other!r} does not belong here{missing}; all keys go below one line [brake]"
         )
-
-    def _syntax(self, message: str) -> str:
-        """Message for a syntax error, with the line and an example, from that of tomllib."""
-        found = re.search(r" \(at line (\d+), column \d+\)", message)  # else at the end
-        number = int(found[1]) if found else len(self.lines)
-        line = self.lines[number - 1].strip() if 0 < number <= len(self.lines) else ""
-        key = line.partition("=")[0].strip()
-        example = example_of(key, quantities(USUAL).units.get(key, "kg"))
-        cure = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
-        if "overwrite" in message or "twice" in message:
-            cure = f"{key} is there twice; keep one of the two"
-        return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
 
     def _friction(self, given: object, found: dict[str, Measured], kind: Quantities) -> FrictionFit:
         """Fit of the measured friction in a file; adds μ₀ and d with their standard errors, as
@@ -226,7 +240,7 @@ def _trusted(name: object, trust: bool | str) -> Quantities:
     return quantities(name)
 
 
-def _looked_at(how: Callable[..., T], key: str, given: object, unit: str, allowed: Range) -> T:
+def looked_at(how: Callable[..., T], key: str, given: object, unit: str, allowed: Range) -> T:
     """Result of ``how``, a function to read or check a text, for the value of a key."""
     example = OWN_EXAMPLES.get(key, "")
     if (
@@ -286,8 +300,7 @@ def _state(given: object, kind: Quantities) -> Numbers:
             f"state = {given!r} does not name coordinates; write state = {{ {example} }}"
         )
     return {
-        name: _looked_at(read_exact, name, text, units[name], FINITE)
-        for name, text in given.items()
+        name: looked_at(read_exact, name, text, units[name], FINITE) for name, text in given.items()
     }
 
 
@@ -298,7 +311,7 @@ def _may_change(given: object, kind: Quantities) -> Ranges:
         cure = f'write may_change = {{ {name} = "{example_of(name, kind.units[name])}" }}'
         raise ParameterError(f"may_change = {given!r} does not name quantities; {cure}")
     ends = {
-        name: _looked_at(read, name, text, kind.units[name], kind.ranges()[name])
+        name: looked_at(read, name, text, kind.units[name], kind.ranges()[name])
         for name, text in given.items()
     }
     return {name: spanned(kind, name, (one.low, one.high)) for name, one in ends.items()}
@@ -309,7 +322,7 @@ def _rise(
 ) -> LoadParameter | None:
     units = kind.units
     if begin is not None and vary in units:
-        begin = _looked_at(read_exact, "begin", begin, units[vary], FINITE)
+        begin = looked_at(read_exact, "begin", begin, units[vary], FINITE)
     return load_parameter_of(kind, vary, begin, {name: one.value for name, one in found.items()})
 
 

@@ -123,6 +123,7 @@ WRITING = {
     ),
     "check": ("--report", "a.md"),
     "report": (f"--no-oscillation '{BRAKE}' --html", "a.html"),
+    "squeal": ("--example", "brake.toml"),
     "simulate": (f"{MOTION} -o", "a.csv"),
     "cycles": ("--theta0 42 --vary theta0=41.9:42.1 --plot", "a.svg"),
     "sweep": (f"{MOTION} --quiet -o", "a.csv"),
@@ -134,7 +135,7 @@ WRITING = {
 }
 
 #: Those that are told a folder.
-FOLDERS = ("figures", "export", "derive")
+FOLDERS = ("figures", "export", "derive", "squeal")
 
 
 def in_the_way(command: str, folder: Path) -> tuple[list[str], Path]:

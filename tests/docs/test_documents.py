@@ -358,10 +358,12 @@ def test_commands_of_the_pages_on_brakes_and_clusters_run(tmp_path: Path) -> Non
 
 @pytest.mark.thorough
 @needs_a_quick_integrator
-def test_the_page_on_squeal_runs(tmp_path: Path) -> None:
-    """The file that it shows, its commands one after another, and its Python."""
-    page = DOCS / "howto_squeal.md"
-    (tmp_path / "squeal.toml").write_text(fenced(page, "toml")[0], encoding="utf-8")
+@pytest.mark.parametrize("name", ["howto_squeal", "howto_finite_elements"])
+def test_the_pages_on_squeal_run(name: str, tmp_path: Path) -> None:
+    """The file that one shows, its commands one after another, and its Python."""
+    page = DOCS / f"{name}.md"
+    for text in fenced(page, "toml"):
+        (tmp_path / "squeal.toml").write_text(text, encoding="utf-8")
     for command, output in commands(page):
         assert_shown(output, run(command, tmp_path))
     test = doctest.DocTestParser().get_doctest(fenced(page, "python")[0], {}, page.name, None, 0)

@@ -1,0 +1,103 @@
+"""Frequencies and damping ratios of a brake of matrices over a parameter, and its page."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..files.text import filled
+from ..matrices.answers import MatrixOnsets
+from ..models.parameters import Span
+from ..report.squeal import SquealReport
+from .curves import shade
+from .report_pages import picture
+from .style import BLUE, SKY, VERMILION, Sheet, own_axes, panels, symbol
+
+
+def squeal_figure(found: MatrixOnsets, band: Span | None = None) -> Sheet:
+    """Frequency and damping ratio of the modes over the parameter; ``band`` are frequencies in Hz
+    of those that are shown.
+    """
+    figure, ((top,), (low,)) = panels(2, 1, 5.0, 5.6, sharex=True)
+    draw_squeal(found, top, band=band)
+    draw_squeal(found, low, band=band, damping=True)
+    top.set_xlabel("")
+    return figure.describe(_caption(found))
+
+
+def _caption(found: MatrixOnsets) -> str:
+    name = found.vary
+    text = (
+        f"Modes over {name}, by floats; orange: they grow faster than {found.threshold:.3g} 1/s. "
+    )
+    text += f"Lines: the onsets. Shaded: some mode grows so, proved for each {name} in it."
+    return text + " Hatched: undecided." * bool(len(found.undecided))
+
+
+def draw_squeal(
+    found: MatrixOnsets,
+    ax: Axes | None = None,
+    *,
+    band: Span | None = None,
+    damping: bool = False,
+    **options: object,
+) -> list[object]:
+    """Draw frequencies of the modes over the parameter, or their damping ratios if ``damping``;
+    shaded where one grows faster than the threshold.
+    """
+    ax, (low, high) = own_axes(ax), found.between
+    values, each = found.eigenvalues
+    hertz = each.imag / (2.0 * np.pi)
+    shown = np.ones(len(each), dtype=bool)
+    if band is not None:
+        shown = (hertz >= band[0]) & (hertz <= band[1])
+    heights = -each.real / np.maximum(np.abs(each), 1e-300) if damping else hertz
+    drawn: list[object] = []
+    for growing, colour, word in ((False, BLUE, "decays"), (True, VERMILION, "grows")):
+        here = shown & ((each.real > found.threshold) == growing)
+        style = {"color": colour, "markersize": 1.6, "label": word, **options}
+        drawn += ax.plot(values[here], heights[here], ".", **style)  # type: ignore[arg-type]
+    for start, end, count in found.growing:
+        if count:
+            ax.axvspan(start, end, facecolor=SKY, alpha=0.3, linewidth=0.0, zorder=0)
+    for row in found:
+        ax.axvline(row[found.vary], color=VERMILION, linewidth=0.7, linestyle=":")
+    shade(ax, found.parameters.model, found.vary, found.undecided)
+    if damping:
+        ax.axhline(0.0, color="#777777", linewidth=0.8)
+        ax.set_ylabel("damping ratio")
+    else:
+        ax.set_ylabel("frequency in Hz")
+        ax.set_ylim(*(band or (0.0, None)))
+    ax.set_xlim(low, high)
+    ax.set_xlabel(f"${symbol(found.vary)}$")
+    return drawn
+
+
+def squeal_page(report: SquealReport) -> str:
+    """Text of a self-contained HTML page with a report on squeal (extra ``plot``)."""
+    study, found = report.study, report.onsets
+    draw = partial(draw_squeal, found, band=study.band)
+    captions = (
+        _caption(found),
+        f"Damping ratios of the same modes over {study.vary}; below 0 they grow.",
+    )
+    return filled(
+        "spragsym.figures",
+        "report.html",
+        "the page of a report",
+        title=study.title or "Squeal report",
+        about=f"{study.source}, {study.parameters.model.about['summary']}",
+        verdict=report.verdict(),
+        steps=[],
+        warnings=report.remarks(),
+        drawn=[
+            (picture(partial(draw, damping=damping)), caption)
+            for damping, caption in zip((False, True), captions, strict=True)
+        ],
+        headed=report.sections().items(),
+        mechanism="",
+        drawing="",
+    )

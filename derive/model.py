@@ -200,6 +200,8 @@ def expression_of(value: object) -> Expr:
         raise refused(
             f"here is {said}; give an expression of parameters and coordinates, or a number"
         ) from error
+    if not isinstance(expression, Expr):
+        raise refused(f"here is {value!r:.60}; give an expression, or a number")
     if expression.has(sinh, cosh):
         for function in (sinh, cosh):
             expression = expression.replace(
@@ -489,6 +491,8 @@ class Page:
 
     def _pressed(self, contact: Contact) -> Contact:
         _check_texts(name=contact.name)
+        if not isinstance(contact.unilateral, bool):
+            raise refused(f"unilateral = {contact.unilateral!r:.60} is neither True nor False")
         self.contacts.append(contact)
         return contact
 

@@ -2,6 +2,7 @@
 
 import ast
 import hashlib
+import inspect
 import re
 import traceback
 from dataclasses import dataclass
@@ -138,12 +139,19 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
 
 
 def _said(error: BaseException) -> str:
-    """The text of an error in a page, with the remedy for a missing name."""
+    """The text of an error in a page, with the remedy for a missing name or a wrong argument."""
     said = f"{type(error).__name__}: {error}"
     names = f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}"
     if isinstance(error, ImportError):
         return f"{str(error).partition(' (')[0]}; {names}"  # without the place of the package
     forcing = f": {Limit.FORCING}" if getattr(error, "name", None) in ("t", "time") else ""
+    call = re.match(r"(Page\.)?(\w+)\(\) (.+)", str(error))
+    asked = call and vars(Page if call[1] else vocabulary).get(call[2])
+    if call and isinstance(error, TypeError) and inspect.isfunction(asked):
+        is_page = call[2] == "__init__"  # its other fields are what statements add to
+        taken = [it for it in inspect.signature(asked).parameters if it != "self"]
+        name = "Page" if is_page else f"page.{call[2]}" if call[1] else call[2]
+        return f"{name}: {call[3]}; it takes {', '.join(taken[:1] if is_page else taken)}"
     if isinstance(error, NameError):
         return said + (forcing or f"; define it above, or import it: {names}")
     if isinstance(error, AttributeError) and isinstance(error.obj, Page):

@@ -7,6 +7,7 @@ Exit codes: 0 done; 1 a check did not hold or a computation failed; 2 usage, bad
 import codecs
 import importlib
 import os
+import re
 import sys
 import traceback
 import warnings
@@ -151,10 +152,10 @@ def _in_latin(error: UnicodeError) -> tuple[str, int]:
 def _require_epoch() -> None:
     """Raise if the environment has a date that NumPy and matplotlib can't read."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH", "0")
-    if not epoch.isdecimal():
+    if not re.fullmatch("[0-9]{1,11}", epoch):  # until the year 5138
         raise ParameterError(
-            f"SOURCE_DATE_EPOCH = {epoch!r:.60} of the environment is no whole number of seconds; "
-            "unset it, or give one"
+            f"SOURCE_DATE_EPOCH = {epoch!r:.60} of the environment is no whole number of seconds "
+            "of up to 11 digits; unset it, or give one"
         )
 
 

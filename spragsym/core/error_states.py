@@ -8,7 +8,7 @@ import builtins
 import functools
 import inspect
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, Literal, get_args, get_origin
 
 import numpy as np
 
@@ -85,13 +85,19 @@ def _require_kinds(
 def _may_be(word: str, value: object, general: Callable[..., Any]) -> bool:
     """Whether a value may be of the class that a word of an annotation names.
 
-    True for numbers and sequences, in whose place arrays may be given, and for unknown names.
+    True for sequences, in whose place arrays may be given, and for unknown names.
     """
     kind = general.__globals__.get(word) or getattr(builtins, word, None)
     if word == "None":
         return value is None
     if word.endswith("Options"):  # imported by type checkers only
         return word in (base.__name__ for base in type(value).__mro__)
-    if not isinstance(kind, type) or kind in (float, int, bool, Sequence):
+    if get_origin(kind) is Literal:
+        return isinstance(value, str) and value in get_args(kind)
+    if get_origin(kind) is Mapping:
+        return isinstance(value, Mapping)
+    if kind in (float, int, bool):
+        return np.ndim(value) == 0  # type: ignore[arg-type]
+    if not isinstance(kind, type) or kind is Sequence:
         return True
     return isinstance(value, kind)

@@ -169,9 +169,9 @@ def space(
     require_kind(what, change, Iterable, "names of what may change, or tolerances by name")
     names = (change,) if isinstance(change, str) else tuple(change)
     for name in names:
-        if name not in design.given:
+        if not isinstance(name, str) or name not in design.given:
             raise ParameterError(
-                f"{name!r} in {what} is not a quantity here; the quantities are "
+                f"{name!r:.60} in {what} is not a quantity here; the quantities are "
                 f"{', '.join(design.given)}"
             )
     if not names:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.error_states import in_usual_state
-from ..core.errors import ConvergenceError, ParameterError, one_of, require_kind
+from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError, one_of, require_kind
 from ..core.progress import advance
 from ..core.questions import Method, model_of
 from ..display import Table
@@ -161,7 +161,8 @@ def estimated(variables: Mapping[str, Any], event: Event, sampling: Sampling) ->
             "use jump_value"
         )
     together, rng = dependence(varied, sampling.correlation), sampling.rng
-    n, replicates = as_count("n", sampling.n, 2), as_count("replicates", sampling.replicates, 2)
+    n = as_count("n", sampling.n, 2, 2**40)
+    replicates = as_count("replicates", sampling.replicates, 2, 2**16)
     confidence = as_number("confidence", sampling.confidence)
     if not 0 < confidence < 1:
         raise ParameterError(
@@ -417,11 +418,13 @@ def jump_probability(
             {*quantities(subject.where).units} - {*subject.parameters}
         )
     subject.require_answered("jump_probability")
+    if not isinstance(sobol, bool | np.bool_):
+        raise ParameterTypeError(f"sobol = {sobol!r:.60} is neither True nor False; give one")
     n = as_count("n", n, 2)
     subject = subject.search if method == "search" else subject
     kind = quantities(subject.where) if in_si else None
     variables = _variables(subject, kind, distribution)
-    vary, begin = subject.rising(vary, begin)
+    vary, begin = subject.rising(vary, None if begin is None else as_number("begin", begin))
     event = _JumpEvent(subject, kind, vary, begin, method)
     if max_boxes and (correlation or kind):
         said = "quantities in SI" if kind else "correlation"

@@ -13,6 +13,7 @@ from functools import cache, cached_property
 from typing import Any, ClassVar, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..core.errors import (
     ModelError,
@@ -284,6 +285,30 @@ class Scales(Tabular):
         return si, float(math.prod(size**power for size, power in zip(sizes, powers, strict=True)))
 
 
+def in_si(
+    given: Mapping[str, ArrayLike], allowed: Mapping[str, Range]
+) -> tuple[dict[str, FloatArray], bool]:
+    """The given quantities in SI, checked, and whether they have units.
+
+    Raises
+    ------
+    ParameterTypeError
+        If some have units and others, which are not 0, have none; errors of ``as_numbers``.
+    """
+    found, bare, carrying = dict[str, FloatArray](), list[str](), list[str]()
+    for name, value in given.items():
+        carried = Carried(name, allowed[name].unit)
+        found[name] = as_numbers(name, value, allowed[name], carried)
+        if allowed[name].unit not in ("1", "rad") and found[name].any():  # 0 is 0 in any unit
+            (carrying if carried.units - {""} else bare).append(name)
+    if bare and carrying:
+        raise ParameterTypeError(
+            f"{', '.join(carrying)} with units, and {', '.join(bare)} without: the numbers may be "
+            "of another system of units; give units to all of them, or to none"
+        )
+    return found, bool(carrying)
+
+
 @dataclass(frozen=True, eq=False)
 class QuantityValues(Values):
     """The quantities of a model in SI or any consistent system of units, scalars or arrays that
@@ -296,25 +321,23 @@ class QuantityValues(Values):
 
     #: Class of the dimensionless parameters.
     of_model: ClassVar[type[ParameterSet]]
+    #: Whether the numbers were given with units.
+    has_units: ClassVar[bool] = False
 
     @property
     def _of_model(self) -> Model:
         return self.of_model.model_of_class()
 
     def __post_init__(self) -> None:
-        bare, carrying = list[str](), list[str]()
-        for name, allowed in self.kind.ranges().items():
-            if getattr(self, name) is not None or name not in self.kind.of_the_law:
-                carried = Carried(name, allowed.unit)
-                array = as_numbers(name, getattr(self, name), allowed, carried)
-                if allowed.unit not in ("1", "rad") and array.any():  # 0 is 0 in any unit
-                    (carrying if carried.units - {""} else bare).append(name)
-                object.__setattr__(self, name, array if array.ndim else float(array))
-        if bare and carrying:
-            raise ParameterTypeError(
-                f"{', '.join(carrying)} with units, and {', '.join(bare)} without: the numbers may "
-                "be of another system of units; give units to all of them, or to none"
-            )
+        ranges, optional = self.kind.ranges(), self.kind.of_the_law
+        given = {name: getattr(self, name) for name in ranges}
+        found, has_units = in_si(
+            {name: it for name, it in given.items() if it is not None or name not in optional},
+            ranges,
+        )
+        object.__setattr__(self, "has_units", has_units)
+        for name, array in found.items():
+            object.__setattr__(self, name, array if array.ndim else float(array))
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
 
     def __getattr__(self, name: str) -> Any:

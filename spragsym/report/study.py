@@ -17,13 +17,15 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..core.errors import ParameterError, hint, one_of
+from ..core.errors import ParameterError, ParameterTypeError, hint, one_of
 from ..core.progress import doing, show_progress
 from ..core.remarks import Remark
 from ..design.sampling import Correlation, Dependence, dependence
 from ..models.load import USUAL, WITH_DAMPERS
 from ..models.parameters import (
+    FINITE,
     POSITIVE,
+    Carried,
     ParameterSet,
     Range,
     Ranges,
@@ -32,7 +34,15 @@ from ..models.parameters import (
     as_number,
     as_range,
 )
-from ..models.quantities import Quantities, QuantityValues, Scales, factor, quantities, share
+from ..models.quantities import (
+    Quantities,
+    QuantityValues,
+    Scales,
+    factor,
+    in_si,
+    quantities,
+    share,
+)
 from ..results.result import in_unit
 from .damping import RATIO, modal_dampers
 from .friction_fit import FrictionFit
@@ -136,7 +146,7 @@ class Study:
         Tolerances of quantities by name: the largest deviation, as a number in SI; the two ends, as
         a tuple; or text such as ``"15 %"``, ``"1 deg"``, ``"[150, 210] N/mm"`` or, for a standard
         deviation, ``"sd 5 %"``. If the value is not between two given ends, their midpoint replaces
-        it.
+        it. Where ``parameters`` have units, tolerances of quantities with a dimension have too.
     correlation : mapping of pairs of names to float, optional
         Correlated quantities, see :func:`spragsym.jump_probability`.
     model : str, optional
@@ -211,12 +221,14 @@ class Study:
             self.damping_ratio = as_number("damping_ratio", damping_ratio, RATIO)
         kind = quantities(model)
         off = as_mapping("tolerance", tolerance, '{"mu0": "10 %"}')
-        given, allowed = _given(parameters, kind, self.damping_ratio), kind.ranges()
-        for name in off:
+        (given, have_units), allowed = _given(parameters, kind, self.damping_ratio), kind.ranges()
+        for name, given_off in off.items():
             if name not in given:
                 raise ParameterError(
                     f"tolerance of {name!r}: no such quantity{hint(name, kind.units)}; leave it out"
                 )
+            if have_units and kind.units[name] not in ("1", "rad"):
+                _require_units(name, given_off, kind.units[name])
         self.model = model
         self.correlation = as_mapping("correlation", correlation, '{("k", "k_x"): 0.9}')
         self.state = {
@@ -618,9 +630,14 @@ class Study:
         return f"{type(self).__name__}({words})"
 
 
-def _given(parameters: object, kind: Quantities, damping_ratio: float | None) -> Numbers:
-    """The given quantities in SI, checked; ParameterError for unknown or missing ones."""
+def _given(
+    parameters: object, kind: Quantities, damping_ratio: float | None
+) -> tuple[Numbers, bool]:
+    """The given quantities in SI, checked, and whether they have units; ParameterError for unknown
+    or missing ones.
+    """
     allowed, model = kind.ranges(), kind.model.where
+    had_units = getattr(parameters, "has_units", False)
     if isinstance(parameters, QuantityValues) and model in (USUAL, WITH_DAMPERS[USUAL]):
         parameters = parameters.known
     if not isinstance(parameters, Mapping):
@@ -638,7 +655,22 @@ def _given(parameters: object, kind: Quantities, damping_ratio: float | None) ->
     missing = [name for name in allowed if name not in parameters and name not in optional]
     if missing:
         raise ParameterError(f"parameters are without {', '.join(missing)}; give them in SI units")
-    return {name: as_number(name, value, allowed[name]) for name, value in parameters.items()}
+    found, has_units = in_si(parameters, allowed)
+    numbers = {name: as_number(name, array) for name, array in found.items()}
+    return numbers, had_units or has_units
+
+
+def _require_units(name: str, off: object, si: str) -> None:
+    """Raise for a tolerance that is a bare number beside data that have units, as their values
+    are.
+    """
+    for end in off if isinstance(off, tuple) else (off,):
+        carried = Carried(f"tolerance of {name}", si)
+        if not isinstance(end, str) and np.any(carried.numbers(end)) and not carried.units - {""}:
+            raise ParameterTypeError(
+                f"tolerance of {name} = {off!r:.60} has no unit, and the data have; give it one, "
+                f'as in "1 {plain_unit(si)}", a share, as "10 %", or a quantity with a unit'
+            )
 
 
 def _measured(name: str, value: float, off: ArrayLike | None, si: str, allowed: Range) -> Measured:
@@ -653,7 +685,7 @@ def _measured(name: str, value: float, off: ArrayLike | None, si: str, allowed: 
             raise ParameterError(f"{title} = {off!r}; give two ends, the smaller first")
         off = f"[{', '.join(repr(as_number(title, end, allowed)) for end in off)}] {in_si}"
     elif not isinstance(off, str):
-        off = f"{abs(as_number(title, off))!r} {in_si}"
+        off = f"{abs(as_number(title, off, replace(FINITE, unit=si)))!r} {in_si}"
     if not off.lstrip().startswith("["):
         sign = "" if off.lstrip().startswith(("±", "+-", "+/-", "+\N{MINUS SIGN}", "sd ")) else "± "
         off = f"{value!r} {in_si} {sign}{off}"

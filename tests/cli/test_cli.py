@@ -69,8 +69,9 @@ def test_claims_are_named_by_their_figure(run: Run) -> None:
 def test_a_date_of_the_environment_that_is_none_is_named(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "abc")
-    assert "SOURCE_DATE_EPOCH = 'abc'" in run("folds", code=2)
+    for epoch in ("abc", "99999999999999", "²"):
+        monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
+        assert f"SOURCE_DATE_EPOCH = '{epoch}'" in run("folds", code=2)
 
 
 def test_check_prints_every_row(run: Run) -> None:

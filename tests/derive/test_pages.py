@@ -234,6 +234,30 @@ REFUSED = {
         '"a force"',
         "can't become 1 too",
     ),
+    "an argument of other libraries": (
+        LAW,
+        f"{LAW}, restitution=0.5",
+        "page.contact(",
+        "page.contact: got an unexpected keyword argument 'restitution'; it takes gap, law",
+    ),
+    "an argument of a page": (
+        "page = Page(",
+        "page = Page(restitution=0.5, summary=",
+        "page = Page(",
+        "Page: got an unexpected keyword argument 'restitution'; it takes summary",
+    ),
+    "neither true nor false": (
+        LAW,
+        f'{LAW}, unilateral="no"',
+        "page.contact(",
+        "unilateral = 'no' is neither True nor False",
+    ),
+    "a truth for an expression": (
+        "page.kinetic(m",
+        "page.potential(x > y)\npage.kinetic(m",
+        "page.potential(",
+        "here is .*give an expression, or a number",
+    ),
     "an exit": ("page.spring(k_y, along=y)", "raise SystemExit(3)", "SystemExit(3)", "SystemExit"),
 }
 REFUSED |= {

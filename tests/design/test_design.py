@@ -492,9 +492,18 @@ def test_a_mistake_is_named(number: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "words"), [({"n": None}, "n = None"), ({"rng": "x"}, "rng = 'x' is no seed")]
+    ("given", "words"),
+    [
+        ({"n": None}, "n = None"),
+        ({"n": 2**50}, r"n = 1125899906842624 is not an integer in \[2, "),
+        ({"replicates": 10**9}, "replicates = 1000000000 is not an integer"),
+        ({"rng": "x"}, "rng = 'x' is no seed"),
+        ({"begin": "x"}, "begin = 'x'"),
+        ({"sobol": "yes"}, "sobol = 'yes' is neither True nor False"),
+        ({"confidence": [0.5, 0.9]}, "confidence has the shape"),
+    ],
 )
 def test_samples_are_a_number_and_a_seed(given: Any, words: str) -> None:
     p = ss.Parameters.article(theta0=0.5)
-    with pytest.raises(ss.errors.ParameterError, match=words):
+    with pytest.raises(ss.errors.SpragsymError, match=words):
         ss.jump_probability((p, p.replace(mu0=0.9)), **given)

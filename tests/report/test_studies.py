@@ -284,6 +284,30 @@ def test_a_change_that_a_brake_refutes_is_not_given() -> None:
         assert change.outcome in ("proved", "undecided")
 
 
+def test_a_tolerance_without_a_unit_is_refused_where_the_data_have_units() -> None:
+    """A number may be of N/mm as well as of N/m; a share, a ratio, 0 and a text tell."""
+    made = pytest.importorskip("pint").UnitRegistry().Quantity
+    data = {name: made(value, si) for name, value, si in _in_si()}
+    for given in (data, ss.PhysicalParameters(**data)):
+        for off in (15, (15.0, 20.0), np.float64(1e4)):
+            with pytest.raises(ss.errors.ParameterTypeError, match=r"k = .* has no unit, and the"):
+                ss.Study(given, tolerance={"k": off})
+        for off in ("8 %", made(8.0, "N/mm"), "8 N/mm", (made(90, "N/mm"), made(110, "N/mm")), 0):
+            assert ss.Study(given, tolerance={"k": off, "mu0": 0.1, "theta0": 0.01})
+    bare = {name: value.magnitude for name, value in data.items()}
+    assert ss.Study(bare, tolerance={"k": 15})
+    with pytest.raises(ss.errors.ParameterTypeError, match="with units, and k without"):
+        ss.Study(data | {"k": 1e5})
+
+
+def _in_si() -> list[tuple[str, float, str]]:
+    """A brake: names, values and units."""
+    values = {"m": 0.4, "k": 1e5, "k_x": 7e3, "k_y": 0.0, "k_c": 1e6, "F_L": 350.0, "L_0": 0.05}
+    units = ("kg", "N/m", "N/m", "N/m", "N/m", "N", "m")
+    ratios = [("theta0", 0.8, "rad"), ("mu0", 0.5, "1")]
+    return [*((*it, si) for it, si in zip(values.items(), units, strict=True)), *ratios]
+
+
 @pytest.mark.thorough
 def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off() -> None:
     study = ss.Study(

@@ -101,6 +101,9 @@ class MotionOptions(Options):
         that is a cycle.
     longest : float
         Total time of all motions in one search for a change of fate.
+    seconds : float
+        Processor time after which a search for a boundary, of fates or of basins, begins no
+        further motion.
     span : float
         Time over which Lyapunov exponents are averaged.
     interval : float
@@ -146,6 +149,7 @@ class MotionOptions(Options):
     bracket: float = option(1e-13, 1e-15, 1e-3)
     hovers: float = option(0.05, 1e-12, 1.0)
     longest: float = option(5e6, 1.0)
+    seconds: float = option(30.0, 0.0)
     span: float = option(4000.0, 1.0)
     interval: float = option(5.0, 1e-6)
     lost: float = option(1e-10, 1e-15, 0.1)

@@ -10,11 +10,12 @@ motions on both sides of each point show whether it separates basins (:meth:`_Wa
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -84,7 +85,8 @@ class BasinBoundary(Result):
     growth : float
         Its unstable eigenvalue.
     how : tuple of str
-        Reason for which the curve ends, at its first and at its last point.
+        Reason for which the curve ends, at its first and at its last point; that may be the end of
+        the processor time that :class:`spragsym.MotionOptions` allows.
     """
 
     plane: tuple[str, str]
@@ -151,6 +153,9 @@ def basin_boundary(
         For invalid arguments, and unless there is exactly one divergent equilibrium (near
         ``saddle``, if that is given) with one unstable direction: where three λ grow, its stable
         manifold bounds no basin.
+    ConvergenceError
+        If no first point is found on the line through ``start``, or not in ``seconds`` of the
+        options.
 
     Notes
     -----
@@ -174,6 +179,7 @@ def basin_boundary(
     """
     model = model_of(p)
     model.require_answered("basin_boundary")
+    begun = time.thread_time()
     system = System.of(p := p.given(**values), backend, options)
     names = model.components
     plane = (model.coordinates[0], model.rates[0]) if plane is None else plane
@@ -192,18 +198,22 @@ def basin_boundary(
     default_step = (high - low) * (1 / 300)
     step = default_step if step is None else as_number("step", step, POSITIVE) / float(units[0])
     points = as_count("points", points)
-    walk = _Walk(system, scales, saddle_point, np.eye(len(names))[axes], ranges, step, points)
+    until = begun + system.options.seconds
+    walk = _Walk(
+        system, scales, saddle_point, np.eye(len(names))[axes], ranges, step, points, until
+    )
     first, error, span = walk.begun(state_of(model, start) / scales.states)
-    backward, why_backward = walk.follow(first, span, -1.0)
-    forward, why_forward = walk.follow(first, span, 1.0)
-    found = [*reversed(backward), (first, error), *forward]
-    verdicts = [walk.sides_verified(state, span) for state, _ in found]
+    at_first = _Point(first, error, *walk.sides_verified(first, span))
+    half = (time.thread_time() + until) / 2  # the other half is that of the other direction
+    backward, why_backward = walk.follow(first, span, -1.0, half)
+    forward, why_forward = walk.follow(first, span, 1.0, until)
+    found = [*reversed(backward), at_first, *forward]
     return BasinBoundary(
         plane,
-        np.array([units * state[axes] for state, _ in found]),
-        np.array([units.max() * error for _, error in found]),
-        np.array([differ for differ, _ in verdicts]),
-        np.array([sides for _, sides in verdicts]),
+        np.array([units * point.state[axes] for point in found]),
+        np.array([units.max() * point.error for point in found]),
+        np.array([point.differ for point in found]),
+        np.array([point.sides for point in found]),
         saddle_point.state,
         saddle_point.growth,
         (why_backward, why_forward),
@@ -271,12 +281,24 @@ def _saddles(system: System, places: Iterable[FloatArray]) -> tuple[list[Saddle]
     return found, wider
 
 
+class _Point(NamedTuple):
+    """A point of the curve: its state and error, whether its sides belong to different basins, and
+    the fates there.
+    """
+
+    state: FloatArray
+    error: float
+    differ: bool
+    sides: list[str]
+
+
 @dataclass(frozen=True)
 class _Walk:
     """Computation of one curve of the manifold, in units of the motion about the saddle ``scales``;
     only ``system`` and the saddle ``natural`` are in the model's units.
 
     The rows of ``plane``, (2, m), are unit vectors along its two directions, ``to`` their ranges.
+    ``until`` is the processor time of this thread at which no further motion is begun.
     """
 
     system: System
@@ -286,6 +308,7 @@ class _Walk:
     to: FloatArray
     step: float
     points: int
+    until: float
 
     @cached_property
     def own(self) -> System:
@@ -321,6 +344,11 @@ class _Walk:
             return np.where(self.plane[0], x, state)
 
         def side(x: float) -> float:
+            if time.thread_time() > self.until:
+                raise ConvergenceError(
+                    f"{self.late} before a first point was found; give a start near the boundary, "
+                    "or more seconds of ss.MotionOptions"
+                )
             return self.leaves(at(x))[0]
 
         sides = [side(x) for x in grid]
@@ -340,6 +368,11 @@ class _Walk:
             "no place in that line of the plane where the side changes is on the boundary; "
             "give another start"
         )
+
+    @property
+    def late(self) -> str:
+        """Text that the time is over."""
+        return f"{self.system.options.seconds:g} s of processor time were over"
 
     def leaves(self, state: FloatArray) -> tuple[float, float]:
         """Side on which a motion leaves the saddle, and when: the sign of its component along the
@@ -385,14 +418,14 @@ class _Walk:
         raise ConvergenceError("the boundary could not be refined")
 
     def follow(
-        self, first: FloatArray, span: float, sign: float
-    ) -> tuple[list[tuple[FloatArray, float]], str]:
-        """Points of the curve with their errors in one direction, and the reason for which they
-        end.
-        """
-        found: list[tuple[FloatArray, float]] = []
-        state, previous, step = first, None, self.step
+        self, first: FloatArray, span: float, sign: float, until: float
+    ) -> tuple[list[_Point], str]:
+        """Points of the curve in one direction, and the reason for which they end."""
+        found: list[_Point] = []
+        state, previous, step, shown = first, None, self.step, span
         while len(found) < self.points:
+            if time.thread_time() > until:
+                return found, self.late
             _, slope = self.component(state, span)
             normal = slope / norm(slope)
             tangent = np.array([-normal[1], normal[0]])
@@ -418,7 +451,7 @@ class _Walk:
             low, high = np.transpose(self.to)
             if not ((low <= self.plane @ ahead) & (self.plane @ ahead <= high)).all():
                 return found, "the range ends"
-            found.append((ahead, error))
+            found.append(_Point(ahead, error, *self.sides_verified(ahead, shown)))
             state, previous, step, span = ahead, tangent, min(self.step, 1.5 * step), later
         return found, f"{self.points} points were followed"
 

@@ -58,6 +58,7 @@ from .events import (
     touching,
     vertical,
 )
+from .homoclinic import limit_of_periods
 from .options import BranchOptions
 from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
 from .switching import halved, meets, switched
@@ -403,7 +404,7 @@ def _followed(
         if extent(found.orbit) < options.vanished * min(1.0, first_extent):
             return [*items, _shrunk(followed)]
         followed.append(found)
-        return [*items, found, *_ends(start, point, found, arc, to, options)]
+        return [*items, found, *_ends(start, point, followed, arc, to, options)]
 
     try:
         for items in islice(steps(start, ahead, options, look), points):
@@ -492,12 +493,13 @@ def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
 def _ends(
     start: BranchPoint,
     point: BranchPoint,
-    ahead: BranchPoint,
+    followed: Sequence[BranchPoint],
     length: float,
     to: Span,
     options: BranchOptions,
 ) -> Iterator[DetectedEvent]:
-    """The end of the branch at the point ``ahead``, if there is one."""
+    """The end of the branch at the last point, reached from ``point``, if there is one."""
+    ahead = followed[-1]
     orbit, moved = ahead.orbit, abs(ahead.value - point.value)
     if vertical(point, ahead, length):
         yield DetectedEvent(
@@ -514,8 +516,7 @@ def _ends(
     elif orbit.period > options.long_period * point.setting.period and (
         rest := _rests(orbit, options.still)
     ):
-        rounding = 1e-15 * (point.setting.spans[0] + abs(ahead.value))
-        yield DetectedEvent("homoclinic", orbit, moved + rounding, how=rest)
+        yield _homoclinic(followed, rest, options)
     elif point is not start and _passes(start, point, ahead):
         yield DetectedEvent("closed", orbit, 0.0)
 
@@ -551,7 +552,7 @@ def _lost(
     point = followed[-1]
     orbit = point.orbit
     if orbit.period > 2 * point.setting.period and (rest := _rests(orbit, options.still)):
-        return DetectedEvent("homoclinic", orbit, 1e-6 * point.setting.spans[0], how=rest)
+        return _homoclinic(followed, rest, options)
     before = followed[-2] if len(followed) > 1 else point
     lost = DetectedEvent(
         "end",
@@ -561,6 +562,16 @@ def _lost(
         how=f"it could not be followed farther: {error}" if point.alone else FAMILIES,
     )
     return _at_border(followed) or lost
+
+
+def _homoclinic(
+    followed: Sequence[BranchPoint], rest: str, options: BranchOptions
+) -> DetectedEvent:
+    """The end at which the period grows beyond all bounds."""
+    value, error = limit_of_periods(followed, options.still)
+    last = followed[-1]
+    error += 1e-15 * (last.setting.spans[0] + abs(last.value))
+    return DetectedEvent("homoclinic", last.orbit, error, how=rest, value=value)
 
 
 def _passes(start: BranchPoint, point: BranchPoint, ahead: BranchPoint) -> bool:

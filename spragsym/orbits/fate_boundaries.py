@@ -12,6 +12,7 @@ leave the saddle (:func:`_saddle`).
 from __future__ import annotations
 
 import math
+import time
 from bisect import insort
 from collections.abc import Iterator
 from contextlib import suppress
@@ -151,8 +152,9 @@ def fate_boundary(
         If no boundary was found. Reasons: the motion is undecided at an end, and no change is seen
         in between; the attractor itself ends or loses its stability; motions in between are
         undecided; the fates alternate more closely than rounding can resolve; or motions of a
-        total time of 5e6, in the motion's unit, were not enough. The message states the limits on
-        either side of each change that was seen.
+        total time of 5e6, in the motion's unit, or 30 s of processor time were not enough
+        (``longest`` and ``seconds`` of the options). The message states the limits on either side
+        of each change that was seen.
 
     Notes
     -----
@@ -179,7 +181,8 @@ def fate_boundary(
         samples.sample(low + share * (high - low))
     if ends[0].label == ends[1].label >= 0:
         raise samples.no_change(*ends)
-    for share in (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98):  # if no change is seen yet
+    more = (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)  # if no change is seen, but fates are decided
+    for share in more if any(each.label >= 0 for each in samples.known) else ():
         if next(samples.changes(), None) is None:
             samples.sample(low + share * (high - low))
     found = _first(samples)
@@ -218,6 +221,7 @@ class _FateSamples:
     start: FloatArray
     known: list[_Fate] = attribute(default_factory=list)
     lost: list[float] = attribute(default_factory=list)
+    begun: float = attribute(default_factory=time.thread_time)
 
     @property
     def size(self) -> float:
@@ -248,6 +252,7 @@ class _FateSamples:
         for before in self.known:
             if (before.value, before.precision) == (value, precision):
                 return before
+        self.in_time()
         scales = self.scales(value)
         longest = self.system.options.longest * scales.time
         if sum(each.verdict.t for each in self.known) > longest:
@@ -265,10 +270,26 @@ class _FateSamples:
         insort(self.known, found, key=lambda each: each.value)
         return found
 
+    def in_time(self) -> None:
+        """Raise ConvergenceError if the processor time of the search is over."""
+        seconds = self.system.options.seconds
+        if time.thread_time() - self.begun > seconds:
+            at = ", ".join(
+                f"{each.verdict.described()} at {self.vary} = {each.value:.12g}"
+                for each in (self.known[0], self.known[-1])
+                if each.label >= 0
+            )
+            raise _TooLong(
+                f"{seconds:g} s of processor time were not enough"
+                f"{f', in which it was seen to come to {at}' if at else ''}; give a narrower "
+                "range, or more seconds of ss.MotionOptions"
+            )
+
     def verified(self, fate: _Fate) -> _Fate:
         """The fate, made undecided if rounding may change it."""
         if fate.label < 0:
             return fate
+        self.in_time()
 
         def alike(neighbour: FateVerdict) -> bool:
             # The limits are compared too: labels of one attractor may differ until they are merged.
@@ -472,7 +493,7 @@ class _Bracket:
 
 
 class _TooLong(ConvergenceError):
-    """The total time of all motions exceeds ``MotionOptions.longest``."""
+    """The motions take more than ``longest`` or ``seconds`` of ``MotionOptions``."""
 
 
 def _first(samples: _FateSamples) -> FateBoundary | list[str]:

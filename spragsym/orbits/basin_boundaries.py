@@ -15,7 +15,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -75,7 +75,8 @@ class BasinBoundary(Result):
     boundary : ndarray of bool, shape (n,)
         True if initial states at a distance of 1e-6 on the two sides of the curve reach different
         attractors, and those at a quarter of this distance the same two. Elsewhere both sides
-        belong to one basin, or are undecided.
+        belong to one basin, or are undecided, or were not followed in the time that ``seconds`` of
+        :class:`spragsym.MotionOptions` allows.
     sides : ndarray of str, shape (n, 2)
         Fates of these states as text: on the side where the component along the unstable direction
         becomes negative, and on that where it becomes positive; with the fates of nearer states, if
@@ -85,8 +86,8 @@ class BasinBoundary(Result):
     growth : float
         Its unstable eigenvalue.
     how : tuple of str
-        Reason for which the curve ends, at its first and at its last point; that may be the end of
-        the processor time that :class:`spragsym.MotionOptions` allows.
+        Reason for which the curve ends, at its first and at its last point; half of that time
+        being over is one.
     """
 
     plane: tuple[str, str]
@@ -203,17 +204,18 @@ def basin_boundary(
         system, scales, saddle_point, np.eye(len(names))[axes], ranges, step, points, until
     )
     first, error, span = walk.begun(state_of(model, start) / scales.states)
-    at_first = _Point(first, error, *walk.sides_verified(first, span))
-    half = (time.thread_time() + until) / 2  # the other half is that of the other direction
-    backward, why_backward = walk.follow(first, span, -1.0, half)
-    forward, why_forward = walk.follow(first, span, 1.0, until)
-    found = [*reversed(backward), at_first, *forward]
+    # A quarter of the time for each direction, the rest for what is on both sides.
+    now = time.thread_time()
+    backward, why_backward = walk.follow(first, span, -1.0, now + (until - now) / 4)
+    forward, why_forward = walk.follow(first, span, 1.0, now + (until - now) / 2)
+    found = [*reversed(backward), (first, error), *forward]
+    verdicts = walk.all_sides([state for state, _ in found], span)
     return BasinBoundary(
         plane,
-        np.array([units * point.state[axes] for point in found]),
-        np.array([units.max() * point.error for point in found]),
-        np.array([point.differ for point in found]),
-        np.array([point.sides for point in found]),
+        np.array([units * state[axes] for state, _ in found]),
+        np.array([units.max() * error for _, error in found]),
+        np.array([differ for differ, _ in verdicts]),
+        np.array([sides for _, sides in verdicts]),
         saddle_point.state,
         saddle_point.growth,
         (why_backward, why_forward),
@@ -279,17 +281,6 @@ def _saddles(system: System, places: Iterable[FloatArray]) -> tuple[list[Saddle]
         if not any(magnitude((saddle.state - one.state) / states) < 1e-9 for one in found):
             found.append(saddle)
     return found, wider
-
-
-class _Point(NamedTuple):
-    """A point of the curve: its state and error, whether its sides belong to different basins, and
-    the fates there.
-    """
-
-    state: FloatArray
-    error: float
-    differ: bool
-    sides: list[str]
 
 
 @dataclass(frozen=True)
@@ -419,13 +410,15 @@ class _Walk:
 
     def follow(
         self, first: FloatArray, span: float, sign: float, until: float
-    ) -> tuple[list[_Point], str]:
-        """Points of the curve in one direction, and the reason for which they end."""
-        found: list[_Point] = []
-        state, previous, step, shown = first, None, self.step, span
+    ) -> tuple[list[tuple[FloatArray, float]], str]:
+        """Points of the curve with their errors in one direction, and the reason for which they
+        end.
+        """
+        found: list[tuple[FloatArray, float]] = []
+        state, previous, step = first, None, self.step
         while len(found) < self.points:
             if time.thread_time() > until:
-                return found, self.late
+                return found, f"half of the {self.late}"
             _, slope = self.component(state, span)
             normal = slope / norm(slope)
             tangent = np.array([-normal[1], normal[0]])
@@ -451,9 +444,22 @@ class _Walk:
             low, high = np.transpose(self.to)
             if not ((low <= self.plane @ ahead) & (self.plane @ ahead <= high)).all():
                 return found, "the range ends"
-            found.append(_Point(ahead, error, *self.sides_verified(ahead, shown)))
+            found.append((ahead, error))
             state, previous, step, span = ahead, tangent, min(self.step, 1.5 * step), later
         return found, f"{self.points} points were followed"
+
+    def all_sides(self, states: list[FloatArray], span: float) -> list[tuple[bool, list[str]]]:
+        """The verdicts of :meth:`sides_verified` for all points, in an order that spreads over the
+        curve; of those that are left when the time is over, that they were not asked.
+        """
+        late = f"not followed: {self.late}"
+        verdicts = [(False, [late, late])] * len(states)
+        # The first, then by the lowest bit that is set: every 64th, every 32nd, …
+        for index in sorted(range(len(states)), key=lambda i: -(i & -i or len(states))):
+            if time.thread_time() > self.until:
+                break
+            verdicts[index] = self.sides_verified(states[index], span)
+        return verdicts
 
     def sides_verified(self, state: FloatArray, span: float) -> tuple[bool, list[str]]:
         """True if the two sides of a point are in different basins; and the fates as text.

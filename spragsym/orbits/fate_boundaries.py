@@ -276,7 +276,7 @@ class _FateSamples:
         if time.thread_time() - self.begun > seconds:
             at = ", ".join(
                 f"{each.verdict.described()} at {self.vary} = {each.value:.12g}"
-                for each in (self.known[0], self.known[-1])
+                for each in (*self.known[:1], *self.known[-1:])
                 if each.label >= 0
             )
             raise _TooLong(

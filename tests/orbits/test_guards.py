@@ -51,6 +51,16 @@ def test_fates_that_alternate_are_told_by_those_at_both_ends() -> None:
     )
 
 
+def test_boundaries_keep_a_limit_of_time() -> None:
+    p, options = ss.Parameters.article(), ss.MotionOptions(seconds=0.0)
+    with pytest.raises(ConvergenceError, match=r"0 s of processor time were not enough"):
+        ss.fate_boundary(
+            p, "theta0", between={"theta0": (0.7, 0.8)}, V=0.5, d=10.0, options=options
+        )
+    with pytest.raises(ConvergenceError, match=r"0 s .* were over before a first point was found"):
+        ss.basin_boundary(p.replace(theta0=0.7), V=0.5, d=10.0, options=options)
+
+
 def test_the_error_of_an_end_that_was_lost_is_from_the_last_step(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -35,6 +35,9 @@ page.damper(c, along=phi)
 page.force(T, along=phi)
 '''
 SADDLE = math.pi - math.asin(0.8)
+#: The damping at which the motion from one saddle comes to the next: where the manifolds of both,
+#: begun by their Taylor polynomials of third degree, meet halfway.
+HOMOCLINIC = 0.7197826470116
 
 
 def motion(c: float, start: Any, t_end: float, event: Any = None) -> Any:
@@ -80,6 +83,7 @@ def test_a_rotation_is_found_and_followed_to_its_homoclinic_orbit() -> None:
         lambda c: missed(c, SADDLE - 2 * math.pi + 1e-6, growing(c) * 1e-6), 0.6, 0.8, xtol=1e-8
     )
     assert end.value == pytest.approx(leaving, abs=2e-4)
+    assert abs(end.value - HOMOCLINIC) < end.error < 1e-5
     assert branch.stable.all()
 
 
@@ -117,3 +121,20 @@ def test_a_boundary_of_basins_ends_at_the_saddle_and_parts_rest_from_rotation(
     undecided = ss.basin_boundary(p, step=0.2, points=1)
     assert not undecided.boundary.any()
     assert set(undecided.sides.flat) == {"nothing that is decided by t = 1"}
+    # Half of the time is for the curve, the rest for what is on both sides of it.
+    clock = [0.0]
+
+    def later(seconds: float) -> float:
+        clock[0] += seconds
+        return clock[0]
+
+    def slow(_: Any, start: Any) -> FateVerdict:
+        return FateVerdict(Outcome(), start, later(1.0))
+
+    monkeypatch.setattr(basin_boundaries, "judged", slow)
+    monkeypatch.setattr(basin_boundaries.time, "thread_time", lambda: later(0.2))
+    late = ss.basin_boundary(p, step=0.2, points=40, options=ss.MotionOptions(seconds=40.0))
+    assert late.how == ("the range ends", "half of the 40 s of processor time were over")
+    assert not late.boundary.any()
+    left = late.sides == "not followed: 40 s of processor time were over"
+    assert 0 < left[:, 0].sum() < len(left)

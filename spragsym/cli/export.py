@@ -45,6 +45,12 @@ from .output import refuse, write
     metavar="NAME",
     help="Of an FMU: a quantity that other models drive, as a belt speed; may be repeated.",
 )
+@click.option(
+    "--fmi",
+    type=click.Choice(["2", "3"]),
+    help="Version of the standard of an FMU, 2.0 or 3.0; by default both: FMI 3.0 in the file "
+    "--out, FMI 2.0 beside it with _fmi2 in its name.",
+)
 @o.trust
 @o.force
 def export(
@@ -53,6 +59,7 @@ def export(
     data: Path | None,
     out: Path,
     inputs: tuple[str, ...],
+    fmi: str | None,
 ) -> None:
     """Write the solver in another language, with an example that runs.
 
@@ -77,7 +84,14 @@ def export(
             f"--input: an export to {language} has functions, whose arguments all quantities are; "
             "leave it out, or give --language fmu"
         )
-    probe(out if pack else out / "file", made=True)
+    if fmi and not pack:
+        raise ParameterError(
+            f"--fmi: an export to {language} is no FMU; leave it out, or give --language fmu"
+        )
+    beside = {"3": out, "2": out.with_stem(f"{out.stem}_fmi2")}
+    archives = {fmi: out} if fmi else beside
+    for path in archives.values() if pack else (out / "file",):
+        probe(path, made=True)
     study = study_of(data, model_name) if data else None
     name = study.model if study else model_name or (USUAL if pack else None)
     if name:
@@ -85,7 +99,11 @@ def export(
     else:
         texts = exported(language)
     try:
-        files = {out: pack(texts)} if pack else {out / path: text for path, text in texts.items()}
+        files: dict[Path, str | bytes] = (
+            {path: pack(texts, version) for version, path in archives.items()}
+            if pack
+            else {out / path: text for path, text in texts.items()}
+        )
     except ChildProcessError as error:
         raise click.ClickException(f"{error}; nothing was written") from error
     write(files, made=True)

@@ -161,8 +161,10 @@ def reserved(language: str) -> frozenset[str]:
     return vars(_target(language)).get("RESERVED", frozenset())
 
 
-def packer(language: str) -> Callable[[Mapping[str, str]], bytes] | None:
-    """The function that packs all files into one, for a language that has one file; else None."""
+def packer(language: str) -> Callable[..., bytes] | None:
+    """The function that packs all files into one, for a language that has one file, of which there
+    may be several versions; else None.
+    """
     return vars(_target(language)).get("packed")
 
 

@@ -1,5 +1,5 @@
-"""FMU: a page's model as an archive for importers of FMI 3.0, for Model Exchange and Co-Simulation,
-built on the page's C library.
+"""FMU: a page's model as an archive for importers of FMI 3.0 or 2.0, for Model Exchange and
+Co-Simulation, built on the page's C library. The functions of FMI 2.0 call those of FMI 3.0.
 
 The archive's variables have units where the data of the page came with units of measure; inside,
 everything is dimensionless.
@@ -20,7 +20,7 @@ import warnings
 import xml.etree.ElementTree as ET
 import zipfile
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
@@ -42,7 +42,7 @@ from ..c.layout import plain
 
 
 #: Sources besides the library, which has functions of its name, an underscore, and another word.
-OWN = ("fmi3.h", "fmu.c", "model.h", "motion.h")
+OWN = ("fmi2.c", "fmi3.h", "fmu.c", "model.h", "motion.h")
 #: Names of files, and beginnings of the names in them.
 RESERVED = c.RESERVED | {
     beginning.casefold()
@@ -53,8 +53,30 @@ RESERVED = c.RESERVED | {
 }
 
 
+#: Versions of the standard.
+VERSIONS = ("2", "3")
+#: Where the two archives differ: by version the description, the file that is compiled beside the
+#: library, and what the other one has alone.
+_FILES = {
+    "2": (
+        "modelDescription2.xml",
+        "fmi2.c",
+        ("modelDescription.xml", "sources/buildDescription.xml"),
+    ),
+    "3": ("modelDescription.xml", "fmu.c", ("modelDescription2.xml", "sources/fmi2.c")),
+}
+
+
+@dataclass(frozen=True)
+class _Told:
+    """What a description says of a model, as FMI 3.0 spells it."""
+
+    variables: list[ET.Element]  #: in the order of value references
+    structure: dict[str, list[int]]  #: value references by their part in the model's structure
+
+
 def render(material: Material) -> dict[str, str]:
-    """The text files of the archive by their paths: the description and all sources."""
+    """The text files of both archives by their paths: descriptions and all sources."""
     library, source, motion = material.library, c.render(material), material.motion
     assert motion, "an FMU is made of a page"
     words = {
@@ -62,34 +84,39 @@ def render(material: Material) -> dict[str, str]:
         "library": library,
         "transition": c.rule(transition()),
     }
-    own = ("buildDescription.xml", "fmi3.h", "motion.h", "fmu.c")
+    own = ("buildDescription.xml", "fmi2.c", "fmi3.h", "motion.h", "fmu.c")
     texts = {name: source[name] for name in (f"{library}.c", f"{library}.h")} | {
         "model.h": _model(material, motion, words)
     }
     texts |= {name: spoken(runtime(__file__, name), words) for name in own}
     token = {"token": hashlib.sha256("".join(texts.values()).encode()).hexdigest()}
     texts["model.h"] = spoken(texts["model.h"], token)
-    described = spoken(
-        runtime(__file__, "modelDescription.xml"),
-        words | token | _description(material.summary, motion),
-    )
-    return {"modelDescription.xml": described} | {
-        f"sources/{name}": text for name, text in texts.items()
-    }
+    described = words | token | _description(material.summary, motion)
+    told = _told(motion)
+    of_version = {"2": _in_fmi2(told, library), "3": _in_fmi3(told)}
+    return {
+        _FILES[one][0]: spoken(runtime(__file__, _FILES[one][0]), described | of_version[one])
+        for one in VERSIONS
+    } | {f"sources/{name}": text for name, text in texts.items()}
 
 
-def packed(files: Mapping[str, str]) -> bytes:
-    """The archive, the same bytes for the same files and compiler; without a binary, and with a
-    warning, where this machine has no compiler.
+def packed(files: Mapping[str, str], version: str = "3") -> bytes:
+    """The archive for a version of FMI, the same bytes for the same files and compiler; without a
+    binary, and with a warning, where this machine has no compiler.
 
     Raises
     ------
     ChildProcessError
         If the compiler that ``CC`` names is missing, or the compiler fails.
     """
-    members = {name: text.encode() for name, text in files.items()}
+    described, compiled, others = _FILES[version]
+    members = {
+        "modelDescription.xml" if name == described else name: text.encode()
+        for name, text in files.items()
+        if name not in others
+    }
     try:
-        members |= _binary(members)
+        members |= _binary(members, compiled, version)
     except (FileNotFoundError, KeyError) as error:
         warnings.warn(
             f"the FMU has sources, and no binary for this machine: {error}; give CC a "
@@ -103,8 +130,10 @@ def packed(files: Mapping[str, str]) -> bytes:
     return stream.getvalue()
 
 
-def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
-    """The shared library for this machine, by its path in the archive."""
+def _binary(members: Mapping[str, bytes], compiled: str, version: str) -> dict[str, bytes]:
+    """The shared library for this machine, by its path in the archive; ``compiled`` is the source
+    beside the page's library.
+    """
     systems = {
         "linux": ("linux", ".so"),
         "darwin": ("darwin", ".dylib"),
@@ -113,8 +142,11 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
     system, ending = systems[sys.platform]
     machine = platform.machine().lower()
     compiler = _compiler(os.environ.get("CC", "").strip())
-    sources = [Path(name).name for name in members if name.endswith(".c")]
-    library = next(name for name in sources if name != "fmu.c").replace(".c", ending)
+    own = next(
+        Path(name).name for name in members if name.endswith(".c") and Path(name).name not in OWN
+    )
+    sources = [compiled, own]
+    library = own.replace(".c", ending)
     with tempfile.TemporaryDirectory() as folder:
         for name, data in members.items():
             (Path(folder) / Path(name).name).write_bytes(data)
@@ -141,7 +173,16 @@ def _binary(members: Mapping[str, bytes]) -> dict[str, bytes]:
                 "a compiler of C99, as CC=gcc"
             )
         machines = {"amd64": "x86_64", "arm64": "aarch64"}
-        return {f"binaries/{machines.get(machine, machine)}-{system}/{library}": built.read_bytes()}
+        tuple_of = f"{machines.get(machine, machine)}-{system}"
+        # FMI 2.0 has names for these machines only.
+        before = {
+            "x86_64-linux": "linux64",
+            "x86_64-windows": "win64",
+            "x86_64-darwin": "darwin64",
+            "aarch64-darwin": "darwin64",
+        }
+        folder_of = before.get(tuple_of, tuple_of) if version == "2" else tuple_of
+        return {f"binaries/{folder_of}/{library}": built.read_bytes()}
 
 
 def _compiler(given: str) -> list[str]:
@@ -321,9 +362,7 @@ def _powers(variable: Variable) -> str:
 
 
 def _description(summary: str, motion: MotionMaterial) -> dict[str, str]:
-    """The texts of modelDescription.xml: units, variables in the order of their value references,
-    and the model's structure.
-    """
+    """The texts that descriptions share: summary, kind of names, units, and the experiment."""
     everything = (
         motion.time,
         *motion.states,
@@ -331,17 +370,75 @@ def _description(summary: str, motion: MotionMaterial) -> dict[str, str]:
         *motion.given,
         *motion.outputs,
     )
+    return {
+        "summary": quoteattr(summary),
+        "names": "structured" if all(one.name.isascii() for one in everything) else "flat",
+        "units": _units({one.unit: one for one in everything if one.unit}.values()),
+        "duration": repr(1000 * motion.step),
+        "step": repr(motion.step),
+    }
+
+
+def _in_fmi3(told: _Told) -> dict[str, str]:
+    """Variables and structure in FMI 3.0."""
+    parts = (
+        f'<{part} valueReference="{one}"/>' for part, ones in told.structure.items() for one in ones
+    )
+    return {"variables": _lines(told.variables), "structure": "\n    ".join(parts)}
+
+
+def _in_fmi2(told: _Told, library: str) -> dict[str, str]:
+    """Variables, structure, number of event indicators and sources in FMI 2.0, which counts
+    variables from 1.
+    """
+    types = {"Float64": "Real", "Boolean": "Boolean"}
+    of_type = ("unit", "start", "min", "max", "nominal", "derivative", "reinit")
+    variables = list[ET.Element]()
+    for one in told.variables:
+        given = dict(one.attrib)
+        if "derivative" in given:
+            given["derivative"] = str(int(given["derivative"]) + 1)
+        typed = {name: given.pop(name) for name in of_type if name in given}
+        variables.append(ET.Element("ScalarVariable", given))
+        ET.SubElement(variables[-1], types[one.tag], typed)
+    parts = {
+        "Outputs": "Output",
+        "Derivatives": "ContinuousStateDerivative",
+        "InitialUnknowns": "InitialUnknown",
+    }
+    structure = list[ET.Element]()
+    for name, part in parts.items():
+        structure.append(ET.Element(name))
+        for one in told.structure[part]:
+            ET.SubElement(structure[-1], "Unknown", index=str(one + 1))
+    sources = ET.Element("SourceFiles")
+    for name in ("fmi2.c", f"{library}.c"):
+        ET.SubElement(sources, "File", name=name)
+    return {
+        "variables": _lines(variables),
+        "structure": _lines(structure),
+        "indicators": str(len(told.structure["EventIndicator"])),
+        "sources": ET.tostring(sources, encoding="unicode"),
+    }
+
+
+def _lines(elements: Iterable[ET.Element]) -> str:
+    return "\n    ".join(ET.tostring(one, encoding="unicode") for one in elements)
+
+
+def _told(motion: MotionMaterial) -> _Told:
+    """The variables in the order of their value references, and the model's structure."""
     variables = list[ET.Element]()
     structure = {
-        part: list[str]()
+        part: list[int]()
         for part in ("Output", "ContinuousStateDerivative", "InitialUnknown", "EventIndicator")
     }
 
     def add(parts: str, variable: Variable, kind: str = "Float64", **more: str) -> None:
-        index = str(len(variables))
+        index = len(variables)
         attributes = {
             "name": variable.name,
-            "valueReference": index,
+            "valueReference": str(index),
             "description": variable.meaning,
             "unit": variable.unit,
             **more,
@@ -350,7 +447,7 @@ def _description(summary: str, motion: MotionMaterial) -> dict[str, str]:
             ET.Element(kind, {name: value for name, value in attributes.items() if value})
         )
         for part in parts.split():
-            structure[part].append(f'<{part} valueReference="{index}"/>')
+            structure[part].append(index)
 
     add("", motion.time, causality="independent", variability="continuous")
     for one in motion.states:
@@ -408,15 +505,7 @@ def _description(summary: str, motion: MotionMaterial) -> dict[str, str]:
             causality="output",
             variability="discrete",
         )
-    return {
-        "summary": quoteattr(summary),
-        "names": "structured" if all(one.name.isascii() for one in everything) else "flat",
-        "units": _units({one.unit: one for one in everything if one.unit}.values()),
-        "duration": repr(1000 * motion.step),
-        "step": repr(motion.step),
-        "variables": "\n    ".join(ET.tostring(one, encoding="unicode") for one in variables),
-        "structure": "\n    ".join(line for lines in structure.values() for line in lines),
-    }
+    return _Told(variables, structure)
 
 
 def _units(variables: Iterable[Variable]) -> str:

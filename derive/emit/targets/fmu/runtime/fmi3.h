@@ -24,7 +24,9 @@ typedef void (*fmi3LogMessageCallback)(void *environment, fmi3Status status, con
 #define FMI_JOINED(prefix, name) prefix##name
 #define FMI_NAME(prefix, name) FMI_JOINED(prefix, name)
 
-#if defined(_WIN32)
+/* What includes these functions to call them only defines it as nothing. */
+#if defined(FMI_EXPORT)
+#elif defined(_WIN32)
 #define FMI_EXPORT __declspec(dllexport)
 #elif defined(__GNUC__)
 #define FMI_EXPORT __attribute__((visibility("default")))

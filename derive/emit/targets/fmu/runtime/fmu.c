@@ -92,6 +92,9 @@ static fmi3Status say(Instance *it, fmi3Status status, const char *format, ...) 
     return status;
 }
 
+/* The name of the function without its prefixes, the same in each version of the standard. */
+#define CALLED (strstr(__func__, "fmi3") + 4)
+
 /* Begins a function that may be called in some phases. */
 #define ENTER(phases)                                                                               \
     Instance *const it = instance;                                                                  \
@@ -99,7 +102,7 @@ static fmi3Status say(Instance *it, fmi3Status status, const char *format, ...) 
         return fmi3Error;                                                                           \
     }                                                                                               \
     if (!(it->now.phase & (unsigned)(phases))) {                                                    \
-        return say(it, fmi3Error, "%s must not be called in this state of the instance", __func__); \
+        return say(it, fmi3Error, "%s must not be called in this state of the instance", CALLED); \
     }
 
 /* Refuses arguments that make no sense. */
@@ -735,7 +738,7 @@ FMI(fmi3Status, UpdateDiscreteStates)(void *instance, bool *again, bool *termina
 
 #define EXCHANGE(phases) \
     ENTER(phases)        \
-    EXPECT(it->exchange, "%s is of Model Exchange", __func__)
+    EXPECT(it->exchange, "%s is of Model Exchange", CALLED)
 
 FMI(fmi3Status, CompletedIntegratorStep)(void *instance, bool no_return, bool *event_mode, bool *terminate) {
     EXCHANGE(CONTINUOUS)

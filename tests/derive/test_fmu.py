@@ -44,7 +44,7 @@ def exported(folder: Path, *options: str) -> str:
     """What the command writes, with nothing for FMPy to find wrong."""
     out = folder / "brake.fmu"
     with pytest.raises(SystemExit, match="0"):
-        main(["export", "--language", "fmu", *options, "--out", str(out)])
+        main(["export", "--language", "fmu", "--fmi", "3", *options, "--out", str(out)])
     assert validate_fmu(str(out)) == []
     return str(out)
 

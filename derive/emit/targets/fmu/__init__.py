@@ -409,8 +409,8 @@ def _in_fmi2(told: _Told, library: str) -> dict[str, str]:
     structure = list[ET.Element]()
     for name, part in parts.items():
         structure.append(ET.Element(name))
-        for one in told.structure[part]:
-            ET.SubElement(structure[-1], "Unknown", index=str(one + 1))
+        for place in told.structure[part]:
+            ET.SubElement(structure[-1], "Unknown", index=str(place + 1))
     sources = ET.Element("SourceFiles")
     for name in ("fmi2.c", f"{library}.c"):
         ET.SubElement(sources, "File", name=name)

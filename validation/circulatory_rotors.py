@@ -1,8 +1,9 @@
-"""Systems of two to four coordinates with gyroscopic terms beside forces without a potential: types of
+"""Systems of two to five coordinates with gyroscopic terms beside forces without a potential: types of
 states without damping and onsets of flutter, against eigenvalues of their quadratic pencils.
 
 Let D be a diagonal matrix of signs. Where M and K couple coordinates of one sign and G those of
-different signs, D (λ² M + λ G + K) D is the same with −λ: all λ come in pairs ± λ.
+different signs, D (λ² M + λ G + K) D is the same with −λ: all λ come in pairs ± λ. Systems of five
+coordinates, more than a page may have, are asked as matrices, for growth above a threshold.
 """
 
 from functools import cache
@@ -15,6 +16,8 @@ import spragsym as ss
 from spragsym.results import EquilibriumType
 from tests.oracles.turning_frames import polyeig
 from tests.oracles.user_pages import model_of
+
+CASES = 36
 
 
 @cache
@@ -63,10 +66,36 @@ def grows(roots: np.ndarray) -> np.ndarray:
     return roots[roots.real > 1e-6 * np.abs(roots).max()]
 
 
+def of_matrices(kind: str, *given: np.ndarray) -> dict[str, Any]:
+    """Onsets of growth above a threshold, and how many λ grow more on both sides."""
+    M, G, S, N = given
+    span, threshold = (0.05, 2.0), 1e-3
+
+    def above(f: float) -> int:
+        return int((polyeig(M, G, S + f * N).real > threshold).sum())
+
+    p = ss.matrices(M=M, K=S, friction=N, G=G).Parameters(Omega=1.0)
+    onsets = ss.flutter_onsets(p, "mu", between={"mu": span}, threshold=threshold)
+    values, wrong = np.sort(onsets.mu), list[str]()
+    for low, high in pairwise(np.linspace(*span, 400)):
+        if above(low) != above(high) and not ((values >= low) & (values <= high)).any():
+            wrong.append(f"no onset between {low} and {high}")
+    for value, way in zip(onsets.mu, onsets.direction, strict=True):
+        before, after = above(value - 1e-6), above(value + 1e-6)
+        wrong += [f"{before}, {after} at {value}, {way}"] * ((after > before) != (way == "up"))
+    return {
+        "kind": f"5 {kind}",
+        "wrong": wrong,
+        "onsets": len(values),
+        "changes": len(values),
+        "undecided": len(onsets.undecided),
+    }
+
+
 def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """One random set: its type, and all values of f at which it begins or ceases to flutter."""
-    n = 2 + number % 3
-    kind = ("pairs", "any", "no force")[number // 3 % 3]
+    n = 2 + number % 4
+    kind = ("pairs", "any", "no force")[number // 4 % 3]
     side = rng.permutation([1] * ((n + 1) // 2) + [-1] * (n // 2))
     values = {f"{name}_{i}": float(rng.uniform(0.5, 3.0)) for name in "mk" for i in range(n)}
     for i, j in combinations(range(n), 2):
@@ -77,6 +106,8 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         if kind == "no force":
             values[f"n_{i}{j}"] = 0.0
     M, G, S, N = matrices(values, n)
+    if n > 4:
+        return of_matrices(kind, M, G, S, N)
     wrong, here = list[str](), float(rng.uniform(0.1, 2.0))
     within = {f"x_{i}": (-1.0, 1.0) for i in range(n)}
     p = model(n).Parameters(f=here, **values)

@@ -11,6 +11,8 @@ from scipy.optimize import linprog
 import spragsym as ss
 from tests.oracles.user_pages import model_of
 
+CASES = 60
+
 
 @cache
 def chain(n: int) -> Any:

@@ -28,6 +28,8 @@ import numpy as np
 import spragsym as ss
 from validation.page_writer import Drawn, draw
 
+CASES = 60
+
 #: Parameter sets of a page, states at which accelerations are compared, starts of Newton's method
 #: and its steps.
 SETS, PLACES, STARTS, STEPS = 3, 6, 300, 60

@@ -10,6 +10,8 @@ from scipy.optimize import root
 import spragsym as ss
 from tests.oracles.stubborn_pages import hardening, pendulum
 
+CASES = 60
+
 
 def of_pendulum(rng: np.random.Generator) -> tuple[Any, Any, Any, float]:
     """A set of the two rods; its forces and its gap; and how far states are looked for."""

@@ -45,7 +45,7 @@ from ..statics.search import balances_of
 from .border_states import about_border, among, at_once, combinations_of
 from .defining_systems import Family, touch
 from .lines_of_states import is_singular
-from .points import arranged, search
+from .points import arranged, matrices, search
 
 
 def borders(families: Sequence[Family], leaving: bool = False) -> list[Points]:
@@ -160,9 +160,57 @@ def unstable_numbers(points: Points) -> IntArray:
         radii = contractors.distance(ends[:, :, 0], z)
         critical = _CRITICAL[kind]
         others = growing_beside(family.balance, given, z[:n], points.vary, radii, critical)
+        if others < 0 and critical == 1:
+            others = _undamped_others(family, z)
         if others >= 0:
             found[:, row] = others, others + critical
     return found
+
+
+def _undamped_others(family: Family, z: FloatArray) -> int:
+    """How many λ grow at a singular state without damping, by the roots κ = −λ² but the one that is
+    0, in floats; −1 where these do not tell, or something damps.
+    """
+    over = Intervals.point(family.at(z[family.balance.n :, None]))
+    if family.balance.gyroscopic or stability.is_damped(family.balance, over):
+        return -1
+    M, _, K = matrices(family, z[:, None], damping=False)
+    κ = stability.squares(M, K)[0]
+    κ = np.delete(κ, np.abs(κ).argmin())
+    size = 1e-9 * np.abs(κ).max(initial=0.0)
+    swings = (np.abs(κ.imag) <= 1e-3 * size) & (κ.real > size)
+    told = swings | (np.abs(κ.imag) > size) | (κ.real < -size)
+    return int((~swings).sum()) if told.all() else -1
+
+
+def counted_beside(points: Points, row: int, damping: bool) -> tuple[int, int]:
+    """How many λ grow in the states a little below and above an onset along one parameter, by
+    floats at two distances that have to agree; −1 where they do not, or growth is not told from 0.
+    """
+    family, z, _ = at_point(points, row)
+    q, value, found = z[:-1, None], z[-1], list[int]()
+    for side in (-1.0, 1.0):
+        numbers = {
+            _counted(family, q, value + side * distance * (abs(value) or 1.0), damping)
+            for distance in (1e-3, 1e-4)
+        }
+        found.append(numbers.pop() if len(numbers) == 1 else -1)
+    return found[0], found[1]
+
+
+def _counted(family: Family, guess: FloatArray, value: float, damping: bool) -> int:
+    """How many λ grow in the state near a guess, shape (n, 1); −1 where floats do not tell."""
+    at = np.array([[value]])
+    with quiet():
+        q = family.balance.guessed(guess, family.balance.prepared(Intervals.point(family.at(at))))
+        λ = stability.roots(*matrices(family, np.concatenate([q, at]), damping))[0]
+    growth = λ.real / np.abs(λ).max()
+    # Of more than rounding; without damping two frequencies are near each other, which adds to it,
+    # and λ of stable states have no real part.
+    least = 1e-11 if damping else 1e-9
+    told = (np.abs(growth) > least) | ((np.abs(growth) < 1e-11) & (not damping))
+    near = np.abs(q - guess).max() <= 1e-2 * max(1.0, float(np.abs(guess).max()))
+    return int((growth > least).sum()) if near and told.all() else -1
 
 
 def with_numbers(points: Points) -> Ended:

@@ -635,7 +635,8 @@ class Onsets(Points):
         the parameter goes ``"up"`` or ``"down"``; else empty.
     unstable_before, unstable_after : ndarray of int
         How many λ have a positive real part at slightly smaller and at slightly larger values of
-        the parameter; −1 where that is undecided.
+        the parameter: proved where the onset has a normal form or a closed form, else by floats in
+        states beside it, as without damping; −1 where that is undecided.
     onset : ndarray of str
         ``"of instability"`` where one of these numbers is 0; ``"on an unstable state"`` where
         neither is: the state is unstable on both sides, and the cycle that is born is too, whatever
@@ -696,11 +697,18 @@ class Onsets(Points):
 
     @cached_property
     def _unstable(self) -> IntArray:
-        """Those of a closed form, or the others of the normal form and the pair where it grows."""
+        """Those of a closed form, or the others of the normal form and the pair where it grows; by
+        floats where neither tells.
+        """
         own = [self._own(name) for name in UNSTABLE]
         if own[0] in self._values:
             return np.array([self._values[name] for name in own])
-        return unstable_beside(self.normal_forms)
+        from .borders import counted_beside  # which loads what the search of onsets does not need
+
+        found = unstable_beside(self.normal_forms)
+        for row in np.flatnonzero((found[0] < 0) & (self.kind != "detected")).tolist():
+            found[:, row] = counted_beside(self, row, damping=self.kind[row] == "hopf")
+        return found
 
     @cached_property
     def criticality(self) -> NDArray[np.str_]:

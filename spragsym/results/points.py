@@ -106,8 +106,9 @@ class Points(OfStates, Rows):
         asked for before.
     unstable_before, unstable_after : ndarray of int
         How many λ of the full linearization grow in the one and in the other of two states that
-        meet: the least and the largest number in states beside a point; −1 where that is undecided,
-        and at borders, where forces have a kink. Of :class:`spragsym.results.Onsets`, at smaller
+        meet: the least and the largest number in states beside a point, proved by discs, of models
+        without damping by floats; −1 where that is undecided, and at borders, where forces have a
+        kink. Of :class:`spragsym.results.Onsets`, at smaller
         and at larger values of the parameter.
     region : ndarray
         Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then

@@ -327,6 +327,43 @@ def test_how_many_eigenvalues_grow_on_either_side(
         assert onsets.onset[row] == ("of instability" if 0 in found else "on an unstable state")
 
 
+@pytest.mark.parametrize(
+    ("page", "vary", "given", "found"),
+    [
+        ("mode_coupling", "mu0", {}, {(0, 2)}),
+        ("mode_coupling", "alpha", {}, {(0, 2), (2, 0)}),
+        ("kang_nam", "mu0", {"theta0": 1.0}, {(0, 2)}),
+    ],
+)
+def test_how_many_eigenvalues_grow_without_damping(
+    page: str, vary: str, given: dict[str, float], found: set[tuple[int, int]]
+) -> None:
+    p = ss.load(page).Parameters(**given)
+    onsets = ss.flutter_onsets(p, vary, damping=False)
+    assert {*zip(onsets.unstable_before, onsets.unstable_after, strict=True)} == found
+    assert set(onsets.onset) == {"of instability"}
+
+
+def test_how_many_eigenvalues_grow_where_every_pair_crosses() -> None:
+    """The slope of the friction law passes 0, and no point has a normal form."""
+    p = ss.load("stribeck").Parameters(theta0=0.7)
+    onsets = ss.flutter_onsets(p, "V", between={"V": (0.2, 0.6)})
+    eq = [ss.equilibria(p.replace(V=float(onsets.V[0]) * share)) for share in (0.999, 1.001)]
+    assert np.isnan(onsets.lyapunov).all()
+    assert len(onsets) > 2
+    for row, x in enumerate(onsets.x):
+        seen = [
+            int((one.damped_eigenvalues[np.nanargmin(np.abs(one.x - x))].real > 0).sum())
+            for one in eq
+        ]
+        assert [onsets.unstable_before[row], onsets.unstable_after[row]] == seen
+
+
+def test_how_many_eigenvalues_grow_at_folds_where_nothing_damps() -> None:
+    folds = ss.folds(ss.load("coulomb").Parameters(theta0=0.7), "mu0")
+    assert (folds.unstable_before.tolist(), folds.unstable_after.tolist()) == ([0], [1])
+
+
 @pytest.mark.parametrize("method", ["auto", "search"])
 @pytest.mark.parametrize("mu0", [0.1, 0.5])
 def test_how_many_eigenvalues_grow_in_the_two_states_that_meet(mu0: float, method: Any) -> None:

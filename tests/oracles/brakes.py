@@ -15,19 +15,21 @@ def brake(n: int, seed: int, *, kind: str = "plain") -> dict[str, Array]:
     carry friction.
 
     ``kind`` is ``"plain"``, ``"near"``, whose frequencies come in near pairs, ``"weak"``, with hardly
-    any damping, or ``"soft"``, where one body can diverge.
+    any damping, ``"soft"``, where one body can diverge, or ``"cluster"``, whose frequencies are few.
     """
     rng = np.random.default_rng(seed)
     half = n // 2
     M, K, C = np.zeros((n, n)), np.zeros((n, n)), np.zeros((n, n))
     spectrum = np.sort(rng.uniform(1.0, 10.0, half)) * 1e3
+    if kind == "cluster":
+        spectrum = np.resize(spectrum[: max(2, half // 5)], half)
     for body, size in ((slice(0, half), half), (slice(half, n), n - half)):
         A = rng.standard_normal((size, size))
         mass = A @ A.T / size + np.eye(size)
         R = np.linalg.cholesky(mass)
         Q = np.linalg.qr(rng.standard_normal((size, size)))[0]
         own = np.resize(spectrum, size) * (
-            1.0 + rng.uniform(-1, 1, size) * (1e-3 if kind == "near" else 0.3)
+            1.0 + rng.uniform(-1, 1, size) * ({"near": 1e-3, "cluster": 1e-2}.get(kind, 0.3))
         )
         if kind == "soft" and body.start:
             own[0] *= 0.02
@@ -72,36 +74,29 @@ def counts(of: dict[str, Array], values: Array, growth: float) -> Array:
 def precise_onset(
     of: dict[str, Array], mu: float, omega: float, growth: float, digits: int = 40
 ) -> tuple[mpmath.mpf, mpmath.mpf]:
-    """Friction and frequency of an onset nearby, by Newton's method with many digits."""
+    """Friction and frequency of an onset nearby: residuals have all digits, their corrections those
+    of floats.
+    """
+    M, C, K, F = (of[name] for name in ("M", "C", "K", "friction"))
+    s, size = complex(growth, omega), abs(omega) or 1.0
+    A = s * s * M + s * C + K + mu * F
+    first = np.linalg.svd(A)[2][-1].conj()
+    by_rate = size * 1j * (2 * s * M + C) @ first
+    rows = np.hstack([A, 1j * A, np.array([by_rate, F @ first]).T])
+    norm = np.hstack([first.conj(), 1j * first.conj(), [0.0, 0.0]])
+    complete = np.vstack([rows, norm])
+    inverse = np.linalg.inv(np.vstack([complete.real, complete.imag]))
     with mpmath.workdps(digits):
-        M, C, K, F = (mpmath.matrix(of[name].tolist()) for name in ("M", "C", "K", "friction"))
-        n = len(of["M"])
-        start = complex(growth, omega)
-        matrix = start**2 * of["M"] + start * of["C"] + of["K"] + mu * of["friction"]
-        _, _, right = np.linalg.svd(matrix)
-        q = mpmath.matrix([mpmath.mpc(z) for z in right[-1].conj()])
-        c = q.H
-        value, w = mpmath.mpf(mu), mpmath.mpf(omega)
-        for _ in range(6):
+        M, C, K, F = (one + mpmath.mpf(0) for one in (M, C, K, F))
+        q, value, w = first + mpmath.mpc(0), mpmath.mpf(mu), mpmath.mpf(omega)
+        for _ in range(40):
             s = mpmath.mpc(growth, w)
-            A = s * s * M + s * C + K + value * F
-            r = A * q
-            by_w, by_mu = mpmath.mpc(0, 1) * (2 * s * M + C) * q, F * q
-            big = mpmath.matrix(2 * n + 2, 2 * n + 2)
-            right_side = mpmath.matrix(2 * n + 2, 1)
-            for i in range(n):
-                for k in range(n):
-                    a = A[i, k]
-                    big[i, k], big[i, n + k] = a.real, -a.imag
-                    big[n + i, k], big[n + i, n + k] = a.imag, a.real
-                big[i, 2 * n], big[n + i, 2 * n] = by_w[i].real, by_w[i].imag
-                big[i, 2 * n + 1], big[n + i, 2 * n + 1] = by_mu[i].real, by_mu[i].imag
-                big[2 * n, i], big[2 * n, n + i] = c[i].real, -c[i].imag
-                big[2 * n + 1, i], big[2 * n + 1, n + i] = c[i].imag, c[i].real
-                right_side[i], right_side[n + i] = -r[i].real, -r[i].imag
-            norm = (c * q)[0] - 1
-            right_side[2 * n], right_side[2 * n + 1] = -norm.real, -norm.imag
-            step = mpmath.lu_solve(big, right_side)
-            q = mpmath.matrix([q[i] + mpmath.mpc(step[i], step[n + i]) for i in range(n)])
-            w, value = w + step[2 * n], value + step[2 * n + 1]
-        return value, w
+            rest = [*(s * (s * (M @ q) + C @ q) + K @ q + value * (F @ q)), first.conj() @ q - 1]
+            parts = np.array([float(z.real) for z in rest] + [float(z.imag) for z in rest])
+            step = -inverse @ parts
+            real, imaginary, (by_w, by_mu) = np.split(step, [len(q), 2 * len(q)])
+            q = q + (real + 1j * imaginary)
+            w, value = w + size * by_w, value + by_mu
+            if abs(by_mu) < 10.0 ** (3 - digits):
+                return value, w
+    raise ArithmeticError("no convergence")

@@ -1,8 +1,10 @@
-"""Matrices as Abaqus, Ansys and Nastran write them, read from their text."""
+"""Matrices as Abaqus, Ansys, Nastran and MATLAB write them, read from their text or bytes."""
 
 from __future__ import annotations
 
 import re
+import struct
+import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
@@ -229,10 +231,36 @@ def harwell_boeing(text: str) -> csr_array:
     if count and not (at.min() >= 0 and at.max() < rows):
         raise ValueError(f"a row lies beyond the {rows} rows")
     own = csc_array((parts[2], at, starts), shape=(rows, columns))
-    if kind[1] == "U":
-        return own.tocsr()
-    sign = 1.0 if kind[1] == "S" else -1.0
-    return (own + sign * (own - diags_array(own.diagonal())).T).tocsr()
+    return _mirrored(own, {"U": 0.0, "S": 1.0, "Z": -1.0}[kind[1]])
+
+
+def _mirrored(own: Any, sign: float) -> csr_array:
+    """A sparse matrix with the other side of its diagonal, times a sign; 0 if it has it."""
+    mirror = sign * (own - diags_array(own.diagonal())).T
+    return csr_array(own + mirror if sign else own)
+
+
+def matrix_market(text: str) -> csr_array:
+    """MatrixMarket: real numbers or integers, of any symmetry. SciPy 1.17 reads beyond the last
+    line if that is damaged, and ends the process.
+    """
+    head, *lines = (line for line in text.splitlines() if line.strip())
+    _, _, layout, field, symmetry = head.lower().split()
+    sign = {"general": 0.0, "symmetric": 1.0, "skew-symmetric": -1.0}.get(symmetry)
+    if layout not in ("coordinate", "array") or field not in ("real", "integer") or sign is None:
+        raise ValueError(f"{head!r} is not read")
+    sizes, *rest = (line for line in lines if not line.startswith("%"))
+    rows, columns, *count = map(int, sizes.split())
+    numbers = np.array([*map(_float, " ".join(rest).split())])
+    if count:
+        at, values = np.split(numbers.reshape(count[0], 3), [2], axis=1)
+        own = coo_array((values[:, 0], (at.astype(np.int64) - 1).T), shape=(rows, columns))
+        return _mirrored(own, sign)
+    dense = np.zeros((columns, rows))  # each column after the other
+    dense[np.triu_indices(rows, k=int(sign < 0)) if sign else ...] = (
+        numbers if sign else numbers.reshape(columns, rows)
+    )
+    return _mirrored(csr_array(dense.T), sign)
 
 
 def mapping(text: str) -> tuple[Label, ...]:
@@ -248,3 +276,71 @@ def mapping(text: str) -> tuple[Label, ...]:
     if sorted(found) != [*range(1, len(found) + 1)] or len({*found.values()}) < len(found):
         raise ValueError("the equations are not 1, 2, …, each with a degree of freedom of its own")
     return tuple(found[one] for one in sorted(found))
+
+
+#: NumPy's codes of MATLAB's types of numbers.
+_CODES = {
+    1: "i1",
+    2: "u1",
+    3: "i2",
+    4: "u2",
+    5: "i4",
+    6: "u4",
+    7: "f4",
+    9: "f8",
+    12: "i8",
+    13: "u8",
+}
+
+
+def matlab(data: bytes, largest: int) -> dict[str, Any]:
+    """All real matrices of a file of MATLAB's level 5, as ``-v6`` and ``-v7`` write it, by name;
+    ``largest`` are bytes of one that is unpacked.
+
+    SciPy 1.17 reads beyond its tables, and ends the process, where a tag is damaged.
+    """
+    order = {b"\x00\x01IM": "<", b"\x01\x00MI": ">"}.get(data[124:128])
+    if order is None:
+        raise ValueError("it is of another level than 5; save it with -v7")
+    found = dict[str, Any]()
+    for kind, body in _elements(data[128:], order):
+        whole = body
+        if kind == 15:
+            whole = zlib.decompressobj().decompress(body, largest)
+            kind, whole = next(_elements(whole, order))
+        if kind == 14:
+            found |= _of_matlab(list(_elements(whole, order)), order)
+    return found
+
+
+def _elements(block: bytes, order: str) -> Iterator[tuple[int, bytes]]:
+    """Type and bytes of each element of a block."""
+    at = 0
+    while at < len(block):
+        kind, size = struct.unpack_from(f"{order}II", block, at)
+        at += 8
+        if kind >> 16:
+            kind, size = kind & 0xFFFF, kind >> 16
+            yield kind, block[at - 4 :][: min(size, 4)]
+            continue
+        if at + size > len(block):
+            raise ValueError("it ends too early")
+        yield kind, block[at : at + size]
+        at += size if kind == 15 else size + -size % 8
+
+
+def _of_matlab(parts: Sequence[tuple[int, bytes]], order: str) -> dict[str, Any]:
+    """A variable by its name, if it is a real matrix."""
+    flags = struct.unpack_from(f"{order}I", parts[0][1])[0]
+    if not 5 <= flags & 0xFF <= 15 or flags & 0x800:
+        return {}
+    name = parts[2][1].decode("ascii")
+    rest = [np.frombuffer(one, order + _CODES[kind]) for kind, one in (parts[1], *parts[3:])]
+    shape = tuple(map(int, rest[0]))
+    if flags & 0xFF > 5:
+        return {name: rest[1].reshape(shape, order="F")}
+    at, starts, values = rest[1:4]
+    count = int(starts[-1])
+    own = csc_array((values[:count].astype(float), at[:count], starts), shape=shape)
+    own.check_format(full_check=True)
+    return {name: own}

@@ -5,13 +5,24 @@ from __future__ import annotations
 import io
 import os
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from ..core.errors import ParameterError, one_of
 from ..files.text import FilePath, contents, path_text
-from .exports import Label, Labelled, abaqus, bulk, harwell_boeing, mapping, output4
+from .exports import (
+    Label,
+    Labelled,
+    abaqus,
+    bulk,
+    harwell_boeing,
+    mapping,
+    matlab,
+    matrix_market,
+    output4,
+)
 
 #: Bytes of the largest file that is read.
 LARGEST = 2_000_000_000
@@ -90,18 +101,8 @@ def _of_text(reader: Callable[[str], Any]) -> Callable[[bytes], Any]:
     return lambda data: reader(data.decode("ascii"))
 
 
-def _mtx(data: bytes) -> Any:
-    if not data.startswith(b"%%MatrixMarket"):
-        return abaqus(data.decode("ascii"))
-    from scipy.io import mmread
-
-    return mmread(io.BytesIO(data))
-
-
-def _matlab(data: bytes) -> Any:
-    from scipy.io import loadmat
-
-    return {name: one for name, one in loadmat(io.BytesIO(data)).items() if name[0] != "_"}
+def _mtx(text: str) -> Any:
+    return (matrix_market if text.startswith("%%MatrixMarket") else abaqus)(text)
 
 
 def _numpy(data: bytes) -> Any:
@@ -114,7 +115,10 @@ def _archive(data: bytes) -> Any:
             return dict(held)
     from scipy.sparse import load_npz
 
-    return load_npz(io.BytesIO(data))
+    found = load_npz(io.BytesIO(data))
+    if hasattr(found, "check_format"):
+        found.check_format(full_check=True)
+    return found
 
 
 def read_dofs(path: FilePath) -> tuple[Label, ...]:
@@ -134,11 +138,11 @@ def read_dofs(path: FilePath) -> tuple[Label, ...]:
 
 #: The reader of each ending.
 READERS: dict[str, Callable[[bytes], Any]] = {
-    ".mtx": _mtx,
+    ".mtx": _of_text(_mtx),
     **dict.fromkeys((".matrix", ".hb", ".rua", ".rsa"), _of_text(harwell_boeing)),
     ".op4": _of_text(output4),
     **dict.fromkeys((".pch", ".bdf", ".dat"), _of_text(bulk)),
-    ".mat": _matlab,
+    ".mat": partial(matlab, largest=LARGEST),
     ".npy": _numpy,
     ".npz": _archive,
 }

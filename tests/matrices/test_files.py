@@ -2,12 +2,15 @@
 
 import copy
 import io
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 import scipy.io
-from scipy.sparse import coo_array, csc_array
+from scipy.sparse import coo_array, csc_array, save_npz
 
 import spragsym as ss
 from spragsym.matrices.files import read
@@ -120,13 +123,77 @@ def test_what_a_file_may_not_hold(name: str, text: str, words: str, tmp_path: Pa
         read(written(tmp_path, name, text))
 
 
+def written_by_scipy(one: np.ndarray) -> dict[str, bytes]:
+    """A matrix and its parts in every format that SciPy and NumPy write."""
+    sparse, found = csc_array(one), {}
+
+    def kept(name: str, write: Callable[[Any], object]) -> None:
+        stream = io.BytesIO()
+        write(stream)
+        found[name] = stream.getvalue()
+
+    for name, own in (("sparse", coo_array(one)), ("dense", one)):
+        for kind in ("general", "symmetric", "skew-symmetric"):
+            kept(f"{name} {kind}.mtx", partial(scipy.io.mmwrite, a=own, symmetry=kind))
+        for packed in (False, True):
+            whole = {"text": "K", "K": own, "cell": np.array([1, "a"], dtype=object)}
+            kept(
+                f"{name}{packed}.mat", partial(scipy.io.savemat, mdict=whole, do_compression=packed)
+            )
+    kept("a.npz", partial(save_npz, matrix=sparse))
+    kept("b.npz", partial(np.savez, K=one))
+    kept("a.npy", partial(np.save, arr=one))
+    text = io.StringIO()
+    scipy.io.hb_write(text, sparse)
+    return found | {"a.hb": text.getvalue().encode()}
+
+
 def test_numbers_of_another_writer_round_trip(tmp_path: Path) -> None:
     rng = np.random.default_rng(3)
     one = np.where(rng.random((9, 9)) < 0.4, rng.standard_normal((9, 9)), 0.0)
-    scipy.io.mmwrite(tmp_path / "a.mtx", coo_array(one))
-    assert (read(tmp_path / "a.mtx").toarray() == one).all()
-    scipy.io.hb_write(tmp_path / "a.hb", csc_array(one))
-    assert (read(tmp_path / "a.hb").toarray() == one).all()
+    parts = {" symmetric.mtx": one + one.T, " skew-symmetric.mtx": one - one.T}
+    for kind, own in (("", one), *parts.items()):
+        for name, data in written_by_scipy(own).items():
+            if not name.endswith(kind or (".mat", ".npz", ".npy", ".hb", " general.mtx")):
+                continue
+            (tmp_path / name).write_bytes(data)
+            found = read(tmp_path / name, "K" if name.endswith(".mat") else None)
+            found = found.toarray() if hasattr(found, "toarray") else found
+            assert (found == own).all(), name
+    for own in (np.eye(3, dtype=np.int16), np.array([[True, False]]), np.eye(2, dtype=np.float32)):
+        scipy.io.savemat(tmp_path / "small.mat", {"K": own})
+        assert (read(tmp_path / "small.mat") == own).all()
+    for own, words in (({"K": 1j * one}, "holds nothing"), ({"K": one, "M": one}, "holds K, M")):
+        scipy.io.savemat(tmp_path / "other.mat", own)
+        with pytest.raises(ss.errors.ParameterError, match=words):
+            read(tmp_path / "other.mat")
+
+
+def test_damaged_bytes_end_no_process(tmp_path: Path) -> None:
+    """Each is read, or refused by its name; SciPy's readers of .mat and .mtx end the process."""
+    rng = np.random.default_rng(0)
+    whole = written_by_scipy(MATRIX + MATRIX.T) | {name: FILES[name].encode() for name in FILES}
+    refused = 0
+    for name, data in whole.items():
+        for _ in range(12):
+            damaged = bytearray(data)
+            for place in rng.integers(len(damaged), size=rng.integers(1, 4)):
+                damaged[place] = rng.choice([rng.integers(256), *b"0123456789+-.E"])
+            if rng.random() < 0.3:
+                del damaged[rng.integers(len(damaged)) :]
+            (tmp_path / name).write_bytes(damaged)
+            try:
+                read(tmp_path / name)
+            except ss.errors.ParameterError as error:
+                refused += name in str(error)
+    assert refused > 100
+    # The two by which they were seen to: a tag of an unknown type, and an exponent without digits.
+    tag = whole["denseFalse.mat"].replace(b"\x09\x00\x00\x00\x48", b"\x49\x00\x00\x00\x48")
+    end = b"%%MatrixMarket matrix coordinate real symmetric\n3 3 1\n3 3 1+"
+    for name, data in (("tag.mat", tag), ("end.mtx", end)):
+        (tmp_path / name).write_bytes(data)
+        with pytest.raises(ss.errors.ParameterError, match=name):
+            read(tmp_path / name, "K")
 
 
 def test_labels_are_kept_and_name_the_rows_of_all_matrices(tmp_path: Path) -> None:

@@ -108,8 +108,7 @@ class Points(OfStates, Rows):
         How many λ of the full linearization grow in the one and in the other of two states that
         meet: the least and the largest number in states beside a point, proved by discs, of models
         without damping by floats; −1 where that is undecided, and at borders, where forces have a
-        kink. Of :class:`spragsym.results.Onsets`, at smaller
-        and at larger values of the parameter.
+        kink. Of :class:`spragsym.results.Onsets`, at smaller and at larger values of the parameter.
     region : ndarray
         Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then
         parameters. A parameter that is larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of

@@ -195,3 +195,25 @@ def test_dampers_are_no_part_of_the_theorem() -> None:
     assert by_closed_form.stability[0] == by_search.stability[0] == "stable"
     assert by_closed_form.growth[0] == pytest.approx(by_search.growth[0], rel=1e-9)
     assert by_search.growth[0] < -9e-3
+
+
+def test_curves_of_onsets_are_those_of_the_closed_form() -> None:
+    """An upright spring, or K₁₂ = 0: at each point that the search for any model finds."""
+    p = ss.Parameters.article()
+    found = ss.onset_curves(
+        p, ("theta0", "mu0"), 4, between={"theta0": (0.1, 3.0), "mu0": (0.02, 0.4)}
+    )
+    assert found.complete
+    for curve in found.curves:
+        at = {n: np.broadcast_to(p[n], curve.x.shape) for n in NAMES if n in p.ranges}
+        at |= {"theta0": curve.theta0, "mu0": curve.mu0}
+        K, _ = linearizations(curve.x, curve.y, at)
+        upright = np.abs(np.cos(curve.theta0) - curve.x) < 1e-9
+        assert upright.all() or not upright[1:-1].any()
+        if upright.all():
+            along = (1 + p.beta + p.sigma) * p.alpha * np.cos(curve.theta0)
+            press = p.kappa + p.sigma * (1 - np.sin(curve.theta0))
+            assert curve.mu0 == pytest.approx(along / press, abs=1e-12)
+        else:
+            assert np.abs(K[:, 0, 1]).max() < 1e-12
+            assert curve.omega**2 == pytest.approx(K[:, 1, 1], abs=1e-12)

@@ -4,7 +4,6 @@ overwritten with --force only.
 
 from __future__ import annotations
 
-import math
 import shutil
 import sys
 import textwrap
@@ -18,7 +17,7 @@ from click.core import ParameterSource
 
 from ..core.errors import TargetError
 from ..core.progress import show_progress
-from ..core.shown import json_text
+from ..core.shown import json_text, without_nan
 from ..display import aligned
 from ..files.storage import OVERWRITING, probe, put
 
@@ -102,16 +101,7 @@ def print_json(thing: object) -> None:
     """Print JSON; NaN and infinities, which JSON does not have, become null."""
     # Greek letters are escaped if the stream can't write them.
     escaped = not (getattr(sys.stdout, "encoding", None) or "utf").lower().startswith("utf")
-    click.echo(json_text(_plain(thing), indent=1, ascii_only=escaped))
-
-
-def _plain(thing: object) -> object:
-    """Data for JSON: None in place of NaN and infinities."""
-    if isinstance(thing, dict):
-        return {name: _plain(value) for name, value in thing.items()}
-    if isinstance(thing, list | tuple):
-        return [_plain(value) for value in thing]
-    return None if isinstance(thing, float) and not math.isfinite(thing) else thing
+    click.echo(json_text(without_nan(thing), indent=1, ascii_only=escaped))
 
 
 def is_typed(option: str) -> bool:

@@ -6,6 +6,7 @@ import math
 import os
 import shlex
 import sys
+from contextlib import closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,8 +15,8 @@ import click
 import spragsym as ss
 
 from ..core.errors import ModelError, ParameterError
-from ..core.progress import show_progress
-from ..files.storage import probe
+from ..core.progress import advance, show_progress
+from ..files.storage import probe, put
 from ..models.load import USUAL, load, shipped
 from ..models.parameters import POSITIVE, ParameterSet
 from . import options as o
@@ -58,6 +59,14 @@ if TYPE_CHECKING:
 @o.over
 @o.file("--csv", metavar="PATH", help="Write what --over tells, with units in the head.")
 @o.plot("what --over tells")
+@o.file(
+    "--batch",
+    metavar="CSV",
+    help="A table with a row a brake: its head has keys of FILE, and cells what FILE has for them; "
+    "FILE, if given, has what the brakes share.",
+)
+@o.file("--out", "-o", folder=True, metavar="FOLDER", help="Of --batch: where reports are written.")
+@o.workers(1)
 @o.force
 @o.as_json
 def report(
@@ -67,6 +76,9 @@ def report(
     over: tuple[Span, ...],
     csv: Path | None,
     plot: Path | None,
+    batch: Path | None,
+    out: Path | None,
+    workers: int,
     **parts: Any,
 ) -> None:
     """A verdict on the brake whose data stand in FILE, with units and tolerances.
@@ -78,11 +90,23 @@ def report(
       spragsym report brake.toml
       spragsym report brake.toml --html report.html
       spragsym report brake.toml --over theta0=40:70:31 --csv over.csv
+      spragsym report brake.toml --batch brakes.csv --out reports -j 4
     """
     if is_typed("example"):
         from ..report.example import example
 
         click.echo(example(load(model or USUAL)), nl=False)
+        return
+    if (batch is None) != (out is None):
+        raise click.UsageError(
+            "--batch and --out belong together: --batch brakes.csv --out reports"
+        )
+    if batch is not None and out is not None:
+        if any((html, over, csv, plot)):
+            raise click.UsageError(
+                "--batch writes pages and a summary; leave out --html, --over, --csv, --plot"
+            )
+        _batch(batch, out, file, workers, model or is_typed("trust"), parts)
         return
     if file is None:
         raise click.UsageError("FILE is missing; begin with spragsym report --example > brake.toml")
@@ -109,6 +133,60 @@ def report(
         with show_progress("drawing the page"):
             found.to_html(html)
         click.echo(f"wrote {html}", err=True)
+
+
+def _batch(
+    table: Path,
+    folder: Path,
+    base: Path | None,
+    workers: int,
+    trust: bool | str,
+    options: dict[str, Any],
+) -> None:
+    """Write the reports of a table of brakes, and their summary by risk."""
+    from ..figures.report_pages import batch_page, report_page  # they need the extra plot
+    from ..report.batch import by_risk, read_batch, report_batch, summary_csv
+
+    probe(folder / "index.html", made=True)
+    total, found = len(read_batch(table)), []
+    with (
+        advance(True, total, 0) as done,
+        closing(
+            report_batch(
+                table,
+                folder,
+                base,
+                page=report_page,
+                trust=trust,
+                workers=workers,
+                options=options,
+                force=is_typed("force"),
+            )
+        ) as reports,
+    ):
+        for one in reports:
+            found.append(one)
+            done()
+    ranked = by_risk(found)
+    risky, failed = sum(one.at_risk for one in ranked), [one for one in ranked if not one.told]
+    about = f"{total} brakes, {risky} at risk, {len(failed)} without a report; by risk"
+    put(folder / "summary.csv", summary_csv(ranked))
+    put(folder / "index.html", batch_page(ranked, f"Brakes of {table.name}", about))
+    if o.is_json():
+        print_json([one.columns() for one in ranked])
+    else:
+        names = ("name", "jump_at", "unit", "margin_percent", "probability", "motion")
+        rows = [{name: _cell(one.columns()[name]) for name in names} for one in ranked]
+        print_rows(about, rows)
+    for one in failed:
+        click.echo(f"{one.brake.name}: {one.trouble}", err=True)
+    click.echo(f"wrote {folder / 'index.html'}", err=True)
+    if failed:
+        click.get_current_context().exit(3)
+
+
+def _cell(value: object) -> object:
+    return "" if value is None else value
 
 
 def _over(study: Study, over: tuple[Span, ...], csv: Path | None, plot: Path | None) -> None:

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import html
 import json
+import math
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 
 def unprinted(text: Iterable[str]) -> list[str]:
@@ -71,6 +73,15 @@ def html_text(text: str) -> str:
     '&lt;b&gt;'
     """
     return html.escape(visible(text))
+
+
+def without_nan(thing: object) -> Any:
+    """Data for JSON: None in place of NaN and infinities."""
+    if isinstance(thing, Mapping):
+        return {name: without_nan(value) for name, value in thing.items()}
+    if isinstance(thing, list | tuple):
+        return [without_nan(value) for value in thing]
+    return None if isinstance(thing, float) and not math.isfinite(thing) else thing
 
 
 def json_text(thing: object, *, indent: int | None = None, ascii_only: bool = False) -> str:

@@ -7,7 +7,7 @@ from __future__ import annotations
 import hashlib
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -29,6 +29,7 @@ from ..files.text import filled
 from ..models.load import mechanism
 from ..models.parameters import ParameterSet, Ranges, Span
 from ..report.advice import Rows, warnings
+from ..report.batch import BatchReport
 from ..report.facts import Facts
 from ..report.states import Oscillation, unit_of
 from ..report.study import Study
@@ -421,3 +422,35 @@ def draw_shares(indices: Mapping[str, tuple[float, float, float]], ax: Axes) -> 
     ax.barh(places, np.maximum(first, 0.0), color=BLUE, height=0.3)
     ax.set_yticks(places, [f"${symbol(name)}$" if name.isidentifier() else name for name in names])
     ax.set(xlabel="share of the variance of “it jumps”", xlim=(0, 1.05))
+
+
+def batch_page(found: Sequence[BatchReport], title: str, about: str) -> str:
+    """Text of the page with a row a brake, each with a link to its own page."""
+
+    def shown(one: BatchReport) -> dict[str, Any]:
+        row = one.columns()
+        odds, ends = row["probability"], (row["low"], row["high"])
+        return {
+            "name": row["name"],
+            "risk": one.at_risk,
+            "link": quote(f"{one.brake.stem}.html") if one.told else "",
+            "jump_at": _number(row["jump_at"], f" {row['unit'] or ''}"),
+            "margin": _number(row["margin_percent"], " %"),
+            "probability": _number(odds, "")
+            + (f" ({ends[0]:.3g} to {ends[1]:.3g})" if None not in ends else ""),
+            "verdict": one.verdict,
+        }
+
+    return filled(
+        "spragsym.figures",
+        "batch.html",
+        "the page of a batch",
+        title=title,
+        about=about,
+        rows=[shown(one) for one in found],
+    )
+
+
+def _number(value: float | None, unit: str) -> str:
+    """A cell of the page; empty for what is not known."""
+    return "" if value is None else f"{value:.4g}{unit}".rstrip()

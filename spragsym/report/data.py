@@ -49,7 +49,7 @@ def read_brake(path: FilePath, trust: bool | str = False) -> Study:
     name of the only folder for which it may. Mistakes raise a ParameterError with the file, the
     line, the key, the value, and what to write.
     """
-    return _FileReader(path_text(path), brake_text(path)).read(trust)
+    return FileReader(path_text(path), brake_text(path)).read(trust)
 
 
 class DataFile:
@@ -67,6 +67,10 @@ class DataFile:
         )
         number = next(found, None)
         return f"{self.path}, line {number}" if number else self.path
+
+    def beside(self, key: str) -> Path:
+        """The folder in which files that a key names are looked for."""
+        return Path(self.path).parent
 
     def table(self, name: str) -> str:
         """File and line of a table."""
@@ -100,7 +104,7 @@ class DataFile:
         return f"{self.path}, line {number}: {line!r} is not TOML; {cure}"
 
 
-class _FileReader(DataFile):
+class FileReader(DataFile):
     """Reader of a file with a table [brake]."""
 
     def read(self, trust: bool | str) -> Study:
@@ -222,7 +226,7 @@ class _FileReader(DataFile):
         for key in (kind.friction, "d"):
             if key in found:
                 raise ParameterError(f"{key} is given too; leave out one of the two")
-        fit = fit_friction(*read_friction(Path(self.path).parent / given))
+        fit = fit_friction(*read_friction(self.beside("friction") / given))
         found |= {
             kind.friction: _fitted(fit.mu0, fit.mu0_error, ""),
             "d": _fitted(fit.d, fit.d_error, "s/m"),

@@ -99,7 +99,7 @@ def _measurements(path: Path, lines: Sequence[tuple[int, str]]) -> list[tuple[fl
     between = next((mark for mark in ";\t|," if mark in head), " ")
     if between == " ":
         head = re.sub(r"\s+(?=[\[(])", "", head)
-    names = _cells(head, between)
+    names = cells(head, between)
     a_number = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
     if any(map(a_number.fullmatch, names)):
         raise ParameterError(
@@ -110,7 +110,7 @@ def _measurements(path: Path, lines: Sequence[tuple[int, str]]) -> list[tuple[fl
     speed, friction = _column(at, names, "m/s"), _column(at, names, "1")
     found, written = list[tuple[float, float]](), list[str]()
     for number, line in data:
-        row = _cells(line, between)
+        row = cells(line, between)
         at = f"{path}, line {number}: {line[:80]!r}"
         if len(row) < len(names) or any(row[len(names) :]):
             raise ParameterError(
@@ -153,7 +153,7 @@ def _check_marks(at: str, written: Sequence[str]) -> None:
         )
 
 
-def _cells(line: str, between: str) -> list[str]:
+def cells(line: str, between: str) -> list[str]:
     """Cells of a line, without blanks and quotes."""
     try:
         cells = next(csv.reader([line], delimiter=between, skipinitialspace=True))

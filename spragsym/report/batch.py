@@ -52,14 +52,15 @@ class _RowReader(FileReader):
         return Path(self.table_path).parent if key in self.row else super().beside(key)
 
     def _table(self) -> dict[str, Any]:
-        return super()._table() | self.row
+        return {**super()._table(), **self.row}
 
     def made_of(self) -> list[str]:
         """All that the study is made of: its keys, a measured friction, a model's own folder."""
         table = self._table()
         found = [json.dumps(table, default=str)]
-        with suppress(OSError, SpragsymError, TypeError):
-            found.append(text_of(self.beside("friction") / table.get("friction"), 8 * 2**20))
+        if isinstance(measured := table.get("friction"), str):
+            with suppress(OSError, SpragsymError):
+                found.append(text_of(self.beside("friction") / measured, 8 * 2**20))
         model = Path(str(table.get("model", "")))
         return found + ([digest_of_folder(model)] if model.is_dir() and model.name else [])
 

@@ -29,6 +29,7 @@ from .contacts import ContactPair, Dof, directions, read_contacts
 from .exports import Label, Labelled
 from .files import read, read_dofs
 from .reduction import basis
+from .uniqueness import unique_up_to
 
 #: A matrix: an array, a sparse one of SciPy, or the name of a file.
 Matrix: TypeAlias = Any
@@ -184,6 +185,50 @@ class MatrixModel(Model):
         found = MatrixModel(given, self.names)
         found.full, found.basis, found.highest_hz = self, space, highest / (3.0 * np.pi)
         return found
+
+    def unique_up_to(self, p: ParameterSet) -> float:
+        """The friction up to which there is one state of steady sliding under every load, with
+        contacts that open and close: proved, for the matrices as they are given.
+
+        Beyond it there may be loads with no such state or with several, between which it jumps; a
+        criterion that is sufficient was asked, so that it may be unique there too.
+
+        Parameters
+        ----------
+        p : Parameters
+            Of this model, made with contact pairs; ``mu`` in it means nothing here.
+
+        Returns
+        -------
+        float
+            At most 10.
+
+        Raises
+        ------
+        ModelError
+            Without contact pairs, or if nothing but contacts holds a body.
+
+        Examples
+        --------
+        A block between a stiff spring across, 1, and one that leans, 0.5, on a moving plate:
+
+        >>> import numpy as np, spragsym as ss
+        >>> K = [[1.0, 0.5], [0.5, 1.0 + 2.0]]  # along, across; the contact's stiffness is 2
+        >>> pair = ss.ContactPair(across=(1,), along=(0,), stiffness=2.0)
+        >>> m = ss.matrices(np.eye(2), K, [pair])
+        >>> round(m.unique_up_to(m.Parameters(mu=0.0)), 6)  # 1/2 + 4/3 = μ 2/3
+        2.75
+        """
+        if self.full is not None:
+            given = {one: p[one] for one in self.parameters}
+            return self.full.unique_up_to(self.full.Parameters(**given))
+        self.require_small()
+        if not self.pairs:
+            raise ModelError("whether sliding is unique is asked of contact pairs; give them")
+        pencil = self.pencil(p.replace(mu=0.0), "mu")
+        places: dict[Dof, int] = {one: place for place, one in enumerate(self.dofs)}
+        W_n, W_t, k = directions(self.pairs, self.size, places)
+        return unique_up_to(pencil.at(0.0)[1], pencil.sizes(0.0)[1], W_n, W_t, k)
 
     def require_small(self) -> None:
         """Raise for a model that is only asked when it is reduced."""

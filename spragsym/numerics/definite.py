@@ -41,15 +41,22 @@ def exceeds(symmetric: FloatArray, margin: float) -> bool:
     """Whether all eigenvalues of I + A and of I − A exceed ``margin``, for a symmetric A: proved if
     True.
     """
+    unit = np.eye(len(symmetric))
+    return all(is_definite(unit + signed, margin) for signed in (symmetric, -symmetric))
+
+
+def is_definite(symmetric: FloatArray, margin: float = 0.0) -> bool:
+    """Whether all eigenvalues of a symmetric matrix exceed ``margin``: proved if True. ``margin``
+    may be any bound on the norm of what is neglected; the diagonal is of the order of 1.
+    """
     n = len(symmetric)
-    for signed in (symmetric, -symmetric):
-        # The decomposition is that of a matrix nearer than γ times the trace.
-        size = 2.0 * n + float(np.abs(np.diagonal(signed)).sum())
-        shifted = signed + np.eye(n) * (1.0 - margin - 2.0 * gamma(n + 8) * size)
-        try:
-            np.linalg.cholesky(shifted)
-        except np.linalg.LinAlgError:
-            return False
+    # The decomposition is that of a matrix nearer than γ times the trace.
+    size = n + float(np.abs(np.diagonal(symmetric)).sum())
+    shifted = symmetric - np.eye(n) * (margin + 2.0 * gamma(n + 8) * size)
+    try:
+        np.linalg.cholesky(shifted)
+    except np.linalg.LinAlgError:
+        return False
     return True
 
 

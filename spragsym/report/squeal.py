@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeAlias, cast
 
 import numpy as np
 
-from ..core.errors import ParameterError, hint
+from ..core.errors import ModelError, ParameterError, hint
 from ..core.type_variables import T
 from ..files.text import FilePath, brake_text, has_shape, path_text, printed
 from ..matrices.answers import MatrixOnsets, Modes, flutter_onsets, modes
 from ..matrices.contacts import read_contacts
 from ..matrices.files import read as read_matrix
-from ..matrices.model import Matrix, MatrixModel, matrices
+from ..matrices.model import LARGEST, Matrix, MatrixModel, matrices
 from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, ParameterSet, Range, Span
 from ..models.quantities import factor
 from .data import DataFile, looked_at
@@ -133,9 +134,28 @@ class SquealReport:
 
     def remarks(self) -> list[str]:
         """What limits the answer."""
-        beyond = len(self.onsets) - len(self.rows)
+        beyond, unique = len(self.onsets) - len(self.rows), self.unique_up_to
         more = [f"{beyond} more onsets lie outside of the band"] if beyond else []
+        if unique is not None:
+            more.append(
+                f"with contacts that open, there is one state of sliding under every load up to mu "
+                f"= {unique:.6g}: proved; beyond it there may be several, and jumps"
+            )
         return [*self.study.remarks, *self.onsets.remarks, *more]
+
+    @cached_property
+    def unique_up_to(self) -> float | None:
+        """The friction up to which sliding is unique; None where that is not asked: without contact
+        pairs, in a large model, or where only contacts hold a body.
+        """
+        study, model = self.study, self.study.model
+        whole = model.full or model
+        if not whole.pairs or whole.size > LARGEST:
+            return None
+        try:
+            return model.unique_up_to(study.parameters.replace(**{study.vary: study.value}))
+        except ModelError:
+            return None
 
     def sections(self) -> dict[str, Section]:
         """Onsets, the least damped modes of the band, and the data."""
@@ -194,6 +214,7 @@ class SquealReport:
             "threshold": on.threshold,
             "band_hz": None if study.band is None else [*study.band],
             "squeals": self.squeals,
+            "unique_up_to": self.unique_up_to,
             "onsets": self.rows,
             "complete": on.complete,
             "undecided": on.undecided.tolist(),

@@ -100,3 +100,17 @@ def precise_onset(
             if abs(by_mu) < 10.0 ** (3 - digits):
                 return value, w
     raise ArithmeticError("no convergence")
+
+
+def held_block(n: int, pairs: int, rng: np.random.Generator) -> tuple[Array, list[Any]]:
+    """A definite stiffness, and contact pairs on coordinates of it."""
+    from spragsym import ContactPair
+
+    A = rng.standard_normal((n, n))
+    K = A @ A.T / n + 0.2 * np.eye(n)
+    ends = rng.permutation(n)[: 2 * pairs].reshape(pairs, 2)
+    signs = rng.choice([-1, 1], pairs)
+    return K, [
+        ContactPair(across=(int(a),), along=(int(b),), stiffness=2.0, direction=int(sign))
+        for (a, b), sign in zip(ends, signs, strict=True)
+    ]

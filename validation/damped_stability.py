@@ -88,7 +88,7 @@ def frictions(number: int, rng: np.random.Generator) -> dict[str, Any]:
     """Hopf points along θ₀ at two frictions, by closed form and by search, and how many λ grow on
     either side.
     """
-    wrong, worst, found = list[str](), 0.0, 0
+    wrong, worst, found, told_by_both = list[str](), 0.0, 0, 0
     for _ in range(2):
         p = random_fluttering(rng) if rng.random() < 0.5 else random_fixed(rng)
         p = p.replace(mu0=float(10 ** rng.uniform(-2, 0.7)), V=0.5, d=float(rng.uniform(0.5, 20)))
@@ -103,8 +103,15 @@ def frictions(number: int, rng: np.random.Generator) -> dict[str, Any]:
         for name in ("theta0", "x", "y", "omega"):
             gap = np.abs(ours[name][order] - searched[name][other]).max(initial=0.0)
             worst = max(worst, float(gap))
+        for name in ("unstable_before", "unstable_after"):
+            told, seen = ours[name][order], searched[name][other]
+            wrong += [f"{p!r}: {name} {told}, by search {seen}"] * bool(
+                ((told != seen) & (seen >= 0)).any()
+            )
+            told_by_both += int((seen >= 0).sum())
     wrong += [f"{worst:.2g} off"] * (worst > 1e-12)
-    return {"kind": "frictions", "wrong": wrong, "points": found, "off": worst}
+    numbers = {"points": found, "numbers": told_by_both, "off": worst}
+    return {"kind": "frictions", "wrong": wrong, **numbers}
 
 
 def boxes(number: int, rng: np.random.Generator) -> dict[str, Any]:

@@ -25,6 +25,7 @@ _SECTIONS = {
     "catastrophe": ("benchmarks.bench_catastrophe", "The bifurcation set"),
     "dynamics": ("benchmarks.bench_dynamics", "Motion in time"),
     "scale": ("benchmarks.bench_scale", "How cost grows"),
+    "matrices": ("benchmarks.bench_matrices", "Brakes as matrices"),
 }
 #: What ``--quick`` gives a benchmark for its size: enough to see that it runs, too little to
 #: measure.
@@ -36,6 +37,7 @@ _QUICK = {
     "models": "25",
     "general": "inclined_belt",
     "scale": "4",
+    "matrices": "10",
 }
 _VERSIONS = ("numpy", "scipy", "mpmath", "sympy", "python-flint", "heyoka")
 

@@ -332,8 +332,7 @@ def modes(p: ParameterSet) -> Modes:
             "growth and stability of each state"
         )
     model.require_small()
-    pencil = model.pencil(p, "mu")
-    t = p.scalars("mu")[0]
+    t, pencil = p.scalars("mu")[0], model.pencil(p, "mu")
     values, vectors = pencil.eigenbasis(t)
     order = np.lexsort((values.real, values.imag))
     values, vectors = values[order], vectors[:, order]

@@ -43,7 +43,8 @@ ANSWERED = ("flutter_onsets", "modes")
 class MatrixModel(Model):
     """M q″ + (C + Ω G) q′ + (K + μ K_f + Σ p_i K_i) q = 0, made by :func:`spragsym.matrices`.
 
-    Its parameters are ``mu``, ``Omega``, and the names of stiffnesses and dampings.
+    Its parameters are ``mu``, ``Omega``, and the names of stiffnesses and dampings; with contact
+    pairs also ``contact``, by which their stiffness is multiplied, in K as in K_f.
 
     Attributes
     ----------
@@ -75,6 +76,10 @@ class MatrixModel(Model):
             _entry("Omega", 0.0 if is_zero(given["G"]) else None, "speed of rotation", "1/s"),
             *(_entry(one, 0.0, f"stiffness in units of {one}") for one in names["stiffnesses"]),
             *(_entry(one, 0.0, f"damping in units of {one}") for one in names["dampings"]),
+            *(
+                _entry("contact", 1.0, "stiffness of the contacts over that of the pairs", low=0.0)
+                for _ in range("contact" in given)
+            ),
         ]
         about: dict[str, Any] = {
             "name": "matrices",
@@ -129,14 +134,23 @@ class MatrixModel(Model):
         """The matrices of a set of parameters as sums that depend on one of them."""
         given, zero = self.given, 0.0 * self.given["M"]
         parts = {"mu": given["friction"], "Omega": given["G"]} | given
+        share = self.contact_share(p) if vary != "contact" else 1.0
+        if vary == "contact":
+            parts["contact"] = parts["contact"] + p.scalars("mu")[0] * parts["mu"]
+        if share != 1.0:
+            parts["mu"] = share * parts["mu"]
         of_damping = ("Omega", *self.names["dampings"])
         fixed = {
             name: (p.scalars(name)[0], parts[name])
             for name in self.parameters
-            if name != vary and not is_zero(parts[name])
+            if name not in (vary, "contact") and not is_zero(parts[name])
         }
         damping: Terms = ((1.0, given["C"]),)
         stiffness: Terms = ((1.0, given["K"]),)
+        if vary == "contact":
+            stiffness, fixed = (*stiffness, (-1.0, given["contact"])), fixed | {"mu": (0.0, zero)}
+        elif share != 1.0:
+            stiffness += ((share, given["contact"]), (-1.0, given["contact"]))
         for name, term in fixed.items():
             if name in of_damping:
                 damping += (term,)
@@ -144,6 +158,10 @@ class MatrixModel(Model):
                 stiffness += (term,)
         slopes = (parts[vary], zero) if vary in of_damping else (zero, parts[vary])
         return Pencil(given["M"], damping, stiffness, *slopes)
+
+    def contact_share(self, p: ParameterSet) -> float:
+        """By what the stiffness of the contacts is multiplied."""
+        return p.scalars("contact")[0] if "contact" in self.given else 1.0
 
     def reduced(self, modes: int, corrections: int | None = None) -> MatrixModel:
         """The model in few coordinates: modes without friction and damping, and static corrections
@@ -228,6 +246,7 @@ class MatrixModel(Model):
         pencil = self.pencil(p.replace(mu=0.0), "mu")
         places: dict[Dof, int] = {one: place for place, one in enumerate(self.dofs)}
         W_n, W_t, k = directions(self.pairs, self.size, places)
+        k = k * self.contact_share(p)
         return unique_up_to(pencil.at(0.0)[1], pencil.sizes(0.0)[1], W_n, W_t, k)
 
     def require_small(self) -> None:
@@ -336,7 +355,7 @@ def matrices(
     raw = {"M": M, "K": K, "friction": friction, "C": C, "G": G}
     for kind, named in more.items():
         for name, one in named.items():
-            if name in (*raw, "mu", "Omega") or not str(name).isidentifier():
+            if name in (*raw, "mu", "Omega", "contact") or not str(name).isidentifier():
                 raise ParameterError(f"{kind} has the name {name!r}; give another, a word")
             raw[name] = one
     raw = {name: _read(one) for name, one in raw.items() if one is not None}
@@ -349,7 +368,9 @@ def matrices(
     n = int(given["M"].shape[0]) if given["M"].ndim == 2 else 0
     if pairs:
         W_n, W_t, stiffness = directions(pairs, n, places)
-        given["friction"] = _dense("friction", csr_array(W_t.T * stiffness) @ csr_array(W_n), {})
+        across = csr_array(W_n)
+        for name, one in (("friction", W_t), ("contact", W_n)):
+            given[name] = _dense(name, csr_array(one.T * stiffness) @ across, {})
     for name in ("C", "G"):
         given.setdefault(name, 0.0 * given["M"])
     for name, each in given.items():

@@ -1,9 +1,10 @@
 """Faults planted in right equations of ``validation/papers``: each is found, and told right.
 
 A case is one equation with one fault, or every third time with two: a sign, an index or a name, a
-number, an exponent, sine for cosine, a term or a factor lost. The verdict must be a misprint whose
-repair has the value of the right equation (``true``); ``first`` counts those whose form is the
-right one as well. A fault may not be called right.
+number, an exponent, sine for cosine, a term or a factor lost, which changes its value at samples by
+more than its object leaves open. The verdict must be a misprint whose repair has the value of the
+right equation (``true``); ``first`` counts those whose form is the right one as well. A fault may
+not be called right.
 """
 
 from collections.abc import Iterator
@@ -18,9 +19,16 @@ import sympy as sp
 
 from spragsym.derive import pages
 from spragsym.derive.statements import papers, verdicts
+from spragsym.derive.statements.book import with_defined
 from spragsym.derive.statements.objects import Derivation
 from spragsym.derive.statements.reading import Item, read_paper, read_statement
-from spragsym.derive.statements.tree import Equation, Node, nodes, printed, with_part
+from spragsym.derive.statements.repair import (
+    evaluated,
+    same,
+    same_but_for_constant,
+    same_but_for_factor,
+)
+from spragsym.derive.statements.tree import Equation, Node, nodes, printed, residual, with_part
 
 CASES = 600
 FOLDER = Path(__file__).parent / "papers"
@@ -95,11 +103,13 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
         for _ in range(2 if double else 1):
             side = planted(side, item.derivation, rng)
         wrong_text = f"{printed(other)} = {printed(side)}"
+        if item.statement.limit or not differs(item, equation, Equation(other, side)):
+            continue
         texts = [f"{printed(one.left)} = {printed(one.right)}" for one in item.equations]
-        row = case.verdict("; ".join([*texts[:place], wrong_text, *texts[place + 1 :]]))
-        if row[0].status not in ("confirmed", "definition"):  # a fault that changes the value
-            break
-    verdict, seconds = row
+        verdict, seconds = case.verdict(
+            "; ".join([*texts[:place], wrong_text, *texts[place + 1 :]])
+        )
+        break
     kind = "pair" if double else "single"
     true, first = f"{kind}_true", f"{kind}_first"
     found: dict[str, Any] = {"kind": kind, "wrong": [], "slowest": seconds, true: 0, first: 0}
@@ -112,6 +122,23 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     if seconds > SLOWEST:
         found["slow"] = 1
     return found
+
+
+def differs(item: Item, one: Equation, other: Equation) -> bool:
+    """Whether two equations of an object differ by more than it leaves open: a factor of parameters
+    of an equation, a constant of an energy.
+    """
+    values, subject = with_defined(item.values, item.defined), item.subject
+    if subject.is_value and one.left.kind == "symbol":
+        first, second = (evaluated(it.right, values) for it in (one, other))
+        is_free = subject.factor == "constant"
+        return not (same_but_for_constant if is_free else same)(first, second)
+    first, second = (evaluated(residual(it), values) for it in (one, other))
+    if not same_but_for_factor(first, second):
+        return True
+    with np.errstate(all="ignore"):
+        ratio = second / first
+    return not same(ratio, np.full_like(ratio, ratio[0])) and subject.factor != "parameters"
 
 
 def _form(text: str, item: Item) -> sp.Expr:

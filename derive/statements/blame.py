@@ -40,14 +40,16 @@ def mended(
             if found and repair.cost > found[0].repair.cost + 0.01:
                 break
             changed = replace(book, defined={**book.defined, name: repair.tree})
-            again = {id: _again(it, changed) for id, it in rows.items()}
-            held = {
-                id: it
-                for id, it in again.items()
-                if it and (it.statement.limit or Comparison(it, conventions).agrees)
-                if holds(it, conventions)
-            }
-            if held and all(
+            again = {id: it for id, one in rows.items() if (it := _again(one, changed))}
+            near = [
+                it
+                for it in again.values()
+                if it.statement.limit or Comparison(it, conventions).agrees
+            ]
+            if not any(holds(it, conventions) for it in near):
+                continue
+            held = {id: it for id, it in again.items() if holds(it, conventions)}
+            if all(
                 (it := _again(one, changed)) and holds(it, conventions) for one in others
             ):
                 found.append(Mended(name, repair, held, 1))
@@ -82,16 +84,14 @@ def _candidates(name: str, rows: Sequence[Item], conventions: Conventions) -> li
     for item in rows[:3]:
         slopes = {it.of for it in item.slopes.values()}
         search = Search(tree, _pool(name, tree, item))
-        if item.statement.word in ASSERTED or slopes:  # what is needed is not known
-            few = [it for it in search.firsts if it.edits[0].kind not in ("symbol", "exponent")]
-            for repair in few[:80]:
-                found.setdefault(printed(repair.tree), repair)
-            continue
-        comparison = Comparison(item, conventions)
-        needs = [
-            need for part in comparison.components() for need in _needed(name, part, comparison)
-        ]
-        for repair, _ in search.repairs(np.array(needs)) if needs else ():
+        comparison, needs = Comparison(item, conventions), list[Values]()
+        if item.statement.word not in ASSERTED and not slopes:
+            for part in comparison.components():
+                needs += _needed(name, part, comparison)
+        few = [it for it in search.firsts if it.edits[0].kind not in ("symbol", "exponent")]
+        # Where what is needed is not known, as of a speed whose sign alone counts, few are tried.
+        repairs = [one for one, _ in search.repairs(np.array(needs))] if needs else few[:80]
+        for repair in repairs:
             found.setdefault(printed(repair.tree), repair)
     return sorted(found.values(), key=lambda it: (it.cost, len(printed(it.tree))))
 

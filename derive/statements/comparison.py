@@ -159,12 +159,13 @@ class Comparison:
             meanings, sampled = {entry: "", -entry: ""}, {entry: target, -entry: -target}
             print_values = evaluated(tree, self.values)
             is_entry = any(same(print_values, it) for it in sampled.values())
-            symbol = item.derivation.names.get(equation.left.value, S.Zero)
             is_equation = subject.factor in ("parameters", "monomial")
-            if factors and not is_entry and is_equation and symbol.is_Symbol:
-                slope = sp.expand(sp.diff(entry, symbol))
-                if slope != 0 and not slope.has(symbol):  # solved for it
-                    meanings[entry / slope] = ""
+            for alone in (equation.left, equation.right) if factors and not is_entry else ():
+                symbol = item.derivation.names.get(alone.value, S.Zero)
+                slope = sp.expand(sp.diff(entry, symbol)) if symbol.is_Symbol else S.Zero
+                if is_equation and slope != 0 and not slope.has(symbol):  # solved for it
+                    is_left = alone is equation.left
+                    meanings[entry / slope if is_left else -entry / slope] = ""
             if factors and not is_entry and is_equation:
                 own = self.exactly(tree)
                 if subject.steady:  # whose entries hold the laws of the normal forces
@@ -174,6 +175,10 @@ class Comparison:
                     divided = (rest, -rest, *self._multiples(own, rest))
                     meanings |= dict.fromkeys(divided, f"divided by {divisor}")
                 if subject.law == "covector":
+                    below = self._denominator(own)
+                    if below != 1:
+                        cleared = self._multiples(sp.cancel(own * below), entry)
+                        meanings |= {it / below: f"times {below}" for it in cleared}
                     others = (*self._multiplied(own, place), *self._eliminated(own, place))
                     for without, said in others:
                         base = sign * without
@@ -202,6 +207,11 @@ class Comparison:
             return None
         row = derived(derivation, f"motion, {subject.side}").entries[place]
         return self.item.limited(sp.expand(second - row / sp.diff(row, second)))
+
+    def _denominator(self, own: Expr) -> Expr:
+        """What of a print's denominators depends on the state."""
+        below = sp.factor(sp.fraction(sp.together(own))[1])
+        return below.as_independent(*self.item.derivation.states, as_Add=False)[1]
 
     def _combined(
         self, own: Expr, own_values: Values, bases: Sequence[Expr], place: int

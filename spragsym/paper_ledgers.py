@@ -50,6 +50,7 @@ dd{margin:0;overflow-x:auto;overflow-wrap:anywhere}
 dd math{display:inline math;math-style:normal;font-size:1.1rem}
 code{font:.85rem/1.4 ui-monospace,monospace;background:var(--code);padding:.1rem .3rem;
 overflow-wrap:anywhere}
+.print code{white-space:pre-wrap}
 summary{cursor:pointer;color:var(--quiet);padding:.2rem 0}
 @media (max-width:40rem){dl{grid-template-columns:1fr}dt{margin-top:.3rem}}
 @page{size:A4;margin:15mm}

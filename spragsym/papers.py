@@ -250,10 +250,22 @@ def check(
         read = papers.paper_of(path.name, text, toml_of)
     except papers.PaperError as error:
         raise ParameterError(str(error)) from error
+    statements = tuple(
+        replace(it, text=_code(path, it.file)) if it.file else it for it in read.statements
+    )
+    read = replace(read, statements=statements)
     chosen = Path(model) if model is not None else None
     if chosen is None and read.model:
         chosen = _named(path, read.model, trust)
     return _within_limits(read, chosen, row_limit)
+
+
+def _code(paper: Path, name: str) -> str:
+    """The text of a file of code beside a paper; it is read, and not run."""
+    place = paper.parent / name
+    if not place.is_file():
+        raise ParameterError(f"{paper.name}: file = {name!r}: there is no such file")
+    return text_of(place, what="a file of code", may_hold=None)
 
 
 def _within_limits(paper: Paper, chosen: Path | None, seconds: float) -> PaperCheck:

@@ -169,6 +169,8 @@ def _faulty(it: Derived, kind: str, rng: Generator) -> dict[str, list[Equation]]
     one = equations[place]
     is_left = printed(one.right) == "0" or (one.left.kind != "symbol" and rng.random() < 0.3)
     side = planted(one.left if is_left else one.right, it.derivation, rng)
+    if printed(tidied(side)) != printed(side):  # as v - v, which nobody prints
+        return {}
     new_one = replace(one, left=side) if is_left else replace(one, right=side)
     return {id: [*equations[:place], new_one, *equations[place + 1 :]]}
 

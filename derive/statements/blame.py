@@ -35,6 +35,8 @@ def mended(
     best: list[Mended] = []
     for name, rows in _users(wrong).items():
         book, found = next(iter(rows.values())).book, list[Mended]()
+        if _is_held_twice(name, book.definers[name], right):
+            continue
         others = [it for it in right if name in used(it.equations, book)]
         for repair in _candidates(name, [*rows.values()], conventions):
             if found and repair.cost > found[0].repair.cost + 0.01:
@@ -49,9 +51,7 @@ def mended(
             if not any(holds(it, conventions) for it in near):
                 continue
             held = {id: it for id, it in again.items() if holds(it, conventions)}
-            if all(
-                (it := _again(one, changed)) and holds(it, conventions) for one in others
-            ):
+            if all((it := _again(one, changed)) and holds(it, conventions) for one in others):
                 found.append(Mended(name, repair, held, 1))
         if found:
             most = max(found, key=lambda it: len(it.rows))
@@ -70,6 +70,12 @@ def _users(wrong: Mapping[str, Item]) -> dict[str, dict[str, Item]]:
             if book.definers[name] != id:
                 found.setdefault(name, {})[id] = item
     return found
+
+
+def _is_held_twice(name: str, definer: str, right: Sequence[Item]) -> bool:
+    """Whether the statement that defines a name gives it the same value again, as in a = b = c."""
+    own = (it for item in right if item.statement.id == definer for it in item.equations)
+    return any(name in symbols(it.left) for it in own)
 
 
 def _again(item: Item, book: Book) -> Item | None:

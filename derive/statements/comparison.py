@@ -171,7 +171,8 @@ class Comparison:
                 if subject.steady:  # whose entries hold the laws of the normal forces
                     own = own.xreplace(self.laws(subject.side))
                 meanings |= dict.fromkeys(self._multiples(own, entry), "")
-                for divisor, rest in self._quotients(entry):
+                quotients = self._quotients(entry)
+                for divisor, rest in quotients:
                     divided = (rest, -rest, *self._multiples(own, rest))
                     meanings |= dict.fromkeys(divided, f"divided by {divisor}")
                 if subject.law == "covector":
@@ -179,7 +180,10 @@ class Comparison:
                     if below != 1:
                         cleared = self._multiples(sp.cancel(own * below), entry)
                         meanings |= {it / below: f"times {below}" for it in cleared}
-                    others = (*self._multiplied(own, place), *self._eliminated(own, place))
+                    bases = (entry, *(rest for _, rest in quotients))
+                    times = (self._multiplied(own, it) for it in bases)
+                    others = (*itertools.chain(*times), *self._inserted(own, place))
+                    others += (*self._eliminated(own, place),)
                     for without, said in others:
                         base = sign * without
                         both = (base, -base, *self._multiples(own, base))
@@ -228,11 +232,11 @@ class Comparison:
                     return {base + multiple: f"with a multiple of the equation of {name}"}
         return {}
 
-    def _multiplied(self, own: Expr, place: int) -> Iterator[tuple[Expr, str]]:
+    def _multiplied(self, own: Expr, entry: Expr) -> Iterator[tuple[Expr, str]]:
         """A derived equation times the coordinates and rates that the print has in each term, or
-        all but one; and solved for its acceleration where the print has no other one.
+        all but one.
         """
-        derivation, entry = self.item.derivation, self.item.subject.entries[place]
+        derivation = self.item.derivation
         terms, of_ours = (sp.Add.make_args(sp.expand(it)) for it in (own, entry))
 
         def lacking(state: Expr, among: Sequence[Expr]) -> int:
@@ -245,6 +249,10 @@ class Comparison:
         ]
         if times:
             yield entry * sp.Mul(*times), f"times {sp.Mul(*times)}"
+
+    def _inserted(self, own: Expr, place: int) -> Iterator[tuple[Expr, str]]:
+        """A derived equation solved for its acceleration where the print has no other one."""
+        derivation, entry = self.item.derivation, self.item.subject.entries[place]
         if place >= len(derivation.accelerations) or self.item.subject.steady:
             return
         second = derivation.accelerations[place]

@@ -31,6 +31,8 @@ class Statement:
     expect: str = "confirmed"
     note: str = ""
     transcribed: str = ""  #: the print in SymPy's syntax, beside its LaTeX
+    file: str = ""  #: where code stands, and which function of it
+    function: str = ""
 
     @property
     def word(self) -> str:
@@ -124,7 +126,9 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
         ids.add(entry["id"])
         rest = {key: entry[key] for key in entry.keys() - {"latex", "sympy"}}
         sympy = entry.get("sympy", "")
-        if "latex" in entry:
+        if "file" in entry:
+            found.append(Statement(text="", is_latex=False, **rest))
+        elif "latex" in entry:
             found.append(Statement(text=entry["latex"], is_latex=True, transcribed=sympy, **rest))
         else:
             found.append(Statement(text=sympy, is_latex=False, **rest))
@@ -136,6 +140,8 @@ def paper_of(name: str, text: str, data_of: Callable[[str], Table]) -> Paper:
 def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:
     """The first wrong or missing key of a statement and what is wrong; None for a valid one."""
     keys = {"id", "where", "about", "latex", "sympy", "form", "limit", "expect", "note"}
+    code = {"file", "function"}
+    keys |= code
     for key, value in entry.items():
         if key not in keys:
             return key, f"is unknown; allowed are {', '.join(sorted(keys))}"
@@ -146,7 +152,9 @@ def _problem(entry: Table, before: set[str]) -> tuple[str, str] | None:
             return key, f'is missing in this statement; add {key} = "…"'
     if entry["id"] in before:
         return "id", f"{entry['id']} stands twice; give the second statement another id"
-    if not {"latex", "sympy"} & entry.keys() and entry["about"] != "other":
+    if (entry["about"] == "code") is not (code <= entry.keys()) or len(code & entry.keys()) == 1:
+        return "about", 'code has file = "…" and function = "…", and nothing else has'
+    if not {"latex", "sympy", "file"} & entry.keys() and entry["about"] != "other":
         return "id", f"{entry['id']} has to have latex, or sympy, or both"
     verdicts = (
         "confirmed",

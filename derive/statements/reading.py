@@ -24,6 +24,7 @@ from .derivatives import Slope
 from .matrices import matrix_of
 from .objects import Derivation, NoObject, Object, derived
 from .papers import Paper, Statement
+from .printed_code import accelerations
 from .printed_values import verdict_on_value
 from .repair import Values, evaluated, same, same_but_for_factor
 from .samples import numeric
@@ -141,6 +142,11 @@ def read_statement(statement: Statement, book: Book) -> Item | Verdict:
             return Verdict(statement, "unread", error.reason)
         except (NoObject, ArithmeticError, *TOO_LARGE) as error:
             return Verdict(statement, "unread", str(error))
+    if statement.word == "code":
+        try:
+            statement = _of_code(statement, book)
+        except Unread as error:
+            return Verdict(replace(statement, text=""), "unread", error.reason)
     for form in (statement.form,) if statement.form else ("units", "scaled"):
         derivation = book.forms["units" if statement.word == "scale" else form]
         try:
@@ -156,6 +162,18 @@ def read_statement(statement: Statement, book: Book) -> Item | Verdict:
         except (NoObject, ArithmeticError) as error:
             return Verdict(statement, "unread", str(error))
     return Verdict(statement, "unread", problem)
+
+
+def _of_code(statement: Statement, book: Book) -> Statement:
+    """The statement about the accelerations that a function of a file of code computes."""
+    problem = Unread("")
+    for form in (statement.form,) if statement.form else ("units", "scaled"):
+        try:
+            shown, text = accelerations(statement, book.renamed, book.forms[form])
+            return replace(statement, about="acceleration", text=shown, transcribed=text, form=form)
+        except Unread as error:
+            problem = error if not problem.reason else problem
+    raise problem
 
 
 def _check_size(trees: Sequence[Node], defined: Mapping[str, Node]) -> None:

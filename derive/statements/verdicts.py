@@ -129,6 +129,8 @@ def verdicts_on(
         rows[id] = replace(rows[id], status="convention", evidence=evidence)
     coordinates = tuple(map(str, model.mechanics.coordinates))
     in_words = tuple(it.said(name) for name, it in conventions.items())
+    for it in (one for one in paper.statements if one.word == "code"):
+        rows[it.id] = replace(rows[it.id], about=it.about)
     return Checked(
         paper.title, model.name, in_words, tuple(_said_once([*rows.values()])), coordinates
     )

@@ -30,6 +30,7 @@ from spragsym.derive.statements.tree import (
     renamed,
     residual,
     symbols,
+    tidied,
     to_sympy,
 )
 

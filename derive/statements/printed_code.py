@@ -8,6 +8,7 @@ the latter is the rate of the former.
 from __future__ import annotations
 
 import ast
+import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -377,9 +378,11 @@ class _Translation:
         if len(returned) != 2 * len(own):
             said = f"{len(returned)} values for {len(own)} coordinates"
             raise Unread(f"{self.function.name} returns {said}")
-        rates = {n: _number(it) for n, it in enumerate(returned)}
-        pairs = [(n, rate) for n, rate in rates.items() if rate is not None]
-        if len(pairs) != len(own):
+        rates = [(n, rate) for n, it in enumerate(returned) if (rate := _number(it)) is not None]
+        every = {*range(len(returned))}
+        chosen = itertools.combinations(rates, len(own))
+        pairs = next((it for it in chosen if {one for pair in it for one in pair} == every), None)
+        if pairs is None:
             raise Unread("no state of coordinates and their rates is told by what is returned")
         named: dict[int, str] = {}
         for (_, number), name in self.entries.items():

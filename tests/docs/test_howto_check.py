@@ -24,5 +24,5 @@ def test_the_page_lists_every_object() -> None:
     listed = {name.split()[0] for row in rows for name in re.findall(r"`([^`]+)`", row)}
     assert listed - {"about"} == {
         *OBJECTS,
-        *("definition", "notation", "other", "force", "value"),
+        *("definition", "notation", "other", "force", "value", "code"),
     }

@@ -298,7 +298,9 @@ def _markdown(text: str) -> Document:
     # Markdown itself reads \[ as a bracket.
     text = re.sub(r"^[ \t]*\\{1,2}\[(.*)\\{1,2}\][ \t]*$", r"$$\1$$", text, flags=re.M)
     text = re.sub(r"^[ \t]*\\{1,2}[\[\]][ \t]*$", "$$", text, flags=re.M)
-    displays, title, lines = list[Display](), "", text.split("\n")
+    displays, title = list[Display](), ""
+    lines, origin = _set_apart(text.split("\n"))
+    text = "\n".join(lines)
     defined = "".join(re.findall(r"\\(?:g?def|newcommand).*?\}(?=\s*\$|\s*$)", text, re.M))
 
     def add(latex: str, line: int, label: str = "") -> None:
@@ -307,7 +309,8 @@ def _markdown(text: str) -> Document:
         source = defined + (latex if is_whole else f"\\[{latex}\\]")
         source = source.replace(r"\_", "_")  # which is escaped in Markdown
         for one in _tex(source, "").displays:
-            displays.append(replace(one, line=line + one.line - 1, label=one.label or label))
+            place = min(line + one.line - 1, len(origin))
+            displays.append(replace(one, line=origin[place - 1], label=one.label or label))
 
     tokens = _parser().parse(text)
     prose: list[str] = []
@@ -330,6 +333,29 @@ def _markdown(text: str) -> Document:
                     named = re.match(r"\s*\(([\w:.-]+)\)", after.content if after else "")
                     add(content, next(near, line - 1) + 1, named[1] if named else "")
     return Document(title, tuple(displays), "\n".join(prose))
+
+
+def _set_apart(lines: Sequence[str]) -> tuple[list[str], list[int]]:
+    """The lines of a text with empty ones around display mathematics, which may stand inside of a
+    paragraph, and the number that each had.
+    """
+    found, origin, is_inside, fence = list[str](), list[int](), False, ""
+    for number, line in enumerate(lines, 1):
+        bare, before = line.strip(), found[-1:] == [""]
+        mark = bare[:3] if bare[:3] in ("```", "~~~") else ""
+        if mark and fence in ("", mark):
+            fence = "" if fence else mark
+        is_mark = bare == "$$" and not fence
+        if is_mark and not is_inside and not before:
+            found.append("")
+            origin.append(number)
+        found.append(line)
+        origin.append(number)
+        if is_mark and is_inside:
+            found.append("")
+            origin.append(number)
+        is_inside ^= is_mark
+    return found, origin
 
 
 def _shown(token: Any) -> str:

@@ -434,7 +434,9 @@ def _tree(part: ast.expr, begin: int, vocabulary: Vocabulary) -> Node:
             differentiated = printed(_tree(inner, begin, vocabulary))
             return leaf(vocabulary.derivative(differentiated, by), at)
         case ast.Call(func=ast.Name(id=name), args=[_, *more] as arguments, keywords=[]) if (
-            name in FUNCTIONS and bool(more) is (name in OF_SEVERAL)
+            name in FUNCTIONS
+            and bool(more) is (name in OF_SEVERAL)
+            and (name != "atan2" or len(more) == 1)
         ):
             return Node("call", tuple(_tree(it, begin, vocabulary) for it in arguments), name, at)
         case _:

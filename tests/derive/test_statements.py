@@ -282,13 +282,16 @@ def test_every_function_is_evaluated_in_numbers_and_exactly() -> None:
 
     vocabulary = Vocabulary(frozenset({"x"}), (), {})
     for name, function in FUNCTIONS.items():
-        of_several = name in OF_SEVERAL
-        (equation,) = read_sympy(f"{name}(x, 1/2, 2/5)" if of_several else f"{name}(x)", vocabulary)
+        count = 0 if name not in OF_SEVERAL else 1 if name == "atan2" else 2
+        written = ", ".join(["x", "1/2", "2/5"][: count + 1])
+        (equation,) = read_sympy(f"{name}({written})", vocabulary)
         inside = np.array([0.3, 0.7]) + (name == "acosh")
         value = evaluated(equation.left, {"x": inside})
-        more = (sp.Rational(1, 2), sp.Rational(2, 5)) if of_several else ()
+        more = (sp.Rational(1, 2), sp.Rational(2, 5))[:count]
         assert np.allclose(value, [float(function(it, *more)) for it in inside]), name
-    assert [FUNCTIONS[name](3, 1, 2) for name in OF_SEVERAL] == [3, 1]
+    assert [FUNCTIONS[name](3, 1, 2) for name in ("max", "min")] == [3, 1]
+    with pytest.raises(Unread):
+        read_sympy("atan2(x, 1/2, 2/5)", vocabulary)
     assert [FUNCTIONS["Heaviside"](it) for it in (-2, 2)] == [0, 1]
 
 

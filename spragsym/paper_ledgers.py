@@ -125,8 +125,11 @@ def _row(row: Row, coordinates: tuple[str, ...]) -> str:
     said = dict(fields(row))
     marked = said.pop("Edited at", "")
     source, right = said.pop("Printed", ""), said.pop("Right", "")
-    is_latex = "\\" in source or not said.get("Read as")
+    is_latex = row.about != "code" and ("\\" in source or not said.get("Read as"))
     print_ = typeset(marked or source) or typeset(source) if is_latex else None
+    if row.about == "code":
+        said |= {"Edited at": marked} if marked else {}
+        print_ = f"<code>{'<br>'.join(map(html_text, source.splitlines()))}</code>"
     print_ = print_ or rendered(source, coordinates) or _marked(marked or source)
     parts = [
         f'<article class="is-{row.status}"><h2><span>{html_text(row.id)}</span>'
@@ -180,7 +183,8 @@ def _displayed(title: str, row: Row, text: str) -> list[str]:
     """An equation of a row in LaTeX; one that is none is shown letter by letter."""
     if not text:
         return []
-    is_latex = text in (row.print, row.repaired_latex) and "\\" in text
+    is_print = text == row.print and row.about != "code"
+    is_latex = (is_print or text == row.repaired_latex) and "\\" in text
     plain = visible(text)
     if not is_latex or not _is_closed(plain):
         return [rf"{title} \texttt{{{_words(plain)}}}"]

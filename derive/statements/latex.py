@@ -724,7 +724,9 @@ class _LatexReader:
         else:
             argument, open_end = self.bare_argument(name, here)
             arguments = (argument,)
-        if (len(arguments) > 1) is not (name in tree.OF_SEVERAL):
+        is_several = name in tree.OF_SEVERAL
+        most = 2 if name == "atan2" else len(arguments)
+        if (len(arguments) > 1) is not is_several or len(arguments) > most:
             raise Unread(f"{name} with {len(arguments)} in brackets", begin)
         value = Node("call", arguments, name, (begin, here.end))
         if here.text in ("^", "'"):

@@ -14,6 +14,7 @@ from spragsym.derive.statements import verdicts
 from spragsym.derive.statements.book import forms_of
 from spragsym.derive.statements.papers import Paper, PaperError, Statement, paper_of
 from spragsym.derive.statements.printed_code import accelerations
+from spragsym.papers import PaperCheck
 
 PAGE = Path(__file__).parents[2] / "validation/papers/cart_pole/page.py"
 CART = pages.read(PAGE)
@@ -71,6 +72,9 @@ def test_code_is_confirmed_and_its_fault_is_found(kind: str) -> None:
     force = "p->f + " if kind == "c" else "f + "
     wrong = judged(CODE[kind].replace(force, f"2*{force}", 1), kind)
     assert wrong.status in ("misprint", "failed")
+    found = PaperCheck("", "", (), (wrong,))
+    assert "<br>" in found.to_html()
+    assert r"\[function" not in found.to_latex()
 
 
 @pytest.mark.parametrize(

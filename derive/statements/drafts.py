@@ -8,7 +8,7 @@ import json
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from .alone import derivatives_in, moving_names, read_alone
 from .documents import Display, Document
@@ -67,7 +67,8 @@ class _Known:
 
 def drafted(document: Document) -> Draft:
     """The draft of a document's equations."""
-    texts = [it.latex for it in document.displays]
+    displays = [one for it in document.displays for one in _set_apart(it)]
+    texts = [it.latex for it in displays]
     moving = moving_names(texts)
     read: list[list[Equation] | Unread] = []
     for text in texts:
@@ -79,7 +80,7 @@ def drafted(document: Document) -> Draft:
     coordinates, places = _coordinates(whole, moving)
     known = _Known(coordinates, places)
     rows = []
-    for display, it in zip(document.displays, read, strict=True):
+    for display, it in zip(displays, read, strict=True):
         if isinstance(it, Unread):
             rows.append(Drafted(display, "other", f"unread: {it.reason}", False))
         else:
@@ -94,6 +95,16 @@ def drafted(document: Document) -> Draft:
         name: said for name, said in _said(document.prose).items() if name in names
     }
     return Draft(document.title, tuple(rows), meanings)
+
+
+def _set_apart(display: Display) -> list[Display]:
+    """A display, or each of several energies that are printed side by side in it."""
+    parts = re.split(r"[,;]?(?:\s|\\[,;])*\\q?quad(?![A-Za-z])(?:\s|\\q?quad)*", display.latex)
+    energies = "|".join((_KINETIC, _POTENTIAL, _LAGRANGIAN))
+    names = (re.sub(r"[\\{}&\s]", "", it.partition("=")[0]) for it in parts)
+    if len(parts) > 1 and all(re.fullmatch(rf"(?:{energies})(?:\(.*\))?", it) for it in names):
+        return [replace(display, latex=it) for it in parts]
+    return [display]
 
 
 def _as_equal(text: str) -> str:

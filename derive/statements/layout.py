@@ -25,7 +25,8 @@ BOLD = (r"\mathbf", r"\vec", r"\mathcal", r"\bar", r"\hat", r"\tilde")
 ACCENTS = {r"\overline": r"\bar", r"\widehat": r"\hat", r"\widetilde": r"\tilde"}
 ACCENTS |= {r"\mathscr": r"\mathcal"}
 ACCENTS |= dict.fromkeys((r"\boldsymbol", r"\bm", r"\pmb", r"\mathbb", r"\underline"), r"\mathbf")
-WORDS = ("", "where", "with", "and", "for", "if", "when")  #: between equations
+#: Words between equations.
+WORDS = ("", "where", "with", "and", "for", "if", "when", "so", "or", "then", "thus", "hence")
 BETWEEN = ("\\\\", r"\quad", r"\qquad", ",", ";", r"\Rightarrow", r"\Leftrightarrow", r"\eqno")
 OVER = (r"\overset", r"\stackrel")
 TIMES = (r"\cdot", r"\times", "*", r"\ast")
@@ -59,6 +60,12 @@ def is_number(items: Tokens) -> bool:
     """Whether the items are the number of an equation in brackets, as (3.1a)."""
     inside = len(items) == 1 and items[0].text == "(" and "".join(texts(items[0].items or ()))
     return bool(inside and re.fullmatch(r"\d+(\.\d+)*[a-z]?", inside))
+
+
+def is_remark(items: Tokens) -> bool:
+    """Whether the items are words in brackets, as (total energy)."""
+    is_text = len(items) == 2 and items[0].text in ROMAN
+    return is_text and label_of(items[1:]).startswith("(")
 
 
 def is_condition(items: Tokens) -> bool:
@@ -110,7 +117,7 @@ def printed_apart(items: Tokens) -> list[list[Token]]:
                     pieces = [piece for piece in pieces if piece] or [[]]
             pieces[-1].append(it)
             is_new_line = False
-    pieces = [piece for piece in pieces if piece and not is_number(piece)]
+    pieces = [it for it in pieces if it and not is_number(it) and not is_remark(it)]
     for piece in pieces if len(pieces) > 1 else ():
         if all(it.text not in (*EQUAL, *RELATIONS) for it in piece):
             raise Unread("this part is no equation", piece[0].at[0])

@@ -149,7 +149,10 @@ def _page(prints: _Prints, first: Mapping[str, Statement]) -> PageModel:
         """The right side of a premise in coordinates, rates and parameters."""
         if about not in first:
             return S.Zero
-        one = by_name(prints.equations[first[about].id][-1], set())
+        chain = [*prints.equations[first[about].id]]
+        while len(chain) > 1 and chain[1].left not in (chain[0].left, chain[0].right):
+            del chain[1]  # of another name, printed beside it
+        one = by_name(replace(chain[-1], left=chain[0].left), set())
         names = {it: Symbol(it, real=True) for it in symbols(one.right)}
         values = {it: value for it, value in prints.values.items() if it != one.left.value}
         return _written_out(to_sympy(one.right, names), values)
@@ -158,6 +161,8 @@ def _page(prints: _Prints, first: Mapping[str, Statement]) -> PageModel:
     if whole := value_of("energy L"):
         V = -whole.subs({Symbol(f"v{it}", real=True): 0 for it in prints.coordinates})
         T = sp.expand(whole + V)
+    if not T.has(*(Symbol(f"v{it}", real=True) for it in prints.coordinates)):
+        raise PaperError(f"energy T, as it is printed first, holds no rates: {T}; {_REMEDY}")
     forces = {it[6:]: value_of(it) for it in first if it.startswith("force ")}
     page = Page("What the paper prints first.")
     moving = {

@@ -125,6 +125,25 @@ def test_a_source_in_markdown_and_the_same_in_a_notebook(tmp_path: Path) -> None
     assert 'where = "cell 2, line 3"' in draft(notebook).text
 
 
+def test_mathematics_inside_of_a_paragraph_is_read_apart(tmp_path: Path) -> None:
+    """Environments between dollars without empty lines, energies side by side, and remarks."""
+    source = tmp_path / "a.md"
+    lines = [
+        *("# A box", "The energies are", "$$"),
+        r"T = \frac12 m\dot x^2, \quad V = \frac12 k x^2",
+        *("$$", "so that with $E$", "$$", r"\begin{align}", r"m\ddot x + k x = 0"),
+        *(r"\quad \text{(the motion)}", r"\end{align}", "$$", "We take it.", "```", "$$", "```"),
+    ]
+    source.write_text("\n".join(lines), encoding="utf-8")
+    found = rows_of(source)
+    assert [(about, line) for _, line, about in found] == [
+        ("energy T", 4),
+        ("energy V", 4),
+        ("motion x", 9),
+    ]
+    assert draft(source).unread == 0
+
+
 def test_a_source_in_doconce(tmp_path: Path) -> None:
     text = (
         "TITLE: A spring\n\n!bt\n\\begin{equation}\nm\\ddot u + k u = 0\n\\end{equation}\n!et\n$$\n"

@@ -112,10 +112,20 @@ def test_a_lagrangian_alone_is_a_premise() -> None:
     assert checked(rows).status == ("premise", "confirmed", "misprint")
 
 
+def test_what_stands_beside_a_premise_is_none_of_it() -> None:
+    rows = [
+        ("T", "energy T", r"T = \frac12 m\dot x^2, \quad V = \frac12 k x^2"),
+        ("V", "energy V", r"V = \frac12 k x^2 \quad \text{(of the spring)}"),
+        ("m", "motion x", r"m\ddot x + k x = 0"),
+    ]
+    assert checked(rows).status == ("premise", "premise", "confirmed")
+
+
 @pytest.mark.parametrize(
     ("rows", "said"),
     [
         ([("m", "motion x", r"m\ddot x = 0")], "names no model"),
+        ([("T", "energy T", "T = k x^2"), ("m", "motion x", r"m\ddot x = 0")], "holds no rates"),
         (
             [("T", "energy T", r"T = m\dot x^2"), ("Q", "force y", "Q = F")],
             "no coordinate; these are x",

@@ -11,22 +11,31 @@ from ..core.errors import ParameterError
 from ..core.progress import show_progress
 from ..numerics.decimals import upward
 from . import options as o
+from .case import Row, Span
 from .output import drawn, print_json, print_rows, refuse, wrapped, write
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from ..report.squeal import SquealReport
+    from ..models.parameters import FloatArray
+    from ..report.squeal import SquealReport, SquealStudy
 
 
 @o.command()
 @click.argument("file", type=click.Path(path_type=Path), required=False)
 @o.file("--example", folder=True, metavar="FOLDER", help="Write the files of a brake there.")
 @o.file("--html", metavar="PATH", help="Write one page with pictures.")
-@o.plot("frequencies and damping ratios over the parameter")
+@o.over
+@o.plot("frequencies and damping ratios over the parameter, or the map of --over")
 @o.force
 @o.as_json
-def squeal(file: Path | None, example: Path | None, html: Path | None, plot: Path | None) -> None:
+def squeal(
+    file: Path | None,
+    example: Path | None,
+    html: Path | None,
+    over: tuple[Span, ...],
+    plot: Path | None,
+) -> None:
     """Every onset of squeal of the brake whose matrices FILE names, proved.
 
     FILE has a table [matrices] with the files of mass, stiffness, and friction or contact pairs,
@@ -38,6 +47,7 @@ def squeal(file: Path | None, example: Path | None, html: Path | None, plot: Pat
       spragsym squeal brake/brake.toml
       spragsym squeal brake.toml --html squeal.html
       spragsym squeal brake.toml --json --plot modes.svg
+      spragsym squeal brake.toml --over contact=0.5:2:7 --plot map.svg
     """
     if example is not None:
         from ..matrices.example import example_files
@@ -53,7 +63,12 @@ def squeal(file: Path | None, example: Path | None, html: Path | None, plot: Pat
         raise ParameterError(f"--html {html}: the ending must be .html")
     if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
         raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
+    if over and (html is not None or len(over) > 1 or over[0].ends is None):
+        raise click.UsageError("--over takes one parameter with its ends, and --plot, not --html")
     refuse([html, plot])
+    if over:
+        _over(read_squeal(file), over[0], plot)
+        return
     with show_progress("onsets of squeal"):
         found = read_squeal(file).report()
     if o.is_json():
@@ -71,6 +86,39 @@ def squeal(file: Path | None, example: Path | None, html: Path | None, plot: Pat
         with show_progress("drawing the page"):
             write({html: _page(found)})
         click.echo(f"wrote {html}", err=True)
+
+
+def _over(study: SquealStudy, over: Span, plot: Path | None) -> None:
+    """Print the onsets at each value of another parameter."""
+    with show_progress("onsets of squeal over another parameter"):
+        found = study.over(over.name, over.values)
+    columns = (study.vary, "frequency_hz", "kind", "direction", "error")
+    rows = [
+        {over.name: value} | {column: row[column] for column in columns}
+        for value, onsets in found
+        for row in onsets
+        if study.of_band(row["frequency_hz"])
+    ]
+    gaps = [value for value, onsets in found if not onsets.complete]
+    if o.is_json():
+        print_json(
+            {"over": over.name, "values": over.values.tolist(), "onsets": rows, "incomplete": gaps}
+        )
+    else:
+        print_rows(f"Onsets along {study.vary}", rows, formats={"error": upward})
+        click.echo(
+            f"These are all onsets at {len(found)} values of {over.name}: proved for the matrices "
+            "as they are; values between these are not asked."
+            if not gaps
+            else f"Undecided in parts at {', '.join(f'{one:g}' for one in gaps)}."
+        )
+    drawn(plot, "drawing the map", lambda: _map(study, over.name, rows, over.values))
+
+
+def _map(study: SquealStudy, name: str, rows: list[Row], values: FloatArray) -> Figure:
+    from ..figures.squeal import map_figure  # imported late: it needs the extra plot
+
+    return map_figure(study, name, rows, values)
 
 
 def _figure(found: SquealReport) -> Figure:

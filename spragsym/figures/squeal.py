@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from ..files.text import filled
 from ..matrices.answers import MatrixOnsets
-from ..models.parameters import Span
-from ..report.squeal import SquealReport
+from ..models.parameters import FloatArray, Span
+from ..report.squeal import SquealReport, SquealStudy
 from .curves import shade
 from .report_pages import picture
 from .style import BLUE, SKY, VERMILION, Sheet, own_axes, panels, symbol
@@ -74,6 +76,24 @@ def draw_squeal(
     ax.set_xlim(low, high)
     ax.set_xlabel(f"${symbol(found.vary)}$")
     return drawn
+
+
+def map_figure(
+    study: SquealStudy, name: str, rows: Sequence[Mapping[str, Any]], values: FloatArray
+) -> Sheet:
+    """Onsets along one parameter at values of another, shaped by the direction they set in."""
+    figure, ((ax,),) = panels(1, 1, 5.0, 4.0)
+    for direction, marker, word in (("up", "^", "grows above"), ("down", "v", "grows below")):
+        here = [row for row in rows if row["direction"] == direction]
+        where = [row[name] for row in here], [row[study.vary] for row in here]
+        ax.plot(*where, marker, color=VERMILION, markersize=4.0, label=word)
+    for value in values:
+        ax.axvline(float(value), color="#777777", linewidth=0.4, zorder=0)
+    ax.set_ylim(*study.between)
+    ax.set_xlabel(f"${symbol(name)}$")
+    ax.set_ylabel(f"${symbol(study.vary)}$")
+    ax.legend()
+    return figure.describe(f"Onsets of squeal: {study.vary} at values of {name}, the grey lines.")
 
 
 def squeal_page(report: SquealReport) -> str:

@@ -17,7 +17,15 @@ from ..matrices.answers import MatrixOnsets, Modes, flutter_onsets, modes
 from ..matrices.contacts import read_contacts
 from ..matrices.files import read as read_matrix
 from ..matrices.model import LARGEST, Matrix, MatrixModel, matrices
-from ..models.parameters import FINITE, NOT_NEGATIVE, POSITIVE, ParameterSet, Range, Span
+from ..models.parameters import (
+    FINITE,
+    NOT_NEGATIVE,
+    POSITIVE,
+    FloatArray,
+    ParameterSet,
+    Range,
+    Span,
+)
 from ..models.quantities import factor
 from .data import DataFile, looked_at
 from .units import Measured, hertz, read, read_exact
@@ -61,6 +69,25 @@ class SquealStudy:
         at = modes(self.parameters.replace(**{self.vary: self.value}))
         begins = modes(self.parameters.replace(**{self.vary: self.between[0]}))
         return SquealReport(self, onsets, at, begins)
+
+    def over(self, name: str, values: FloatArray) -> list[tuple[float, MatrixOnsets]]:
+        """The onsets at each value of another parameter than the one that varies."""
+        self.model.require_parameter(name)
+        if name == self.vary:
+            raise ParameterError(f"--over {name} is what varies already; name another parameter")
+        asked, between = self.parameters, {self.vary: self.between}
+        return [
+            (
+                float(one),
+                flutter_onsets(
+                    asked.replace(**{name: float(one)}),
+                    self.vary,
+                    between=between,
+                    threshold=self.threshold,
+                ),
+            )
+            for one in values
+        ]
 
     def of_band(self, frequency_hz: float) -> bool:
         """Whether a frequency lies in the band; that of a divergence, 0, always does."""

@@ -133,6 +133,28 @@ def test_a_mistake_is_told_with_its_line(change: tuple[str, str], words: str, br
         read_squeal(brake)
 
 
+def test_onsets_over_another_parameter_are_those_at_each_value(brake: Path, run: Run) -> None:
+    brake.with_name("pairs.csv").write_text(
+        "across_1,across_2,along_1,along_2,stiffness,direction\n,1,,0,1.0,1\n", encoding="utf-8"
+    )
+    text = SMALL.replace('friction = "F.npy"', 'contacts = "pairs.csv"')
+    brake.write_text(text, encoding="utf-8")
+    plot = brake.with_name("map.svg")
+    words = ("squeal", str(brake), "--over", "contact=0.8:1.2:3", "--plot", str(plot))
+    told = json.loads(run(*words, "--json"))
+    assert told["values"] == [0.8, 1.0, 1.2]
+    assert not told["incomplete"]
+    study = read_squeal(brake)
+    for row in told["onsets"]:
+        on = ss.flutter_onsets(study.parameters.replace(contact=row["contact"]))
+        assert row["mu"] == on.mu[0]
+    assert len(told["onsets"]) == 3
+    assert "contact" in plot.read_text(encoding="utf-8")
+    assert "all onsets at 3 values of contact: proved" in run(*words, "--force")
+    for wrong, said in (("mu=0:1:3", "varies already"), ("contact", "its ends"), ("nu=0:1", "nu")):
+        assert said in run("squeal", str(brake), "--over", wrong, code=2)
+
+
 def test_other_questions_are_refused_by_name(brake: Path, run: Run) -> None:
     for words in (("report", str(brake)), ("explore", "--data", str(brake), "--no-open")):
         said = run(*words, code=2)

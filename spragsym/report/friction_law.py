@@ -60,7 +60,7 @@ def speed_for(study: Study, friction: float) -> float:
         (speed * 2.0**octave, speed * 2.0 ** (octave + 1)) for octave in reversed(range(30))
     ] + [(0.0, speed)]
     # Maximum number of intervals, boxes for a rough bound, relative width of the enclosure.
-    most, boxes, narrow = 4096, 64, 2.0**-44
+    most, boxes, narrow = 512, 64, 2.0**-44
     for _ in range(most):
         if not parts:
             return math.nan

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -24,6 +25,26 @@ _KINDS = {
     "unread": "warn",
     "other": "quiet",
 }
+#: Commands of LaTeX in small letters that set mathematics, and neither read, write nor define.
+_NAMES = """
+alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa varkappa lambda mu
+nu xi pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega ell hbar imath
+jmath re im infty partial nabla prime circ star ast bullet degree
+frac dfrac tfrac cfrac sqrt binom left right middle big bigl bigr bigg biggl biggr langle rangle
+lvert rvert vert lfloor rfloor lceil rceil lbrace rbrace lbrack rbrack mid
+dot ddot dddot ddddot hat widehat bar tilde widetilde vec overline underline overbrace
+underbrace overset underset stackrel check acute breve
+mathbf mathrm mathit mathcal mathbb mathsf mathtt mathfrak mathscr boldsymbol bm rm bf it text
+textrm textbf textit textsf mbox operatorname displaystyle textstyle scriptstyle
+sin cos tan cot sec csc arcsin arccos arctan sinh cosh tanh coth exp ln log lg max min sup inf
+lim limsup liminf det arg sgn sign dim ker gcd
+cdot times div pm mp le leq leqslant ge geq geqslant ne neq approx equiv sim simeq cong propto
+ll gg lt gt to rightarrow leftarrow leftrightarrow longrightarrow mapsto implies iff
+in notin subset cup cap forall exists neg land lor wedge vee otimes oplus perp parallel
+sum prod int iint iiint oint limits nolimits ldots cdots vdots ddots dots colon
+quad qquad phantom begin end hline nonumber notag substack top intercal dagger
+"""
+_OF_MATHEMATICS = frozenset(_NAMES.split())
 _STYLE = """
 :root{--text:#1a1a1a;--page:#fff;--quiet:#595959;--line:#ccc;--good:#0072b2;--bad:#c04a00;
 --warn:#8a6100;--mark:#fde3cf;--code:#f4f4f4}
@@ -120,7 +141,13 @@ def as_page(found: PaperCheck) -> str:
 
 def _row(row: Row, coordinates: tuple[str, ...]) -> str:
     """One statement: its verdict, the equation as printed, what is right, and the evidence."""
-    from .derive.statements.mathml import rendered, typeset
+    from .derive.statements import mathml
+
+    def typeset(latex: str) -> str | None:
+        return _seen(mathml.typeset(latex))
+
+    def rendered(text: str, names: tuple[str, ...]) -> str | None:
+        return _seen(mathml.rendered(text, names))
 
     said = dict(fields(row))
     marked = said.pop("Edited at", "")
@@ -155,6 +182,11 @@ def _row(row: Row, coordinates: tuple[str, ...]) -> str:
         )
         parts.append(f"<details><summary>In full</summary><dl>{''.join(more)}</dl></details>")
     return "".join([*parts, "</article>"])
+
+
+def _seen(formula: str | None) -> str | None:
+    """MathML in which no character hides or commands."""
+    return None if formula is None else visible(formula)
 
 
 def _marked(text: str) -> str:
@@ -200,8 +232,9 @@ def _is_closed(latex: str) -> bool:
         if depth < 0 or part in "$%#":
             return False
     opened, closed = latex.count(r"\begin{"), latex.count(r"\end{")
-    commands = (r"\input", r"\write", r"\def", r"\catcode", r"\csname", r"\]", r"\[", r"\)", r"\(")
-    return depth == 0 and opened == closed and not any(it in latex for it in commands)
+    commands = {it.lower() for it in re.findall(r"\\([A-Za-z]+)", latex)}
+    others = re.search(r"\^\^|\\[^A-Za-z,;:!>{}|\\ .&_]", latex)  # ^^5c is a backslash
+    return depth == 0 and opened == closed and commands <= _OF_MATHEMATICS and not others
 
 
 def _words(text: str) -> str:

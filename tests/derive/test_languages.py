@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.derive import export
 from spragsym.derive.emit import targets
 from spragsym.derive.kang_nam import library
 from tests.oracles import languages
@@ -87,7 +88,8 @@ def test_programs_of_the_page_print_what_it_shows(
     shown = programs(DOCS / "howto_languages.md", language)
     assert len(shown) > 2
     for example in languages.library(language).glob("example_*.m"):
-        assert example.read_text(encoding="utf-8") in dict(shown)
+        text = example.read_text(encoding="utf-8")
+        assert text.removesuffix("% SPDX-License-Identifier: MIT\n") in dict(shown)
     for program, output in shown:
         assert ran(program).startswith(output)
 
@@ -165,6 +167,17 @@ def _with_casadi(function: Any, jacobian: Any, table: Any) -> tuple[Any, Any]:
     )
     ours, theirs = ca.Function("derived", [row], list(derived)).map(len(table))(table.T)
     return np.array(ours).reshape(2, len(table), -1), np.array(theirs).reshape(2, len(table), -1)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("language", targets.languages())
+def test_every_file_says_its_terms(language: str) -> None:
+    """Of a page's library and of the article's."""
+    files = export.export(ROOT / "derive/models/stick_slip.py", "stick_slip", language)
+    if targets.packer(language) is None:
+        files |= library.exported(language)
+    for name, text in files.items():
+        assert "SPDX-License-Identifier: MIT" in " ".join(text.split()), name
 
 
 # ------------------------------------------------------------------------------------------------

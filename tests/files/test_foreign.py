@@ -1,9 +1,11 @@
 """What comes from outside passes one reader, what is shown one writer for each format."""
 
 import ast
+import importlib
 import json
 import os
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,51 +14,107 @@ import spragsym as ss
 from spragsym.core.shown import html_text, json_text, markdown_code, markdown_text, visible
 from spragsym.files import cache
 from spragsym.files.text import contents, json_of, toml_of
+from spragsym.papers import PaperCheck
 from tests.support import ROOT
 
 Run = Callable[..., str]
-#: Modules that read by other means, and what: nothing of these is foreign.
+#: Modules that read by other means: what, and by which calls; nothing of these is foreign.
 OTHERS = {
-    "spragsym/files/text.py": "the reader itself",
-    "spragsym/article/ledger.py": "files of the package",
-    "spragsym/figures/cycles.py": "a file of the package",
-    "spragsym/orbits/proofs.py": "the output of a process of its own",
-    "spragsym/orbits/ball_proof.py": "the input of a process of its own",
-    "spragsym/motion/sweeps/workers.py": "messages of processes of its own",
-    "spragsym/models/load.py": "code whose digests were verified, if it is trusted",
-    "derive/pages.py": "a page that is trusted",
-    "derive/emit/write.py": "the mark of a derived folder, bounded there",
-    "derive/statements/papers.py": "papers of this project",
-    "derive/kang_nam/library.py": "our own files",
-    "derive/kang_nam/bounds.py": "our own files",
+    "spragsym/files/text.py": (
+        "the reader itself",
+        "json.loads open os.open read_text tomllib.loads",
+    ),
+    "spragsym/files/storage.py": (
+        "names of new files; verified bytes",
+        "open open_dataset os.open",
+    ),
+    "spragsym/files/journal.py": ("a journal, bounded there", "FileIO"),
+    "spragsym/files/cache.py": ("files of the package, for a digest", "read_bytes"),
+    "spragsym/matrices/files.py": ("bytes of the reader, without objects", "np.load"),
+    "spragsym/models/load.py": (
+        "the package; code whose digests were verified, if it is trusted",
+        "compile exec read_text",
+    ),
+    "spragsym/papers.py": ("what a process of its own is told", "open read_text"),
+    "spragsym/article/ledger.py": ("files of the package", "json.loads tomllib.loads"),
+    "spragsym/figures/cycles.py": ("a file of the package", "json.loads"),
+    "spragsym/orbits/proofs.py": ("the output of a process of its own", "json.loads"),
+    "spragsym/orbits/ball_proof.py": ("the input of a process of its own", "json.load"),
+    "spragsym/motion/sweeps/workers.py": ("messages of processes of its own", "pickle.loads"),
+    "spragsym/core/limits.py": ("the size of this process", "read_text"),
+    "spragsym/core/extensions.py": ("sources of the package", "read_text"),
+    "spragsym/results/__init__.py": ("a file of the package", "read_text"),
+    "spragsym/__init__.py": ("a module of the package", "exec_module"),
+    "spragsym/explorer/page.py": ("files of the package", "read_text"),
+    "spragsym/cli/__init__.py": ("streams that are closed", "os.fdopen os.open"),
+    "spragsym/cli/output.py": ("whether a file is what is written", "read_bytes"),
+    "spragsym/cli/pages.py": ("a browser", "webbrowser.open"),
+    "spragsym/cli/export.py": ("a page that was derived", "read_text"),
+    "derive/pages.py": ("a page that is trusted, bounded there", "compile exec read_text"),
+    "derive/emit/write.py": (
+        "the mark of a derived folder, bounded there",
+        "json.loads read_bytes read_text",
+    ),
+    "derive/emit/language.py": ("our own files", "read_text"),
+    "derive/emit/python/__init__.py": ("our own files", "read_text"),
+    "derive/emit/targets/__init__.py": ("our own files", "read_text"),
+    "derive/emit/targets/fmu/__init__.py": ("what was compiled", "read_bytes"),
+    "derive/statements/papers.py": ("papers of this project", "read_text tomllib.loads"),
+    "derive/kang_nam/ledger.py": ("a file of our own", "read_text"),
+    "derive/kang_nam/library.py": ("our own files", "exec read_text"),
+    "derive/kang_nam/bounds.py": ("our own files", "compile exec"),
 }
+#: Calls that read or run what they are given, by their last name, and modules of others.
 READERS = {
-    "exec",
-    "eval",
-    "compile",
-    "tomllib.loads",
-    "tomllib.load",
-    "json.loads",
-    "json.load",
-    "pickle.loads",
-    "pickle.load",
+    *("exec", "eval", "compile", "open", "fdopen", "FileIO", "read_text", "read_bytes"),
+    *("loadtxt", "genfromtxt", "fromfile", "memmap", "read_csv", "open_dataset"),
+    *("exec_module", "run_path", "import_module_from", "unsafe_load"),
 }
+MODULES = {"tomllib", "json", "pickle", "marshal", "np", "numpy", "yaml", "shelve", "runpy"}
+#: Methods of other things that have such names.
+ALIKE = ("re.compile", "polynomial.eval", "files.open", "results.open")
 
 
-def _readers() -> Iterator[str]:
+def _readers(path: Path) -> Iterator[str]:
+    """The calls of a module that read or run something."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module in MODULES - {"numpy"}:
+            yield from (f"{node.module}.{one.name}" for one in node.names if "load" in one.name)
+        if not isinstance(node, ast.Call | ast.Attribute):
+            continue
+        named = ast.unparse(node.func if isinstance(node, ast.Call) else node)
+        owner, _, last = named.rpartition(".")
+        is_foreign = owner in MODULES and last in ("load", "loads", "run_path", "open")
+        if is_foreign or (owner in ("os", "io", "codecs", "webbrowser") and last in READERS):
+            yield named
+        elif last in READERS and isinstance(node, ast.Call) and named not in ALIKE:
+            yield last
+
+
+def test_nothing_goes_around_the_reader(tmp_path: Path) -> None:
+    found: dict[str, set[str]] = {}
     for room in ("spragsym", "derive"):
         for path in sorted((ROOT / room).rglob("*.py")):
             name = path.relative_to(ROOT).as_posix()
-            if name.startswith(("spragsym/derive/", "spragsym/generated/")):
-                continue
-            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-                called = isinstance(node, ast.Call | ast.Attribute | ast.Name)
-                if called and ast.unparse(getattr(node, "func", node)) in READERS:
-                    yield name
-
-
-def test_nothing_goes_around_the_reader() -> None:
-    assert {*_readers()} <= {*OTHERS}
+            if not name.startswith(("spragsym/derive/", "spragsym/generated/")):
+                found[name] = {*_readers(path)}
+    others = {name: {*calls.split()} for name, (_, calls) in OTHERS.items()}
+    assert {name: calls for name, calls in found.items() if calls} == others
+    # What is looked for is found.
+    new = tmp_path / "new.py"
+    for line in (
+        "import json; json.loads(text)",
+        "from json import loads",
+        "with open(path) as file: pass",
+        "Path(path).open()",
+        "read = tomllib.load",
+        "exec(compile(text, path, 'exec'))",
+        "np.genfromtxt(path)",
+        "pickle.load(file)",
+        "os.open(path, 0)",
+    ):
+        new.write_text(line, encoding="utf-8")
+        assert [*_readers(new)], line
 
 
 def test_a_device_or_a_pipe_ends(tmp_path: Path) -> None:
@@ -125,6 +183,30 @@ def test_no_row_of_a_paper_is_forged(tmp_path: Path, run: Run) -> None:
         assert not any(line.startswith("| 7 |") for line in text.split("\n"))
     assert "<script>" not in found.to_markdown() + found.to_html()
     assert found.rows[0].status == "confirmed"
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        "\\text{\u202e\x1b} m &#x202e;",
+        r"\gdef\a{b} m",
+        r"^^5cinput{/etc/passwd} \mu",
+        r"\verbatiminput{/etc/passwd} m",
+        r"m \catcode`\@=0",
+    ],
+)
+def test_no_formula_of_a_ledger_commands(latex: str) -> None:
+    """In HTML no character is hidden; LaTeX with commands beside mathematics is shown as text."""
+    pytest.importorskip("sympy")
+    verdicts = importlib.import_module("spragsym.derive.statements.verdicts")
+    row = verdicts.Row("1", "energy T", "misprint", "confirmed", print=latex, marked=latex)
+    found = PaperCheck("", "stick_slip", (), (row,))
+    assert found.to_html().replace("\n", "").isprintable()
+    letter = found.to_latex()
+    assert letter.replace("\n", "").isprintable()
+    assert r"\[" not in letter or "text" in latex
+    right = replace(row, print=r"\frac{1}{2} m \dot{x}^2")
+    assert r"\[\frac{1}{2} m \dot{x}^2\]" in replace(found, rows=(right,)).to_latex()
 
 
 @pytest.fixture

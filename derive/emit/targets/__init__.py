@@ -36,6 +36,15 @@ TERMS = (
     "licence (SPDX-License-Identifier: MIT); what follows from a page is its author's."
 )
 
+#: What begins and ends a comment, by the end of a file's name.
+_COMMENTS = {
+    **dict.fromkeys((".c", ".h"), ("/*", " */")),
+    **dict.fromkeys((".mjs", ".ts", ".mts"), ("//", "")),
+    **dict.fromkeys((".py", "Makefile"), ("#", "")),
+    ".m": ("%", ""),
+    ".xml": ("<!--", " -->"),
+}
+
 
 @dataclass(frozen=True)
 class Variable:
@@ -153,7 +162,18 @@ def render(language: str, material: Material) -> dict[str, str]:
     """The files of a library in a language, by name."""
     sealed = replace(material, header=f"{material.header} {TERMS}")
     files: dict[str, str] = _target(language).render(sealed)
-    return files
+    return {name: with_terms(name, text) for name, text in files.items()}
+
+
+def with_terms(name: str, text: str) -> str:
+    """A file with the mark of its terms; one without gets it as its last line, so that what stands
+    first in it is still its help.
+    """
+    mark = "SPDX-License-Identifier: MIT"
+    before, after = _COMMENTS.get(Path(name).suffix or name, ("", ""))
+    if mark in " ".join(text.split()) or not before:
+        return text
+    return f"{text.rstrip()}\n{before} {mark}{after}\n"
 
 
 def reserved(language: str) -> frozenset[str]:

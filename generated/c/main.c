@@ -63,3 +63,4 @@ int main(void) {
     }
     return 0;
 }
+/* SPDX-License-Identifier: MIT */

@@ -22,7 +22,7 @@ extern "C" {
 #endif
 
 /** Head of the SHA-256 of what was emitted together. */
-#define SPRAGSYM_SOURCE "b9abcca8e8f96d8d"
+#define SPRAGSYM_SOURCE "2543bccbe030f5ab"
 
 /** What became of a call. */
 typedef enum {

@@ -218,6 +218,8 @@ class _LatexReader:
                 is_function = self.is_state(_bracket(here.item) or ())
             elif is_function and known is not None:
                 is_function = self.names.is_open and self.is_named_law(known, here.item)
+            elif is_function and not (self.names.is_open and self.gives_names):
+                is_function = self.lists_names(_bracket(here.item) or ())
             if here.item is None or is_function:
                 return self.matrix(known or leaf(name.spelled, at))
         value = self.expression(items)
@@ -497,6 +499,12 @@ class _LatexReader:
             if node is None or not self.names.moves(node):
                 return False
         return True
+
+    def lists_names(self, items: Tokens) -> bool:
+        """Whether a bracket behind a new name holds arguments: names, or a number, as in x(0)."""
+        parts = split(items, ",")
+        is_number = len(items) == 1 and items[0].text[0].isdigit()
+        return is_number or all(self.only_name(it) is not None for it in parts)
 
     def is_times(self, letters: Sequence[str]) -> bool:
         """Whether all of the letters are names of time."""

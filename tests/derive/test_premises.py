@@ -121,6 +121,18 @@ def test_what_stands_beside_a_premise_is_none_of_it() -> None:
     assert checked(rows).status == ("premise", "premise", "confirmed")
 
 
+def test_a_factor_before_a_bracket_is_no_function() -> None:
+    """Without a page, where no name is known."""
+    rows = [
+        ("T", "energy T", r"T(\dot x) = \frac12 M\dot x^2"),
+        ("V", "energy V", r"V = k(x - x_0)^2"),
+        ("Q", "force x", r"Q_x = a(u_1 - u_2)"),
+        ("M", "definition", "M = m_1(l_1 + l_2)"),
+        ("m", "motion x", r"m_1(l_1 + l_2)\ddot x + 2k(x - x_0) = a(u_1 - u_2)"),
+    ]
+    assert checked(rows).status == (*("premise",) * 3, "definition", "confirmed")
+
+
 @pytest.mark.parametrize(
     ("rows", "said"),
     [

@@ -113,7 +113,7 @@ def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
     """
     try:
         while True:
-            file = stack.enter_context(FileIO(path, "a+"))
+            file = stack.enter_context(FileIO(path, "a+", opener=_no_link))
             with suppress(FileNotFoundError):
                 if not _locked(file, path) or os.path.samestat(
                     os.fstat(file.fileno()), path.stat()
@@ -128,12 +128,18 @@ def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
         ) from error
 
 
+def _no_link(path: str, flags: int) -> int:
+    """Open a file, or make it; a link is neither followed nor is what it leads to made."""
+    return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0), 0o666)
+
+
 def _whole(file: FileIO, path: Path) -> bytes:
     """All bytes of a journal."""
     about, largest = os.fstat(file.fileno()), 1 << 32
-    if not stat.S_ISREG(about.st_mode) or about.st_size > largest:
+    if not stat.S_ISREG(about.st_mode) or about.st_nlink > 1 or about.st_size > largest:
         raise StoreError(
-            f"{path} is no file, or has more than {largest} bytes; remove it, or give another path"
+            f"{path} is no file, or one of several names, or has more than {largest} bytes; remove "
+            "it, or give another path"
         )
     file.seek(0)
     return file.read(about.st_size) or b""

@@ -12,7 +12,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.core.shown import html_text, json_text, markdown_code, markdown_text, visible
-from spragsym.files import cache
+from spragsym.files import cache, journal
 from spragsym.files.text import contents, json_of, toml_of
 from spragsym.papers import PaperCheck
 from tests.support import ROOT
@@ -28,7 +28,7 @@ OTHERS = {
         "names of new files; verified bytes",
         "open open_dataset os.open",
     ),
-    "spragsym/files/journal.py": ("a journal, bounded there", "FileIO"),
+    "spragsym/files/journal.py": ("a journal, bounded there", "FileIO os.open"),
     "spragsym/files/cache.py": ("files of the package, for a digest", "read_bytes"),
     "spragsym/matrices/files.py": ("bytes of the reader, without objects", "np.load"),
     "spragsym/models/load.py": (
@@ -239,6 +239,24 @@ def test_no_link_is_followed_and_no_folder_of_others_is_used(entries: Path) -> N
     made = iter("12")
     for number in "12":
         assert cache.cached({"of": 1}, lambda: {"a.txt": next(made)}) == {"a.txt": number}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links as POSIX has them")
+def test_a_journal_that_is_a_link_is_not_followed(tmp_path: Path) -> None:
+    """Nor is what it leads to made, or a file of another name taken for it."""
+    target, victim = tmp_path / "out" / "r.csv", tmp_path / "victim"
+    target.parent.mkdir()
+    for kept in (None, b""):
+        if kept is not None:
+            victim.write_bytes(kept)
+        for link in (os.symlink, os.link)[: 1 + (kept is not None)]:
+            link(victim, journal.path_of(target))
+            with pytest.raises(ss.errors.StoreError), journal.journal(target, "key", 1):
+                pass
+            journal.path_of(target).unlink()
+            assert (victim.read_bytes() if victim.exists() else None) == kept
+    with journal.journal(target, "key", 1) as (done, _):
+        assert not done
 
 
 def test_a_relative_cache_is_no_cache(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

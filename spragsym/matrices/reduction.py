@@ -86,7 +86,8 @@ def onset_of_whole(
         if turn and moved <= 1e-11 * abs(value):
             return value
         s = complex(growth, rate)
-        solvers = inverse(whole.dynamic_stiffness(s + 1e-4 * abs(s), value))
+        away = 1e-4 * float(np.abs(small.nearest(value, s)[0]).max() or 1.0)
+        solvers = inverse(whole.dynamic_stiffness(s + away, value))
         parts = list[ComplexArray]()
         for every, few, solve in zip(
             (whole, whole.transposed), (small, small.transposed), solvers, strict=True

@@ -264,3 +264,12 @@ def test_a_reduced_model_says_what_it_lost() -> None:
     assert on.mu == pytest.approx(exact, rel=1e-4)
     assert np.abs(off.mu / exact - 1.0).max() > 0.02
     assert copy.copy(small).full.size == n
+
+
+def test_the_whole_model_diverges_where_the_reduced_one_does() -> None:
+    """At 2/5 the stiffness is singular to the bit."""
+    friction = np.diag([-5.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+    m = ss.matrices(np.eye(6), np.diag(2.0 ** np.arange(1, 7)), friction, rayleigh=(0.1, 0.0))
+    on = ss.flutter_onsets(m.reduced(3).Parameters())
+    assert on.kind.tolist() == ["divergence"]
+    assert on.full_model == pytest.approx([0.4], rel=1e-12)

@@ -138,6 +138,7 @@ def test_the_decomposition_is_a_proof() -> None:
         assert not exceeds(-A, 1.0 - norm)
 
 
+@pytest.mark.thorough
 def test_pages_as_matrices() -> None:
     """The same onsets, of pages that are linear and of one at its state."""
     page = ss.load("mode_coupling")

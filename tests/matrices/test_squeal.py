@@ -35,6 +35,7 @@ def brake(tmp_path: Path) -> Path:
     return path
 
 
+@pytest.mark.thorough
 def test_the_example_is_a_brake_whose_masses_and_springs_are_right(tmp_path: Path) -> None:
     for name, text in example_files().items():
         (tmp_path / name).write_text(text.replace("modes = 30", "modes = 12"), encoding="utf-8")

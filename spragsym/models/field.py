@@ -25,7 +25,7 @@ from ..core.remarks import At, Remark
 from ..display import Column
 from ..generated.transition import displaces, lacks
 from ..numerics.arithmetic import Number
-from ..numerics.vectors import WholeTurns, in_one_turn, makes_turns
+from ..numerics.vectors import WholeTurns, in_one_turn, magnitude, makes_turns
 from .forces import forces_of, of_statics, presses_either, undecorated
 from .parameters import FloatArray
 
@@ -164,9 +164,9 @@ class Field:
         of two faces, and of all contacts if there are several, any of which may be open at rest.
     nonlinear_levels : bool
         Whether some level is no linear function of the state.
-    periodic : mapping of int to mapping of int to int
+    periodic : WholeTurns
         Whole turns under which the field is invariant: by the index of an angle, the turns of each
-        coordinate that go with one turn of it.
+        coordinate that go with one turn of it; and shifts, as of all that nothing ties to a place.
     model : Model or None
         The model, or None for a field without a page.
     airborne : callable or None
@@ -206,7 +206,7 @@ class Field:
     torsion_sides: int = 0
     faces: tuple[int, ...] = ()
     nonlinear_levels: bool = False
-    periodic: WholeTurns = field(default_factory=dict, hash=False)
+    periodic: WholeTurns = field(default_factory=WholeTurns, hash=False)
     model: Any = None
     airborne: Callable[[Values, FloatArray], bool] | None = None
     units: tuple[str, ...] = ()
@@ -344,7 +344,7 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
     Its borders are resolved in units of their ``levels``, by default 1.
     """
     motion = _Motion(model, reach, levels)
-    return Field(
+    field = Field(
         f"{model.where}:{model.about['source']}:{reach!r}",
         model.coordinates,
         model.parameters,
@@ -380,6 +380,39 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         clock=motion.clock if model.clock else None,
         friction_holds=motion.friction_holds,
     )
+    return replace(field, periodic=WholeTurns(model.whole_turns, shifts_of(field)))
+
+
+def shifts_of(field: Field) -> FloatArray:
+    """Directions along which every state of a field may be shifted, orthonormal rows, (r, 2 n).
+
+    They are seen at two states with parameters drawn at random: neither accelerations nor levels of
+    borders change along them, in any mode. A page that excludes all of these has none.
+    """
+    n, rng = len(field.coordinates), np.random.default_rng(0)
+    free, none = n - bool(field.clock), np.zeros((0, field.size))
+    found = np.eye(free)
+    try:
+        constants = field.constants(tuple(rng.uniform(0.4, 1.6, len(field.parameters)).tolist()))
+        states = rng.uniform(-1.0, 1.0, (2, field.size))
+        for mode, state in itertools.product(field.modes, states.tolist()):
+            slopes = np.array(field.jacobian(state, constants, mode, FLOATS), dtype=float)[:, :free]
+            _, sizes, rows = np.linalg.svd(slopes @ found.T)
+            rank = int((sizes > 1e-12 * max(1.0, magnitude(slopes))).sum())
+            found = rows[rank:] @ found
+            if not len(found):
+                return none
+        shifts = np.hstack([found, np.zeros((len(found), field.size - free))])
+        for mode, border, shift in itertools.product(field.modes, field.borders, shifts):
+            before, after = (
+                border.level(state.tolist(), constants, mode)
+                for state in (states[0], states[0] + shift)
+            )
+            if abs(after - before) > 1e-12 * (1 + abs(before)):
+                return none
+    except (ArithmeticError, ValueError, np.linalg.LinAlgError):
+        return none
+    return shifts
 
 
 def exact_field(where: str) -> Field:

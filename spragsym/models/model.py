@@ -185,7 +185,7 @@ class Model:
         Each is the number of turns of every coordinate, by index, that go with one turn of the
         angle.
         """
-        found = {}
+        found = WholeTurns()
         for index, entry in enumerate(self.about["coordinates"]):
             turns = entry.get("comes_around")
             if turns:

@@ -32,10 +32,10 @@ class Multipliers:
     """Floquet multipliers of a closed orbit.
 
     ``trivial`` is the multiplier along the flow, which is 1 up to errors. ``held`` are those along
-    a continuum of orbits, one for each direction in which friction holds the mass all the time:
-    they are 1. ``others``, (m − 1 − held,), are sorted by modulus, largest first. ``errors`` are
-    estimates: the changes of the others when each factor is perturbed by the error that it has
-    along the flow.
+    a continuum of orbits, one for each direction in which friction holds the mass all the time, or
+    in which it may be shifted: they are 1. ``others``, (m − 1 − held,), are sorted by modulus,
+    largest first. ``errors`` are estimates: the changes of the others when each factor is perturbed
+    by the error that it has along the flow.
     """
 
     trivial: float

@@ -137,7 +137,8 @@ class Onward:
             raise ConvergenceError("the orbit does not pass through the section")
         projection = np.eye(start.size)  # along the flow onto the section
         projection[:, fixed] -= rates / rates[fixed]
-        slope = section(section(projection @ orbit.monodromy, fixed).T, fixed).T
+        projected = orbit.relative @ projection @ orbit.monodromy
+        slope = section(section(projected, fixed).T, fixed).T
         largest = magnitude(shifted.multipliers.others)
         return Closed(self, orbit, largest, fixed, scale, slope * scale / scale[:, None])
 
@@ -244,7 +245,7 @@ def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
     times, places = _marks(statistics, fixed)
     if len(times) < options.returns:
         return None
-    places = _near(places, in_one_turn(places[-1], periodic), periodic)
+    places = _near(places, periodic.unshifted(in_one_turn(places[-1], periodic)), periodic)
     # The section is x' = 0, or x at a whole number of turns: not always 0, if x turns with another
     # angle.
     places[:, fixed] = TURN * np.round(places[-1, fixed] / TURN) if turning else 0.0
@@ -256,6 +257,10 @@ def on_cycle(statistics: MotionStatistics, onward: Onward) -> Outcome | None:
     if field.clock:  # where x is largest or smallest, it does not move: not there rates range
         n = len(ranges) // 2
         once = 4 / TURN * places[-1, -1]  # back and forth in a turn
+        if len(periodic.shifts):  # what drifts may be largest nowhere
+            drifting = np.abs(periodic.shifts[:, : n - 1]).max(axis=0) > 0
+            covered = np.abs(places[-1, n:-1]) / once
+            ranges[: n - 1] = np.maximum(ranges[: n - 1], np.where(drifting, covered, 0.0))
         ranges[n:-1] = np.maximum(ranges[n:-1], once * ranges[: n - 1])
     extent = section(ranges, fixed)
     unit = TURN if turning else extent[lead]

@@ -378,6 +378,7 @@ def scaled(field: Field, scales: MotionScales) -> Field:
         borders=tuple(map(border, inner.borders, scales.levels)),
         initial_mode=of_scaled(inner.initial_mode),
         friction_holds=of_scaled(inner.friction_holds),
+        periodic=inner.periodic.scaled(scales.states),
         forces=tuple(
             (name, lambda states, constants, force=force: force(np.array(at(states)), constants))
             for name, force in inner.forces

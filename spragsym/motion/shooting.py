@@ -26,6 +26,7 @@ import numpy as np
 from ..core.errors import ConvergenceError, ParameterError
 from ..models.field import OVERSHOOT, Field, Mode, Values
 from ..models.parameters import FloatArray
+from ..numerics.interval_arrays import BoolArray
 from ..numerics.vectors import TURN, magnitude, norm, state_difference
 from .integrators import Flow
 from .lobatto import PiecewisePolynomial
@@ -134,7 +135,8 @@ class Orbit:
     @cached_property
     def gaps(self) -> FloatArray:
         """Residual: end of each mesh interval minus the beginning of the next, shape (k, m).
-        Periodic coordinates are compared modulo whole turns.
+        Periodic coordinates are compared modulo whole turns, and states modulo shifts that leave
+        the field unchanged.
         """
         return state_difference(self.ends, np.roll(self.states, -1, axis=0), self.field.periodic)
 
@@ -156,13 +158,16 @@ class Orbit:
 
     @cached_property
     def bounds(self) -> tuple[FloatArray, FloatArray]:
-        """Smallest and largest value of each component of the state over one period, (m,) each."""
+        """Smallest and largest value of each component of the state over one period, (m,) each,
+        without what may be shifted.
+        """
         states = np.hstack(
             [
                 self.flow.samples(each, self.constants, self.guess.interval).states
                 for each in self.states
             ]
         )
+        states = self.field.periodic.unshifted(states.T).T
         return states.min(axis=1), states.max(axis=1)
 
     @cached_property
@@ -228,12 +233,34 @@ class Orbit:
                 normals.append(normal[None])
         return np.linalg.qr(np.vstack(normals).T)[0].T
 
+    @property
+    def relative(self) -> FloatArray:
+        """Projection of deviations across the shifts that leave the field unchanged, (m, m)."""
+        return self.field.periodic.unshifted(np.eye(self.field.size))
+
+    @property
+    def drift(self) -> FloatArray:
+        """By how much a period shifts each coordinate, (n,): an orbit that closes up to a shift is
+        a relative periodic orbit.
+        """
+        moved = (self.ends - self.states).sum(axis=0)
+        found: FloatArray = moved - self.field.periodic.unshifted(moved)
+        return found[: len(self.field.coordinates)]
+
+    @property
+    def shifted(self) -> BoolArray:
+        """Mask of the coordinates that a shift changes, (n,)."""
+        n = len(self.field.coordinates)
+        found: BoolArray = np.diag(self.relative)[:n] < 1 - 1e-12
+        return found
+
     @cached_property
     def _intervals(self) -> list[FloatArray]:
         """Derivatives of the flow over the mesh intervals, (m, m) each, of deviations that leave
-        the orbit where friction :attr:`held` it.
+        the orbit where friction :attr:`held` it, across what may be shifted.
         """
-        first, *others = (each.by_state for each in self.flow_results)
+        across = self.relative
+        first, *others = (across @ each.by_state @ across for each in self.flow_results)
         return [first - first @ self.held.T @ self.held, *others]
 
     @cached_property
@@ -260,10 +287,10 @@ class Orbit:
     @cached_property
     def multipliers(self) -> Multipliers:
         """Floquet multipliers. The smallest ones, of the deviations that friction :attr:`ended`,
-        are set to exactly 0, those along what is :attr:`held` to 1.
+        are set to exactly 0, those along what is :attr:`held` or may be shifted to 1.
         """
-        m, held = self.field.deviations, len(self.held)
-        flows = [self.rate(state)[:m] for state in self.states]
+        m, held = self.field.deviations, len(self.held) + len(self.field.periodic.shifts)
+        flows = [(self.relative @ self.rate(state))[:m] for state in self.states]
         found = multipliers_of([each[:m, :m] for each in self._intervals], flows)
         others, errors = found.others[: m - 1 - held], found.errors[: m - 1 - held]
         nonzero = np.arange(len(others)) < len(others) - self.ended
@@ -286,6 +313,9 @@ class Orbit:
             matrix[own, after * m : (after + 1) * m] -= np.eye(m)
             matrix[own, k * m] = self.rate(each.state) / k
             matrix[own, k * m + 1 :] = each.by_parameters[:, :parameters]
+            if len(self.field.periodic.shifts):  # what may be shifted stays where it is
+                matrix[own] = self.relative @ matrix[own]
+                matrix[own, own] += np.eye(m) - self.relative
         # What friction holds closes at every place: it stays where it is.
         matrix[:m, :m] += self.held.T @ self.held
         return np.vstack([matrix, *rows])
@@ -349,8 +379,10 @@ class Orbit:
         return self.flow.samples(self.state, self.constants, self.period)
 
     def moments(self) -> tuple[float, float]:
-        """Mean and root mean square over one period of the first coordinate; NaN if it winds."""
-        if self.winding:
+        """Mean and root mean square over one period of the first coordinate; NaN if it winds, or
+        may be shifted.
+        """
+        if self.winding or self.shifted[0]:
             return math.nan, math.nan
         mean, square = (
             math.fsum(each.integrals[i] for each in self.flow_results) / self.period for i in (0, 1)
@@ -605,7 +637,7 @@ def _most_rounds(orbit: Orbit) -> int:
         return 1
     low, high = orbit.bounds
     n, options = len(orbit.field.coordinates), orbit.options
-    for index in range(n):
+    for index in np.flatnonzero(~orbit.shifted).tolist():
         extent = float(high[index] - low[index])
         if extent > options.moves * orbit.errors[index] and not orbit.windings.get(index):
             up, down = high[n + index], -low[n + index]
@@ -680,7 +712,8 @@ def error_of(orbit: Orbit, differs: float = 0.0) -> float:
 
 def extent(orbit: Orbit, units: FloatArray | float = 1.0) -> float:
     """Size of an orbit: the largest range of a component over extrema and mesh, in ``units``."""
-    states = [*(extremum.state for extremum in orbit.extrema()), *orbit.states, *orbit.ends]
+    places = [*(extremum.state for extremum in orbit.extrema()), *orbit.states, *orbit.ends]
+    states = orbit.field.periodic.unshifted(np.array(places))
     return float((np.ptp(states, axis=0) / units).max())
 
 

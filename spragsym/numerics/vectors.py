@@ -3,16 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .interval_arrays import FloatArray
 
-#: Rotations that leave a model unchanged. For the index of a periodic angle, the number of turns
-#: that each angle makes with it, itself included.
-WholeTurns: TypeAlias = Mapping[int, Mapping[int, int]]
+
+class WholeTurns(dict[int, Mapping[int, int]]):
+    """Rotations and shifts that leave a model unchanged.
+
+    For the index of a periodic angle, the number of turns that each angle makes with it, itself
+    included. ``shifts``, (r, m), are orthonormal directions along which a state may be shifted by
+    any amount.
+    """
+
+    def __init__(
+        self, turns: Mapping[int, Mapping[int, int]] | None = None, shifts: ArrayLike = ()
+    ) -> None:
+        super().__init__(turns or {})
+        self.shifts: FloatArray = np.array(shifts, dtype=float)
+
+    def scaled(self, units: FloatArray) -> WholeTurns:
+        """The same of states in these units."""
+        if not len(self.shifts):
+            return self
+        return WholeTurns(self, np.linalg.qr((self.shifts / units).T)[0].T)
+
+    def unshifted(self, states: FloatArray) -> FloatArray:
+        """States, along the last axis, without their components along the shifts."""
+        if not len(self.shifts):
+            return states
+        rows = self.shifts[:, : states.shape[-1]]
+        found: FloatArray = states - (states @ rows.T) @ rows
+        return found
+
+
 #: Period of an angle.
 TURN = 2 * np.pi
 #: Lower end of the turn to which angles are reduced. States are not near it by symmetry, so that
@@ -31,13 +57,13 @@ def norm(numbers: ArrayLike) -> float:
 
 
 def state_difference(one: ArrayLike, other: ArrayLike, periodic: WholeTurns) -> FloatArray:
-    """``one`` − ``other``, states along the last axis, modulo turns: periodic angles differ by at
-    most half a turn.
+    """``one`` − ``other``, states along the last axis, modulo turns and shifts: periodic angles
+    differ by at most half a turn.
     """
     found: FloatArray = np.subtract(one, other, dtype=float)
     for index, turns_with in periodic.items():
         _rotate_back(found, np.round(found[..., index] / TURN), turns_with)
-    return found
+    return periodic.unshifted(found)
 
 
 def in_one_turn(

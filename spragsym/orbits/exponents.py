@@ -161,7 +161,7 @@ def lyapunov(
     why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
     if verdict.decided:
         with suppress(ConvergenceError):  # Newton's method may fail to confirm the attractor
-            kind, limit, _ = attractor_exponents(system, verdict)
+            kind, limit, _, _ = attractor_exponents(system, verdict)
             why = f"it comes to {verdict.described()}"
     return Lyapunov(
         late.exponents[order],

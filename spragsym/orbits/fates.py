@@ -179,14 +179,14 @@ def _followed(system: System, begun: Fate, t_end: float | None) -> Fate:
         held = verdict.kind == Regime.EQUILIBRIUM and system.field.clock
         why += ", where friction holds it in every phase of the clock" if held else ""
         try:
-            kind, spectrum, error = attractor_exponents(system, verdict)
+            kind, spectrum, error, drift = attractor_exponents(system, verdict)
         except ConvergenceError as failed:
             return replace(found, why=f"{why}, which Newton's method does not find again: {failed}")
         moves = held or verdict.kind == Regime.LIMIT_CYCLE
         return replace(
             found,
             kind=kind,
-            why=why,
+            why=why + str(drift),
             outcome=verdict.outcome,
             exponents=spectrum,
             error=error,

@@ -331,7 +331,9 @@ def returns(
 
 def _from_guess(flow: Flow, guess: Iterate) -> Orbit:
     """The closed orbit near a guess, on a refined mesh, no farther away than half its extent."""
-    orbit = in_scales(subdivided(flow, guess))
+    first = guess.states[0]
+    aside = first - flow.field.periodic.unshifted(first)  # nearer to 0, what may be shifted
+    orbit = in_scales(subdivided(flow, replace(guess, states=guess.states - aside)))
     reach = 0.5 * extent(orbit) if orbit.extrema() else np.inf
     return natural(closed_orbit(orbit.flow, orbit, across(orbit), reach=reach))
 
@@ -624,8 +626,11 @@ def _varied(now: Values, then: Values) -> tuple[int, float]:
     return index, span
 
 
-def attractor_exponents(system: System, verdict: FateVerdict) -> tuple[str, FloatArray, FloatArray]:
-    """Kind of the attractor of a motion, its Lyapunov exponents, largest first, and their errors.
+def attractor_exponents(
+    system: System, verdict: FateVerdict
+) -> tuple[str, FloatArray, FloatArray, Remark | str]:
+    """Kind of the attractor of a motion, its Lyapunov exponents, largest first, their errors, and
+    what is to be said of a cycle that closes up to a shift.
 
     They are real parts of eigenvalues, or ln |μ| / T of multipliers μ; −∞ for deviations that
     sticking ends, NaN for lift-off. The error is infinite for a multiplier below its own error.
@@ -634,11 +639,11 @@ def attractor_exponents(system: System, verdict: FateVerdict) -> tuple[str, Floa
     if verdict.kind == Regime.EQUILIBRIUM and system.field.clock:
         # Held in every phase: deviations of the coordinates persist, sticking ends those of rates.
         held = np.where(np.arange(size) < len(system.field.coordinates), 0.0, -np.inf)
-        return kind, held, np.zeros(size)
+        return kind, held, np.zeros(size), ""
     limit = attractor(system, verdict)
     if limit.kind == Regime.LIFT_OFF:
         unknown = np.full(size, np.nan)
-        return kind, unknown, unknown
+        return kind, unknown, unknown, ""
     if limit.orbit is None:
         values, _ = spectrum_at_rest(
             system.field, system.constants, limit.state, system.resting_mode(limit.state)
@@ -656,7 +661,7 @@ def attractor_exponents(system: System, verdict: FateVerdict) -> tuple[str, Floa
             errors = np.where(known, -np.log1p(-relative) / limit.orbit.period, np.inf)
         rates[0] = 0.0
     order = np.argsort(-rates, kind="stable")
-    return kind, rates[order], errors[order]
+    return kind, rates[order], errors[order], "" if limit.orbit is None else limit.orbit.moves_on
 
 
 def same(one: Attractor, other: Attractor) -> bool:

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..core.errors import ConvergenceError, ParameterError, ParameterTypeError
+from ..core.remarks import At, Remark
 from ..display import Column
 from ..files import storage
 from ..models.field import Field, Values
@@ -88,7 +89,12 @@ class Cycle(Result):
         Events over one period; ``t`` is counted from ``state``.
     rms, mean, amplitude : float
         Root mean square about zero, mean, and half the range of the first coordinate over one
-        period. If it rotates, the first two are NaN, and the last is π.
+        period. If it rotates, the first two are NaN, and the last is π; if it may be shifted, as of
+        what nothing ties to a place, all three are NaN.
+    drift : ndarray, shape (n,)
+        By how much a period shifts each coordinate, 0 without such shifts. A cycle that closes up
+        to a shift is a *relative periodic orbit*: it has one more multiplier 1 for each direction
+        of a shift, after the trivial one.
     backend : str
         The integrator.
     orbit : Orbit
@@ -115,6 +121,7 @@ class Cycle(Result):
     rms: float
     mean: float
     amplitude: float
+    drift: FloatArray
     backend: str
     orbit: Orbit = dataclasses.field(repr=False)
 
@@ -156,6 +163,19 @@ class Cycle(Result):
     def values(self) -> tuple[float, ...]:
         """The parameters, in the order of ``field.parameters``."""
         return self.orbit.values
+
+    @property
+    def moves_on(self) -> Remark | str:
+        """Text to follow a cycle that closes up to a shift; empty for others."""
+        moved = [
+            At(name, (float(shift),), ".6g", "rad" * self.field.column(name).is_angle)
+            for name, shift in zip(self.field.coordinates, self.drift, strict=True)
+            if abs(shift) > 10 * self.error
+        ]
+        if not moved:
+            return ""
+        text = ", a relative periodic orbit: it shifts by " + ", ".join(["{}"] * len(moved))
+        return Remark(text + " in each period", *moved)
 
     @cached_property
     def samples(self) -> PiecewisePolynomial:
@@ -338,6 +358,7 @@ def cycle_of(orbit: Orbit) -> Cycle:
         rms=rms,
         mean=mean,
         amplitude=(highest - lowest) / 2,
+        drift=own.drift,
         backend=own.flow.backend,
         orbit=own,
     )
@@ -445,10 +466,12 @@ def is_stable(orbit: Orbit) -> bool:
 
 def range_of(orbit: Orbit) -> tuple[float, float]:
     """Smallest and largest value of the first coordinate, over its extrema and the mesh nodes; ∓π
-    if it rotates.
+    if it rotates, NaN if it may be shifted.
     """
     if orbit.winding:
         return -math.pi, math.pi
+    if orbit.shifted[0]:
+        return math.nan, math.nan
     values = [
         *(float(extremum.state[0]) for extremum in orbit.extrema() if extremum.border == -1),
         *orbit.states[:, 0].tolist(),

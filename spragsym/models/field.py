@@ -380,29 +380,32 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         clock=motion.clock if model.clock else None,
         friction_holds=motion.friction_holds,
     )
-    return replace(field, periodic=WholeTurns(model.whole_turns, shifts_of(field)))
+    return replace(
+        field, periodic=WholeTurns(model.whole_turns, shifts_of(field, model.whole_turns))
+    )
 
 
-def shifts_of(field: Field) -> FloatArray:
-    """Directions along which every state of a field may be shifted, orthonormal rows, (r, 2 n).
+def shifts_of(field: Field, turns: WholeTurns) -> FloatArray:
+    """Directions along which every state of a field may be shifted, orthonormal rows, (r, 2 n); not
+    along angles that make whole ``turns``, after each of which a motion closes as it is.
 
     They are seen at two states with parameters drawn at random: neither accelerations nor levels of
     borders change along them, in any mode. A page that excludes all of these has none.
     """
     n, rng = len(field.coordinates), np.random.default_rng(0)
-    free, none = n - bool(field.clock), np.zeros((0, field.size))
-    found = np.eye(free)
+    none = np.zeros((0, field.size))
+    found = np.eye(n)[[index for index in range(n) if not makes_turns(index, turns)]]
     try:
         constants = field.constants(tuple(rng.uniform(0.4, 1.6, len(field.parameters)).tolist()))
         states = rng.uniform(-1.0, 1.0, (2, field.size))
         for mode, state in itertools.product(field.modes, states.tolist()):
-            slopes = np.array(field.jacobian(state, constants, mode, FLOATS), dtype=float)[:, :free]
+            slopes = np.array(field.jacobian(state, constants, mode, FLOATS), dtype=float)[:, :n]
             _, sizes, rows = np.linalg.svd(slopes @ found.T)
             rank = int((sizes > 1e-12 * max(1.0, magnitude(slopes))).sum())
             found = rows[rank:] @ found
             if not len(found):
                 return none
-        shifts = np.hstack([found, np.zeros((len(found), field.size - free))])
+        shifts = np.hstack([found, np.zeros((len(found), n))])
         for mode, border, shift in itertools.product(field.modes, field.borders, shifts):
             before, after = (
                 border.level(state.tolist(), constants, mode)

@@ -280,8 +280,18 @@ class Rates:
         if len(open_):
             worst = open_[np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300))]
             hope = "errors of integration may be as large"
-            if error[worst] > options.least_error / self.unit:
-                hope = "a longer motion narrows that as the root of its time; on a torus it stays"
+            least = options.least_error / self.unit
+            if len(open_) == len(across) and abs(self.volumes.sum()) <= least * self.span:
+                hope = (
+                    "nothing damps the motion, volumes of states last: it is conservative, and "
+                    "comes to nothing; it is periodic or quasi-periodic, unless a longer motion "
+                    "tells an exponent from 0"
+                )
+            elif error[worst] > least:
+                hope = (
+                    "a longer motion narrows that as the root of its time; of a quasi-periodic "
+                    "motion, on a torus, it stays"
+                )
             return (
                 f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: "
                 f"{hope}"

@@ -46,7 +46,7 @@ from ..motion.shooting import (
 from ..motion.simulation import Start, named_state
 from ..motion.solution import Extremum
 from ..numerics.balls import UndecidedSign
-from ..numerics.vectors import WholeTurns, in_one_turn, magnitude, norm, state_difference
+from ..numerics.vectors import TURN, WholeTurns, in_one_turn, magnitude, norm, state_difference
 from .arclength import Setting, along, differences, started
 from .orbit import Cycle, cycle_of, same_cycle
 from .system import FateVerdict, FixedPoints, System, judged, rounding_of
@@ -182,7 +182,8 @@ def cycle_near(
     """:func:`cycle` of a system.
 
     From a state, closed orbits are first computed from close returns of the motion. If there are
-    none, or ``near`` is a motion, the limit of the motion is classified.
+    none, or ``near`` is a motion, the limit of the motion is classified; under a clock, if it comes
+    to none, Newton's method looks for a cycle of one turn from the start.
     """
     field, flow = system.field, system.flow
     if isinstance(near, Cycle):
@@ -212,6 +213,9 @@ def cycle_near(
     if verdict.kind == Regime.LIMIT_CYCLE:
         with suppress(ConvergenceError):
             return cycle_at(system, np.array(verdict.outcome.cycle), verdict.outcome.period)
+    if field.clock and not verdict.decided:  # without damping no motion comes to it
+        with suppress(ConvergenceError):
+            return cycle_at(system, start, TURN / field.clock(system.constants))
     why = stands_still(system, verdict.end) or Remark(
         "it comes to {}; give as near a state nearer to a cycle, or the end of a longer motion",
         verdict.described(),

@@ -83,3 +83,15 @@ def test_what_is_tied_to_a_place_has_no_shift() -> None:
     p = ss.load("coulomb_stick_slip").Parameters(V=0.2)
     assert not len(p.model.field.periodic.shifts)
     assert ss.cycle(p).drift.tolist() == [0.0]
+
+
+def test_what_nothing_damps_has_its_cycle_under_a_clock_and_is_conservative() -> None:
+    """x″ = −x + cos(0.7 t) without friction: of period 2π/0.7, x = cos(0.7 t)/(1 − 0.49)."""
+    p = ss.load("forced_oscillator").Parameters(mu_s=0.0, mu_k=0.0)
+    found = ss.cycle(p, near=[0.3, 0.2])
+    assert found.period == pytest.approx(2 * math.pi / 0.7, rel=1e-12)
+    assert found.state[0] == pytest.approx(1 / 0.51, abs=1e-9)
+    assert np.abs(found.multipliers) == pytest.approx(1.0, abs=1e-9)
+    fate = ss.fate(p, start=[0.3, 0.2], t_end=400.0)
+    assert fate.kind == "undecided"
+    assert "it is conservative, and comes to nothing; it is periodic or quasi-periodic" in fate.why

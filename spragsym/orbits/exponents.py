@@ -281,7 +281,7 @@ class Rates:
             worst = open_[np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300))]
             hope = "errors of integration may be as large"
             least = options.least_error / self.unit
-            if len(open_) == len(across) and abs(self.volumes.sum()) <= least * self.span:
+            if len(open_) == len(across) and magnitude(self.volumes) <= least * self.interval:
                 hope = (
                     "nothing damps the motion, volumes of states last: it is conservative, and "
                     "comes to nothing; it is periodic or quasi-periodic, unless a longer motion "

@@ -120,5 +120,7 @@ def test_of_an_exponent_that_is_not_told_from_0_the_remedy_depends_on_the_time_u
         options=SimpleNamespace(significance=2.0, least_error=1e-5),
         unit=unit,
         flow=np.zeros(9),
+        volumes=np.array([1.0, -1.0]),
+        interval=1.0,
     )
     assert said in exponents.Rates.undecided(motion, 0.0)

@@ -26,7 +26,7 @@ from ..motion.scales import MotionScales
 from ..motion.shooting import rate
 from ..motion.simulation import Start, state_of
 from ..numerics.interval_arrays import BoolArray, IntArray
-from ..numerics.vectors import norm
+from ..numerics.vectors import magnitude, norm
 from ..results.result import Result
 from .finding import attractor_exponents, repeats
 from .system import System, judged

@@ -323,7 +323,9 @@ def papers(place: Place, rng: np.random.Generator, found: Found) -> None:
         return
     with suppress(ValueError):
         for row in json.loads(ended.out)["rows"]:
-            if row["id"].startswith("right") and "symbols" not in head:
+            if row["id"].startswith("right") and "symbols" in head:
+                continue  # whose names mean something else
+            if row["id"].startswith("right"):
                 found.counts["right"] += 1
                 if row["status"] == "confirmed":
                     found.counts["judged"] += 1

@@ -90,7 +90,7 @@ class Cycle(Result):
     rms, mean, amplitude : float
         Root mean square about zero, mean, and half the range of the first coordinate over one
         period. If it rotates, the first two are NaN, and the last is π; if it may be shifted, as of
-        what nothing ties to a place, all three are NaN.
+        what is tied to no place, they are NaN.
     drift : ndarray, shape (n,)
         By how much a period shifts each coordinate, 0 without such shifts. A cycle that closes up
         to a shift is a *relative periodic orbit*: it has one more multiplier 1 for each direction

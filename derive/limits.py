@@ -63,7 +63,7 @@ class Limit(Enum):
     )
     WITHOUT_MASS = (
         "a slider without mass",
-        "give it a mass so small that its frequency is far above all others",
+        "give it a mass so small that its frequency is far above the others",
     )
     FIFTH_COORDINATE = (
         "more than four coordinates",

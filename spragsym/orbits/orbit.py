@@ -91,10 +91,6 @@ class Cycle(Result):
         Root mean square about zero, mean, and half the range of the first coordinate over one
         period. If it rotates, the first two are NaN, and the last is π; if it may be shifted, as of
         what is tied to no place, they are NaN.
-    drift : ndarray, shape (n,)
-        By how much a period shifts each coordinate, 0 without such shifts. A cycle that closes up
-        to a shift is a *relative periodic orbit*: it has one more multiplier 1 for each direction
-        of a shift, after the trivial one.
     backend : str
         The integrator.
     orbit : Orbit
@@ -121,7 +117,6 @@ class Cycle(Result):
     rms: float
     mean: float
     amplitude: float
-    drift: FloatArray
     backend: str
     orbit: Orbit = dataclasses.field(repr=False)
 
@@ -163,6 +158,15 @@ class Cycle(Result):
     def values(self) -> tuple[float, ...]:
         """The parameters, in the order of ``field.parameters``."""
         return self.orbit.values
+
+    @property
+    def drift(self) -> FloatArray:
+        """By how much a period shifts each coordinate, shape (n,), 0 without such shifts.
+
+        A cycle that closes up to a shift is a *relative periodic orbit*: it has one more
+        multiplier 1 for each direction of a shift, after the trivial one.
+        """
+        return self.orbit.drift
 
     @property
     def moves_on(self) -> Remark | str:
@@ -358,7 +362,6 @@ def cycle_of(orbit: Orbit) -> Cycle:
         rms=rms,
         mean=mean,
         amplitude=(highest - lowest) / 2,
-        drift=own.drift,
         backend=own.flow.backend,
         orbit=own,
     )

@@ -93,17 +93,6 @@ def undecided_parts(found: Points | None, ends: Span) -> FloatArray:
     return np.clip(spans[(spans[:, 1] >= ends[0]) & (spans[:, 0] <= ends[1])], *ends)
 
 
-def joined(spans: FloatArray) -> FloatArray:
-    """Unions of ranges that meet, in ascending order."""
-    out = list[list[float]]()
-    for low, high in sorted(spans.tolist()):
-        if out and low <= out[-1][1]:
-            out[-1][1] = max(out[-1][1], high)
-        else:
-            out.append([low, high])
-    return np.array(out).reshape(-1, 2)
-
-
 @question
 def linked(
     p: ParameterSet,

@@ -19,7 +19,7 @@ from scipy.optimize import linear_sum_assignment
 import spragsym as ss
 
 from ..bifurcation.borders import reachable
-from ..bifurcation.branches import joined, linked, undecided_parts, undecided_points
+from ..bifurcation.branches import linked, undecided_parts, undecided_points
 from ..bifurcation.defining_systems import ranges
 from ..core.errors import ConvergenceError, SpragsymError, one_of, require_kind
 from ..core.questions import model_of
@@ -28,7 +28,7 @@ from ..models.forces import columns_of
 from ..models.model import Touching
 from ..models.parameters import FINITE, FloatArray, ParameterSet, Ranges, Span, varied_range
 from ..numerics.columns import selected_rows
-from ..numerics.interval_arrays import ComplexArray, IntArray
+from ..numerics.interval_arrays import ComplexArray, IntArray, joined
 from ..results import Equilibria, EquilibriumType, Named, Path, Points
 from ..statics.search import balances_of
 from ..statics.stability import NEUTRAL_GROWTH, REAL

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..core.progress import doing, tell
 from ..numerics.definite import Middle, Pencil, Series, Window, window
-from ..numerics.interval_arrays import BoolArray, ComplexArray
+from ..numerics.interval_arrays import BoolArray, ComplexArray, joined
 from .options import MatrixOptions
 from .reduction import inverse
 
@@ -73,10 +73,7 @@ class OnsetSearch:
                 )
         self.stretches.sort(key=lambda one: one.low)
         self.crossings.sort(key=lambda one: one.value)
-        self.undecided = [
-            (min(one for one, _ in group), max(one for _, one in group))
-            for group in _touching(sorted(self.undecided))
-        ]
+        self.undecided = [(low, high) for low, high in joined(np.array(self.undecided)).tolist()]
         return self
 
     def merged(self) -> list[Stretch]:
@@ -218,17 +215,6 @@ class OnsetSearch:
             return None
         known = any(abs(value - one.value) <= one.proof.half for one in self.crossings)
         return None if known else value
-
-
-def _touching(spans: list[tuple[float, float]]) -> list[list[tuple[float, float]]]:
-    """Spans in their order, those that touch together."""
-    groups: list[list[tuple[float, float]]] = []
-    for one in spans:
-        if groups and one[0] <= groups[-1][-1][1]:
-            groups[-1].append(one)
-        else:
-            groups.append([one])
-    return groups
 
 
 def _partner(middle: Middle, index: int) -> float:

@@ -93,6 +93,17 @@ def hulls_of(ends: FloatArray, number: IntArray, count: int) -> FloatArray:
     return out
 
 
+def joined(spans: FloatArray) -> FloatArray:
+    """Unions of ranges that meet, in ascending order."""
+    out = list[list[float]]()
+    for low, high in sorted(spans.tolist()):
+        if out and low <= out[-1][1]:
+            out[-1][1] = max(out[-1][1], high)
+        else:
+            out.append([low, high])
+    return np.array(out).reshape(-1, 2)
+
+
 def scale_of(values: ArrayLike) -> FloatArray:
     """max(1, |value|), the unit of errors and widths: relative for large numbers, absolute for
     small ones.

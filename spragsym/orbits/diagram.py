@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..bifurcation.branches import joined, undecided_parts, undecided_points
+from ..bifurcation.branches import undecided_parts, undecided_points
 from ..bifurcation.flutter import Onsets, flutter_onsets
 from ..core.error_states import in_usual_state
 from ..core.errors import ConvergenceError, ParameterError, SpragsymError
@@ -30,7 +30,7 @@ from ..models.model import Touching
 from ..models.parameters import FloatArray, ParameterSet, Ranges, Span, as_count, varied_range
 from ..motion.scales import MotionScales
 from ..motion.shooting import natural
-from ..numerics.interval_arrays import BoolArray
+from ..numerics.interval_arrays import BoolArray, joined
 from ..numerics.vectors import magnitude, state_difference
 from ..results import Equilibria
 from ..results.result import Result

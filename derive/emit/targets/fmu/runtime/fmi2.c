@@ -168,7 +168,7 @@ FMI2(fmi3Status, GetBoolean)(void *component, const fmi3ValueReference *referenc
     OF_COMPONENT
     for (size_t i = 0; i < count; i++) {
         bool value = false;
-        const fmi3Status status = CALL(GetBoolean)(it->inner, references + i, 1, &value, 1);
+        const fmi3Status status = CALL(GetBoolean)(it->inner, references ? references + i : NULL, 1, values ? &value : NULL, 1);
         if (status != fmi3OK) {
             return status;
         }
@@ -319,43 +319,23 @@ FMI2(fmi3Status, CancelStep)(void *component) {
 NO_DERIVATIVES(SetRealInputDerivatives, const double)
 NO_DERIVATIVES(GetRealOutputDerivatives, double)
 
-FMI2(fmi3Status, GetStatus)(void *component, int kind, fmi3Status *value) {
-    OF_COMPONENT
-    if (kind != DO_STEP_STATUS || !value) {
-        return fmi3Discard;
+/* What is known of the last step, each kind asked for by its type; of others there is nothing to tell. */
+#define STATUS(name, c_type, known, told)                                  \
+    FMI2(fmi3Status, name)(void *component, int kind, c_type *value) {     \
+        OF_COMPONENT                                                       \
+        if (kind != (known) || !value) {                                   \
+            return fmi3Discard;                                            \
+        }                                                                  \
+        *value = told;                                                     \
+        return fmi3OK;                                                     \
     }
-    *value = it->step;
-    return fmi3OK;
-}
 
-FMI2(fmi3Status, GetRealStatus)(void *component, int kind, double *value) {
-    OF_COMPONENT
-    if (kind != LAST_SUCCESSFUL_TIME || !value) {
-        return fmi3Discard;
-    }
-    *value = it->inner->now.time;
-    return fmi3OK;
-}
+STATUS(GetStatus, fmi3Status, DO_STEP_STATUS, it->step)
+STATUS(GetRealStatus, double, LAST_SUCCESSFUL_TIME, it->inner->now.time)
+STATUS(GetBooleanStatus, int, TERMINATED_STATUS, 0) /* no motion ends by itself */
+STATUS(GetStringStatus, const char *, PENDING_STATUS, "no step is pending")
 
 FMI2(fmi3Status, GetIntegerStatus)(void *component, int kind, int *value) {
     OF_COMPONENT
     return fmi3Discard;
-}
-
-FMI2(fmi3Status, GetBooleanStatus)(void *component, int kind, int *value) {
-    OF_COMPONENT
-    if (kind != TERMINATED_STATUS || !value) {
-        return fmi3Discard;
-    }
-    *value = 0; /* no motion ends by itself */
-    return fmi3OK;
-}
-
-FMI2(fmi3Status, GetStringStatus)(void *component, int kind, const char **value) {
-    OF_COMPONENT
-    if (kind != PENDING_STATUS || !value) {
-        return fmi3Discard;
-    }
-    *value = "no step is pending";
-    return fmi3OK;
 }

@@ -353,6 +353,7 @@ static int mode_of(Motion *it, const double *state) {
 #if HOLDS
     return still && settled(it, state, some, NULL);
 #else
+    (void)still;
     return 0;
 #endif
 }

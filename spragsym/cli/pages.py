@@ -148,12 +148,12 @@ def _batch(
     from ..report.batch import by_risk, read_batch, report_batch, summary_csv
 
     probe(folder / "index.html", made=True)
-    total, found = len(read_batch(table)), []
+    brakes, found = read_batch(table), []
     with (
-        advance(True, total, 0) as done,
+        advance(True, len(brakes), 0) as done,
         closing(
             report_batch(
-                table,
+                brakes,
                 folder,
                 base,
                 page=report_page,
@@ -169,24 +169,20 @@ def _batch(
             done()
     ranked = by_risk(found)
     risky, failed = sum(one.at_risk for one in ranked), [one for one in ranked if not one.told]
-    about = f"{total} brakes, {risky} at risk, {len(failed)} without a report; by risk"
+    about = f"{len(brakes)} brakes, {risky} at risk, {len(failed)} without a report; by risk"
     put(folder / "summary.csv", summary_csv(ranked))
     put(folder / "index.html", batch_page(ranked, f"Brakes of {table.name}", about))
     if o.is_json():
         print_json([one.columns() for one in ranked])
     else:
         names = ("name", "jump_at", "unit", "margin_percent", "probability", "motion")
-        rows = [{name: _cell(one.columns()[name]) for name in names} for one in ranked]
+        rows = [{name: _known(one.columns()[name]) for name in names} for one in ranked]
         print_rows(about, rows)
     for one in failed:
         click.echo(f"{one.brake.name}: {one.trouble}", err=True)
     click.echo(f"wrote {folder / 'index.html'}", err=True)
     if failed:
         click.get_current_context().exit(3)
-
-
-def _cell(value: object) -> object:
-    return "" if value is None else value
 
 
 def _over(study: Study, over: tuple[Span, ...], csv: Path | None, plot: Path | None) -> None:
@@ -212,9 +208,9 @@ def _over(study: Study, over: tuple[Span, ...], csv: Path | None, plot: Path | N
     drawn(plot, "drawing the verdicts", lambda: _verdict_figure(found))
 
 
-def _known(one: float | str) -> float | str:
-    """A cell of a table; empty for NaN."""
-    return "" if isinstance(one, float) and math.isnan(one) else one
+def _known(one: float | str | None) -> float | str:
+    """A cell of a table; empty for NaN and None."""
+    return "" if one is None or (isinstance(one, float) and math.isnan(one)) else one
 
 
 def _verdict_figure(found: Verdicts) -> Figure:

@@ -82,7 +82,7 @@ def _require_kinds(
             raise ParameterTypeError(f"{name} = {value!r:.60} is no {kinds}; give {remedy}")
 
 
-def _may_be(word: str, value: object, general: Callable[..., Any]) -> bool:
+def _may_be(word: str, value: Any, general: Callable[..., Any]) -> bool:
     """Whether a value may be of the class that a word of an annotation names.
 
     True for sequences, in whose place arrays may be given, and for unknown names.
@@ -97,7 +97,7 @@ def _may_be(word: str, value: object, general: Callable[..., Any]) -> bool:
     if get_origin(kind) is Mapping:
         return isinstance(value, Mapping)
     if kind in (float, int, bool):
-        return np.ndim(value) == 0  # type: ignore[arg-type]
+        return np.ndim(value) == 0
     if not isinstance(kind, type) or kind is Sequence:
         return True
     return isinstance(value, kind)

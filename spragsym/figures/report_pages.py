@@ -77,6 +77,7 @@ def report_page(report: Facts) -> str:
         title=title,
         about=", ".join(filter(None, about.values())),
         verdict=" ".join(verdict(report)),
+        at_risk=report.at_risk,
         steps=steps,
         warnings=warnings(report),
         drawn=pictures(report),

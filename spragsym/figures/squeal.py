@@ -44,7 +44,7 @@ def draw_squeal(
     *,
     band: Span | None = None,
     damping: bool = False,
-    **options: object,
+    **options: Any,
 ) -> list[object]:
     """Draw frequencies of the modes over the parameter, or their damping ratios if ``damping``;
     shaded where one grows faster than the threshold.
@@ -60,7 +60,7 @@ def draw_squeal(
     for growing, colour, word in ((False, BLUE, "decays"), (True, VERMILION, "grows")):
         here = shown & ((each.real > found.threshold) == growing)
         style = {"color": colour, "markersize": 1.6, "label": word, **options}
-        drawn += ax.plot(values[here], heights[here], ".", **style)  # type: ignore[arg-type]
+        drawn += ax.plot(values[here], heights[here], ".", **style)
     for start, end, count in found.growing:
         if count:
             ax.axvspan(start, end, facecolor=SKY, alpha=0.3, linewidth=0.0, zorder=0)
@@ -111,6 +111,7 @@ def squeal_page(report: SquealReport) -> str:
         title=study.title or "Squeal report",
         about=f"{study.source}, {study.parameters.model.about['summary']}",
         verdict=report.verdict(),
+        at_risk=report.squeals,
         steps=[],
         warnings=report.remarks(),
         drawn=[

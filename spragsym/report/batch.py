@@ -19,40 +19,47 @@ from ..core.errors import ParameterError, SpragsymError
 from ..core.shown import json_text, without_nan
 from ..files.cache import digest_of_folder
 from ..files.storage import provenance, put
-from ..files.text import FilePath, json_of, path_text, text_of
+from ..files.text import FilePath, brake_text, json_of, path_text, text_of
 from ..motion.sweeps.workers import Workers, results
 from .data import FileReader
-from .friction_curve import cells
+from .facts import REACHED
+from .friction_curve import cells, separator
 
 #: Column of the table with the names of brakes.
 NAME = "name"
-#: Reports that say first what is wrong begin so.
-_AT_RISK = ("It sprags", "It squeals", "It diverges")
 
 #: Options of a report, by name.
 Options: TypeAlias = Mapping[str, Any]
 
 
+@dataclass(frozen=True)
+class BatchBrake:
+    """A row of a table."""
+
+    table: str  #: path of the table
+    number: int  #: line in it
+    name: str
+    stem: str  #: name of its files, without ending
+    row: dict[str, str]  #: texts by key, as in brake.toml
+
+
 class _RowReader(FileReader):
     """Reader of one row, over the keys of a file like brake.toml; errors name the column."""
 
-    def __init__(
-        self, path: str, number: int, row: Mapping[str, str], base: FilePath | None
-    ) -> None:
-        text = "[brake]" if base is None else text_of(base, what="a file such as brake.toml")
-        super().__init__(path if base is None else path_text(base), text)
-        self.table_path, self.number, self.row = path, number, row
+    def __init__(self, brake: BatchBrake, path: str, text: str) -> None:
+        super().__init__(path, text)
+        self.brake = brake
 
     def of(self, key: str, *pattern: str) -> str:
-        if key in self.row:
-            return f"{self.table_path}, line {self.number}, column {key}"
+        if key in self.brake.row:
+            return f"{self.brake.table}, line {self.brake.number}, column {key}"
         return super().of(key, *pattern)
 
-    def beside(self, key: str) -> Path:
-        return Path(self.table_path).parent if key in self.row else super().beside(key)
+    def beside(self, key: str = "") -> Path:
+        return Path(self.brake.table).parent if key in self.brake.row else super().beside(key)
 
     def _table(self) -> dict[str, Any]:
-        return {**super()._table(), **self.row}
+        return {**super()._table(), **self.brake.row}
 
     def made_of(self) -> list[str]:
         """All that the study is made of: its keys, a measured friction, a model's own folder."""
@@ -63,20 +70,6 @@ class _RowReader(FileReader):
                 found.append(text_of(self.beside("friction") / measured, 8 * 2**20))
         model = Path(str(table.get("model", "")))
         return found + ([digest_of_folder(model)] if model.is_dir() and model.name else [])
-
-
-@dataclass(frozen=True)
-class BatchBrake:
-    """A row of the table."""
-
-    name: str
-    stem: str  #: name of its files, without ending
-    number: int  #: line in the table
-    row: dict[str, str]  #: texts by key, as in brake.toml
-
-    def reader(self, path: str, base: FilePath | None) -> _RowReader:
-        """What reads its study; errors name the column."""
-        return _RowReader(path, self.number, self.row, base)
 
 
 @dataclass(frozen=True)
@@ -94,8 +87,8 @@ class BatchReport:
 
     @property
     def at_risk(self) -> bool:
-        """Whether the verdict begins with a jump or with sliding that is unstable."""
-        return self.told is not None and self.verdict.startswith(_AT_RISK)
+        """Whether it jumps, as :attr:`~spragsym.report.facts.Facts.at_risk` says."""
+        return self.told is not None and self.told["reach"] in REACHED
 
     @property
     def risk(self) -> tuple[bool, bool, float, float]:
@@ -151,7 +144,7 @@ def read_batch(path: FilePath) -> list[BatchBrake]:
             "brake"
         )
     (first, head), *rows = lines
-    between = next((mark for mark in ";\t|," if mark in head), ",")
+    between = separator(head, ",")
     keys = cells(head, between)
     twice = [key for key, count in Counter(keys).items() if count > 1]
     if twice or "" in keys:
@@ -170,7 +163,7 @@ def read_batch(path: FilePath) -> list[BatchBrake]:
         given = {key: cell for key, cell in zip(keys, row, strict=True) if cell}
         called = given.pop(NAME, f"line {number}")
         stem = re.sub(r"[^\w.-]+", "_", called).strip("._") or f"line_{number}"
-        found.append(BatchBrake(called, stem, number, given))
+        found.append(BatchBrake(name, number, called, stem, given))
     same = [
         one for one, count in Counter(one.stem.casefold() for one in found).items() if count > 1
     ]
@@ -182,7 +175,7 @@ def read_batch(path: FilePath) -> list[BatchBrake]:
 
 
 def report_batch(
-    path: FilePath,
+    brakes: Sequence[BatchBrake],
     folder: Path,
     base: FilePath | None = None,
     *,
@@ -192,7 +185,7 @@ def report_batch(
     options: Options | None = None,
     force: bool = False,
 ) -> Generator[BatchReport]:
-    """Reports on the brakes of a table, each written to ``folder`` as soon as it is known.
+    """Reports on brakes of :func:`read_batch`, each written to ``folder`` as soon as it is known.
 
     Those that an earlier call wrote, of the same data by the same version, are read. ``base`` is a
     file like brake.toml with what all brakes share; ``page`` draws the page of a report.
@@ -202,12 +195,12 @@ def report_batch(
     ParameterError
         If a file in the folder is of other data, without ``force``.
     """
-    brakes, shared = read_batch(path), dict(options or {})
-    table = path_text(path)
-    tasks = dict[int, Any]()
+    shared, tasks = dict(options or {}), dict[int, Any]()
+    text = "[brake]" if base is None else brake_text(base)
     for index, brake in enumerate(brakes):
         target = folder / f"{brake.stem}.json"
-        made_of = _digest(brake.reader(table, base).made_of(), shared)
+        reader = _RowReader(brake, brake.table if base is None else path_text(base), text)
+        made_of = _digest(reader.made_of(), shared)
         known = _known(target, made_of)
         if known is not None and (page is None or target.with_suffix(".html").is_file()):
             yield BatchReport(brake, known)
@@ -216,8 +209,8 @@ def report_batch(
             raise ParameterError(
                 f"{target} is of other data, or of another version; give --force, or another folder"
             )
-        tasks[index] = table, brake, base, target, made_of, trust, shared, page
-    for index, (told, trouble) in results(workers, _reported, tasks, lambda one: one[1].name):
+        tasks[index] = reader, target, made_of, trust, shared, page
+    for index, (told, trouble) in results(workers, _reported, tasks, lambda one: one[0].brake.name):
         yield BatchReport(brakes[index], told, trouble)
 
 
@@ -238,9 +231,9 @@ def _known(target: Path, made_of: str) -> dict[str, Any] | None:
 
 def _reported(task: tuple[Any, ...]) -> tuple[dict[str, Any] | None, str]:
     """The report on a brake as data, written to its files; or None and what is wrong with it."""
-    path, brake, base, target, made_of, trust, options, page = task
+    reader, target, made_of, trust, options, page = task
     try:
-        found = brake.reader(path, base).read(trust).report(**options)
+        found = reader.read(trust).report(**options)
     except SpragsymError as error:
         return None, " ".join(str(error).split())
     told = without_nan({"made_of": made_of} | found.to_dict())

@@ -68,7 +68,7 @@ class DataFile:
         number = next(found, None)
         return f"{self.path}, line {number}" if number else self.path
 
-    def beside(self, key: str) -> Path:
+    def beside(self, key: str = "") -> Path:
         """The folder in which files that a key names are looked for."""
         return Path(self.path).parent
 

@@ -42,6 +42,10 @@ from .units import Numbers
 FRICTION = 2.0
 
 
+#: Values of :attr:`Facts.reach` of which the friction in use may reach the jump.
+REACHED = ("jumped", "within", "faster")
+
+
 @dataclass(frozen=True)
 class ReportOptions:
     """Options of a report, see :meth:`Study.report`."""
@@ -162,6 +166,13 @@ class Facts:
     def current(self) -> State | None:
         """The state of the brake; None if not known."""
         return next((state for state in self.states if state.current), None)
+
+    @property
+    def at_risk(self) -> bool:
+        """True if it jumps, or loses its contact, as drawn, within the tolerances, or at a higher
+        speed.
+        """
+        return self.reach in REACHED
 
     @property
     def jumped(self) -> bool:

@@ -96,7 +96,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
 def _measurements(path: Path, lines: Sequence[tuple[int, str]]) -> list[tuple[float, float]]:
     """Speed in m/s and friction coefficient of each line."""
     (first, head), *data = lines
-    between = next((mark for mark in ";\t|," if mark in head), " ")
+    between = separator(head, " ")
     if between == " ":
         head = re.sub(r"\s+(?=[\[(])", "", head)
     names = cells(head, between)
@@ -153,15 +153,20 @@ def _check_marks(at: str, written: Sequence[str]) -> None:
         )
 
 
+def separator(head: str, usual: str) -> str:
+    """What stands between cells: the first of semicolon, tab, bar and comma in the head."""
+    return next((mark for mark in ";\t|," if mark in head), usual)
+
+
 def cells(line: str, between: str) -> list[str]:
     """Cells of a line, without blanks and quotes."""
     try:
-        cells = next(csv.reader([line], delimiter=between, skipinitialspace=True))
+        row = next(csv.reader([line], delimiter=between, skipinitialspace=True))
     except csv.Error as error:
         raise ParameterError(
             f"a line of {len(line)} characters is too long ({error}); write one a line"
         ) from error
-    return [cell.strip(" \t\"'").replace("\N{MINUS SIGN}", "-") for cell in cells]
+    return [cell.strip(" \t\"'").replace("\N{MINUS SIGN}", "-") for cell in row]
 
 
 def _column(at: str, names: Sequence[str], si: str) -> tuple[int, float]:

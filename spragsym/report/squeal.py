@@ -356,7 +356,7 @@ class _Reader(DataFile):
     def _path(self, given: object) -> Path:
         if not isinstance(given, str) or not given.strip():
             raise ParameterError(f'{given!r} is no file name; write K = "stiffness.mtx"')
-        return Path(self.path).parent / given
+        return self.beside() / given
 
     def _matrix(self, given: object, scale: float) -> Matrix:
         """A matrix of a file in seconds; of several, the named one."""

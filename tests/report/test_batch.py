@@ -7,7 +7,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.cli import main
-from spragsym.report.batch import read_batch
+from spragsym.report.batch import BatchBrake, BatchReport, read_batch
 from tests.support import ROOT
 
 pytest.importorskip("matplotlib")
@@ -94,3 +94,12 @@ def test_it_is_told_where_to_write(tmp_path: Path, capsys: pytest.CaptureFixture
         with pytest.raises(SystemExit, match="2"):
             main(["report", *words])
         assert said in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("reach", "at_risk"), [("within", True), ("faster", True), ("beyond", False), ("", False)]
+)
+def test_what_is_at_risk_does_not_hang_on_the_words(reach: str, at_risk: bool) -> None:
+    told = {"reach": reach, "verdict": "It loses its contact: …"}
+    brake = BatchBrake("brakes.csv", 2, "rear", "rear", {})
+    assert BatchReport(brake, told).at_risk is at_risk

@@ -95,3 +95,12 @@ def test_what_nothing_damps_has_its_cycle_under_a_clock_and_is_conservative() ->
     fate = ss.fate(p, start=[0.3, 0.2], t_end=400.0)
     assert fate.kind == "undecided"
     assert "it is conservative, and comes to nothing; it is periodic or quasi-periodic" in fate.why
+
+
+@pytest.mark.thorough
+def test_newton_finds_from_rest_what_no_motion_comes_to() -> None:
+    """Without damping the motion from rest stays quasi-periodic, and its limit is no cycle."""
+    p = ss.load("forced_oscillator").Parameters(mu_s=0.0, mu_k=0.0)
+    found = ss.cycle(p)
+    assert found.period == pytest.approx(2 * math.pi / 0.7, rel=1e-12)
+    assert found.state[0] == pytest.approx(1 / 0.51, abs=1e-9)

@@ -64,11 +64,13 @@ def draw_squeal(
     for start, end, count in found.growing:
         if count:
             ax.axvspan(start, end, facecolor=SKY, alpha=0.3, linewidth=0.0, zorder=0)
-    for row in found:
-        ax.axvline(row[found.vary], color=VERMILION, linewidth=0.7, linestyle=":")
+    for number, row in enumerate(found):
+        word = "_an onset" if number else "an onset"
+        style = {"color": VERMILION, "linewidth": 0.7, "linestyle": ":", "label": word}
+        ax.axvline(row[found.vary], **style)
     shade(ax, found.parameters.model, found.vary, found.undecided)
     if damping:
-        ax.axhline(0.0, color="#777777", linewidth=0.8)
+        ax.axhline(0.0, color="#777777", linewidth=0.8, label="no damping")
         ax.set_ylabel("damping ratio")
     else:
         ax.set_ylabel("frequency in Hz")

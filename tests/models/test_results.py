@@ -144,7 +144,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
         ss.load("mode_coupling").Parameters(), ("mu0", "beta"), n=3
     ),
     "Undecided": lambda: Undecided((), (0.0, 0.0), (1.0, 1.0), "two equilibria, or none"),
-    "Ended": lambda: ss.folds(ss.Parameters.article())._what_ends,
+    "Ended": lambda: ss.folds(ss.Parameters.article())._for_file()._ended,
     "Branch": lambda: ss.figures.branches(ONE)[0],
     "Spectrum": lambda: MAKERS["Trajectory"]().spectrum(),
     "ModelEnd": lambda: first_end(ss.load("stribeck").Parameters(theta0=0.5), "theta0", (0.3, 1.5)),

@@ -388,6 +388,7 @@ def test_no_text_of_a_page_is_taken_for_html() -> None:
         "report.html",
         odd,
         **words,
+        at_risk=True,
         mechanism="",
         steps=[(odd, odd)],
         warnings=[odd],

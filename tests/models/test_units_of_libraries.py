@@ -243,7 +243,7 @@ def test_no_number_of_any_question_loses_its_unit() -> None:
         if "kN" in str(refused.value):
             continue
         # Something else is missing, of a bare number as well.
-        bare = 3.0 if isinstance(bad, Thrust) else {each: (3.0, 4.0) for each in bad}
+        bare = 3.0 if isinstance(bad, Thrust) else dict.fromkeys(bad, (3.0, 4.0))
         with pytest.raises(ss.errors.SpragsymError) as same:
             function(**{**needed, where: bare})
         assert str(refused.value) == str(same.value), (function, name)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -10,7 +10,9 @@ from sympy import Dummy, Expr, S, Symbol
 
 from .book import used
 from .comparison import Comparison, Conventions, judged_side
+from .objects import NoObject
 from .reading import Item
+from .repair import Values
 from .samples import numeric
 from .tree import ZERO, Equation, nodes, symbols
 
@@ -84,18 +86,36 @@ def _to_first_order(item: Item, conventions: Conventions) -> Iterator[Way]:
     own = [comparison.exactly(tree) for tree, _ in sides]
     entries = [derivation.expanded(subject.entries[place]) for place in subject.index]
     rows = [row for row in derivation.moved if row[0] != derivation.model.clock]
-    small = [str(row[0]) for row in rows if not all(_is_linear(it, row) for it in entries)]
+    small = [
+        str(row[0]) for row in rows if not all(_is_linear(it, row, item.values) for it in entries)
+    ]
     several = [it for row in rows if str(row[0]) in small for it in row]
-    if small and all(_is_linear(derivation.expanded(it), several) for it in own):
+    if small and all(_is_linear(derivation.expanded(it), several, item.values) for it in own):
         limit = f"linear in {', '.join(small)}"
         said = f"right to first order in {', '.join(small)}: say limit = {limit!r}"
         yield Way(replace(item, statement=replace(statement, limit=limit)), said, is_usual=True)
 
 
-def _is_linear(value: Expr, small: Iterable[Symbol]) -> bool:
+def _is_linear(value: Expr, small: Collection[Symbol], values: Mapping[str, Values]) -> bool:
     """Whether an expression is of first order in what is small together."""
     size = Dummy(positive=True)
     scaled = value.xreplace({it: size * it for it in small})
-    if scaled.has(sp.sign, sp.Abs, sp.Piecewise):
+    if scaled.has(sp.sign, sp.Abs, sp.Piecewise) or _is_bent(value, small, values):
         return False
     return sp.expand(sp.diff(scaled, size, 2)) == 0
+
+
+def _is_bent(value: Expr, small: Collection[Symbol], values: Mapping[str, Values]) -> bool:
+    """Whether the samples show that an expression is not of first order, far beyond rounding.
+
+    The second derivative of a long expression takes seconds.
+    """
+    try:
+        one, two, three = (
+            numeric(value, {**values, **{str(it): size * values[str(it)] for it in small}})
+            for size in (1.0, 2.0, 3.0)
+        )
+    except (KeyError, NoObject):  # something has no value there
+        return False
+    far = 1e-6 * (abs(one) + abs(two) + abs(three))
+    return bool((abs(three - 2.0 * two + one) > far).any())

@@ -29,7 +29,7 @@ import numpy as np
 
 from spragsym.cli import main
 from spragsym.files import cache as kept
-from spragsym.files import journal, storage
+from spragsym.files import journal, own, storage
 from spragsym.models.load import load
 from spragsym.report.friction_curve import read_friction
 from spragsym.results.files import open as open_result
@@ -380,7 +380,7 @@ def _entries(place: Place, rng: np.random.Generator, entry: Path) -> None:
 
 def _evil(path: Path) -> bytes:
     data = json.dumps({"text": "evil"}).encode()
-    return kept._signature(path, data, kept._key()) + b"\n" + data
+    return own.signature(own.user_key(), path.name, data) + b"\n" + data
 
 
 def caches(place: Place, rng: np.random.Generator, found: Found) -> None:
@@ -419,6 +419,7 @@ def _sweep() -> tuple[bytes, str, list[Any]]:
     """The right result of a sweep, its fingerprint, and the numbers of a finished point."""
     with tempfile.TemporaryDirectory() as name:
         place = Place(Path(name))
+        _warm(*SWEEP[:-1], str(place.work / "warm.csv"))
 
         def asked() -> int:
             append = journal._append
@@ -442,8 +443,12 @@ def _sweep() -> tuple[bytes, str, list[Any]]:
 
 
 def _journal(place: Place, rng: np.random.Generator, path: Path) -> None:
-    """Lines with right checksums and wrong structure; and what is no file."""
-    _, key, points = _sweep()
+    """Right points, some of others' hands, and lines of wrong structure that the user signed; and
+    what is no file.
+    """
+    _, about, points = _sweep()
+    os.environ["XDG_CACHE_HOME"] = str(place.work / "cache")
+    mine, other_key = own.user_key(), rng.bytes(32)
     _, values, _ = points[int(rng.integers(len(points)))]
     odd: list[Any] = [
         None, True, -1, 3, 10**30, 0.5, "0", [], {}, [0], {"0": 1}, float("nan"), float("inf"), "x" * 10**6,
@@ -453,37 +458,56 @@ def _journal(place: Place, rng: np.random.Generator, path: Path) -> None:
         return odd[int(rng.integers(len(odd)))]
 
     def of(*point: Any) -> bytes:
-        return journal._line(key, [*point])
+        return journal._line(mine, about, [*point])
 
+    def forged(*point: Any) -> bytes:
+        text = json.dumps(point).encode()
+        signs = (
+            own.signature(other_key, about, text),
+            own.signature(b"", about, text),
+            hashlib.sha256(about.encode() + b" " + text).hexdigest()[:16].encode(),
+            hashlib.sha256(about.encode() + b"\n" + text).hexdigest().encode(),
+            right[0].partition(b" ")[0],
+            b"",
+        )
+        return signs[int(rng.integers(len(signs)))] + b" " + text + b"\n"
+
+    right = [of(*point) for point in sorted(points)]
     other = [*values]
     other[int(rng.integers(len(values)))] = one()
     evil = str(rng.choice(TEXTS))
     lines = (
-        lambda: of(one(), values, ""),
-        lambda: of(0, one(), ""),
-        lambda: of(0, other if not isinstance(other, float) else None, one()),
+        lambda: forged(0, values, evil),
+        lambda: forged(0, [1.0 for _ in values], ""),
+        lambda: forged(2, other, ""),
+        lambda: right[1].replace(b"[1,", b"[0,"),
+        lambda: right[0].replace(b"[0,", b"[1,"),
+        lambda: right[int(rng.integers(3))],
+        lambda: of(3, values, ""),
+        lambda: forged(0, other, one()),
+        lambda: of(0, one() or None, ""),
+        lambda: of(0, [None, *values[1:]], ""),
         lambda: of(0, values[:-1], ""),
         lambda: of(0, [*values, 1.0], ""),
-        lambda: of(0, values, evil),
         lambda: of(0, values),
         lambda: of(0, values, "", one()),
         lambda: of(),
-        lambda: journal._line(key, one()),
-        lambda: journal._line(key, {"0": values}),
+        lambda: journal._line(mine, about, one()),
+        lambda: journal._line(mine, about, {"0": values}),
         lambda: of(-1, values, ""),
-        lambda: of(3, values, ""),
         lambda: of(2**70, values, ""),
         lambda: of(True, values, ""),
         lambda: of(0, [[it] for it in values], ""),
         lambda: of(0, [str(it) for it in values], ""),
-        lambda: b"0" * 16 + b' [0, [1.0], ""]\n',
-        lambda: journal._checksum(key, b"[" * 10**5) + b" " + b"[" * 10**5 + b"\n",
-        lambda: journal._checksum(key, b'[0,[1e400],""]') + b' [0,[1e400],""]\n',
-        lambda: journal._line("", {"journal": one(), "fingerprint": one()}),
+        lambda: b"0" * 64 + b' [0, [1.0], ""]\n',
+        lambda: own.signature(mine, about, b"[" * 10**5) + b" " + b"[" * 10**5 + b"\n",
+        lambda: own.signature(mine, about, b'[0,[1e400],""]') + b' [0,[1e400],""]\n',
+        lambda: journal._line(mine, "", {"journal": one(), "fingerprint": one()}),
+        lambda: journal._line(other_key, "", {"journal": one(), "fingerprint": one()}),
     )
     chosen = [lines[int(rng.integers(len(lines)))]() for _ in range(int(rng.integers(1, 5)))]
-    head = journal._line("", {"journal": 1, "fingerprint": key, **storage.provenance()})
-    text = head + b"".join(chosen)
+    key = other_key if rng.random() < 0.2 else mine
+    text = journal._Sweep(key, about, 3, None).head() + b"".join(chosen)
     if rng.random() < 0.7:
         path.write_bytes(text)
         return

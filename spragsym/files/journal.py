@@ -1,16 +1,17 @@
 """The journal of a sweep: a file beside the result with a line for each finished point.
 
-It is removed when the result is written. A line is a checksum and JSON; the checksum of a point
-includes the fingerprint of its sweep, so that a line that is cut, changed or of another sweep is
-never taken for a result.
+It is removed when the result is written. A line is a signature with the user's key and JSON; that
+of a point is under the fingerprint of its sweep, so that a line that is cut, changed, of another
+sweep or of another user is never taken for a result.
 """
 
 from __future__ import annotations
 
 import errno
-import hashlib
+import hmac
 import json
 import os
+import secrets
 import stat
 import warnings
 from collections.abc import Callable, Iterator
@@ -23,17 +24,24 @@ from typing import Any, TypeAlias, cast
 from filelock import lock_descriptor
 
 from ..core.errors import DamageWarning, ParameterError, SpragsymError, StoreError, SweepError
+from .own import signature, user_key
 from .storage import provenance, write_all
-from .text import has_shape, json_of, printed
+from .text import Shape, has_shape, json_of, printed
 
+#: What a first line holds.
+_HEAD: Shape = {"journal": int, "fingerprint": str}
 #: One point of a sweep: its measured values and, if it failed, why.
 Record: TypeAlias = tuple[list[float], str]
 
 
 @dataclass(frozen=True)
-class _Points:
-    """What is known of the points of a sweep: their number, and the numbers that each has."""
+class _Sweep:
+    """What is known of a sweep: the key and the name with which its points are signed, their
+    number, and the numbers that each has.
+    """
 
+    key: bytes
+    fingerprint: str
     total: int
     width: int | None
 
@@ -44,6 +52,11 @@ class _Points:
         index, values, reason = cast("tuple[int, list[float], str]", point)
         is_one = 0 <= index < self.total and len(values) in (0, self.width or len(values))
         return (index, (values, reason)) if is_one else None
+
+    def head(self) -> bytes:
+        """The first line."""
+        about = {"journal": 2, "fingerprint": self.fingerprint, **provenance()}
+        return _line(self.key, "", about)
 
 
 def path_of(target: Path) -> Path:
@@ -66,17 +79,19 @@ def journal(
     Raises
     ------
     StoreError
-        If another process has the journal, or the file can't be read or written or is no journal.
+        If another process has the journal, or the file can't be read or written, is no journal or
+        is signed with another key.
     ParameterError
         If it has points of another sweep.
     """
     path = path_of(target)
     with ExitStack() as stack:
         file, data = _opened(stack, path)
-        done = _begun(file, path, fingerprint, data, _Points(total, width))
+        sweep = _Sweep(_key(path), fingerprint, total, width)
+        done = _begun(file, path, data, sweep)
 
         def keep(index: int, record: Record) -> None:
-            _append(file, path, _line(fingerprint, [index, *record]))
+            _append(file, path, _line(sweep.key, fingerprint, [index, *record]))
             done[index] = record
 
         kept = f"of {total} points are kept in {path}, and the same call goes on from there"
@@ -171,27 +186,38 @@ def _locked(file: FileIO, path: Path) -> bool:
 # lines
 
 
-def _line(key: str, content: object) -> bytes:
-    """A line with its checksum; ``key`` is the fingerprint for a point, empty for other lines."""
+def _key(path: Path) -> bytes:
+    """The user's key; one that is lost with this process, and a warning, where none can be kept."""
+    try:
+        return user_key()
+    except SpragsymError as error:
+        warnings.warn(
+            f"no process but this one can go on from {path}, which your key would sign: {error}",
+            stacklevel=2,
+        )
+        return secrets.token_bytes()
+
+
+def _line(key: bytes, about: str, content: object) -> bytes:
+    """A signed line, about the fingerprint for a point, about nothing for other lines."""
     text = json.dumps(content).encode()
-    return _checksum(key, text) + b" " + text + b"\n"
+    return signature(key, about, text) + b" " + text + b"\n"
 
 
-def _checksum(key: str, text: bytes) -> bytes:
-    return hashlib.sha256(key.encode() + b" " + text).hexdigest()[:16].encode()
+def _signed(line: bytes, key: bytes, about: str) -> Any:
+    """The content of a line; None if it was not signed so."""
+    signed, _, text = line.partition(b" ")
+    return _content(line) if hmac.compare_digest(signed, signature(key, about, text)) else None
 
 
-def _content(key: str, line: bytes) -> Any:
-    """The content of a line; None if the checksum is wrong, or it is no JSON."""
-    checksum, _, text = line.partition(b" ")
+def _content(line: bytes) -> Any:
+    """The content of a line, whoever signed it; None if it is no JSON."""
     with suppress(ValueError):
-        return json_of(text) if checksum == _checksum(key, text) else None
+        return json_of(line.partition(b" ")[2])
     return None
 
 
-def _begun(
-    file: FileIO, path: Path, fingerprint: str, data: bytes, expected: _Points
-) -> dict[int, Record]:
+def _begun(file: FileIO, path: Path, data: bytes, sweep: _Sweep) -> dict[int, Record]:
     """The undamaged points of this sweep; warns of damage and makes the file ready for appending.
 
     Raises
@@ -199,27 +225,34 @@ def _begun(
     ParameterError
         If the lines are of another sweep.
     StoreError
-        If the file is no journal.
+        If the file is no journal, or signed with another key.
     """
     *lines, cut = data.split(b"\n")
     points, damaged, owner = dict[int, Record](), list[int](), None
     for number, line in enumerate(lines, 1):
-        point, other = expected.read(_content(fingerprint, line)), _content("", line)
+        point = sweep.read(_signed(line, sweep.key, sweep.fingerprint))
+        other = _signed(line, sweep.key, "")
         if point is not None and point[0] not in points:
             index, record = point
             printed(str(path), record[1])
             points[index] = record
-        elif has_shape(other, {"journal": int, "fingerprint": str}):
+        elif has_shape(other, _HEAD):
             owner = other["fingerprint"]
         else:
             damaged.append(number)
-    head = _line("", {"journal": 1, "fingerprint": fingerprint, **provenance()})
-    ours = owner == fingerprint or bool(points)
+    head = sweep.head()
+    ours = owner == sweep.fingerprint or bool(points)
     if not ours and owner is not None and damaged:
         # Lines that look damaged may be points of another sweep.
         raise ParameterError(
             f"{path} belongs to another sweep, or to other code; remove it to start anew, or "
             "give another path"
+        )
+    if not ours and owner is None and lines and has_shape(_content(lines[0]), _HEAD):
+        raise StoreError(
+            f"{path} is not signed with your key: another user wrote it, or you on a machine with "
+            "another home or by an older version; remove it to start anew, or, if it is yours, set "
+            "XDG_CACHE_HOME to the folder that holds the spragsym-key of where it was written"
         )
     # A part of the first line may be left by a kill or a full disk.
     if not ours and owner is None and not head.startswith(data):
@@ -233,7 +266,7 @@ def _begun(
         warnings.warn(
             f"{path}: {len(damaged)} damaged line{'s' * (len(damaged) > 1)} ({shown}): not as "
             "written, by their "
-            f"checksums or parts; the {len(points)} points of the other lines are good, and what "
+            f"signatures or parts; the {len(points)} points of the other lines are good, and what "
             "is lost is computed again",
             DamageWarning,
             stacklevel=2,

@@ -343,7 +343,7 @@ def probe(path: FilePath, bytes_needed: int = 0, *, made: bool = False) -> Path:
         problem = "is a folder" if target.is_dir() else "lies in a folder that does not exist"
         raise ParameterError(f"{target} {problem}; give the name of a file in an existing folder")
     try:
-        os.close(_opened(trial := _beside(folder)))
+        os.close(new_file(trial := _beside(folder)))
         trial.unlink()
         free = shutil.disk_usage(folder).free
     except OSError as error:
@@ -391,7 +391,7 @@ def put(path: FilePath, data: bytes | str, *, made: bool = False, private: bool 
 def _replace(target: Path, data: bytes, private: bool) -> None:
     """Write data to a temporary file, flush it to the disk and rename it to the target."""
     temporary = _beside(target.parent)
-    number = _opened(temporary, 0o600 if private else 0o666)
+    number = new_file(temporary, 0o600 if private else 0o666)
     try:
         with open(number, "wb", buffering=0) as file:
             write_all(file, data)
@@ -417,7 +417,7 @@ def _beside(folder: Path) -> Path:
     return folder / f".spragsym-{os.getpid()}-{secrets.token_hex(8)}"
 
 
-def _opened(path: Path, mode: int = 0o666) -> int:
+def new_file(path: Path, mode: int = 0o666) -> int:
     """The descriptor of a new file; an error if the name exists, even as a link to nothing."""
     return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), mode)
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.files import journal, storage
+from spragsym.files import journal, own, storage
 from spragsym.report.friction_curve import read_friction
 from spragsym.results.files import _digest, _text
 from tests.support import ROOT
@@ -119,8 +119,9 @@ def of_a_model(folder: Path, text: str) -> Any:
 
 
 def point_of_a_journal(folder: Path, text: str) -> Any:
-    head = journal._line("", {"journal": 1, "fingerprint": "key", **storage.provenance()})
-    (folder / "r.csv.partial").write_bytes(head + journal._line("key", [0, [1.0], text]))
+    sweep = journal._Sweep(own.user_key(), "key", 1, 1)
+    point = journal._line(sweep.key, "key", [0, [1.0], text])
+    (folder / "r.csv.partial").write_bytes(sweep.head() + point)
     with journal.journal(folder / "r.csv", "key", 1) as (done, _):
         return done
 

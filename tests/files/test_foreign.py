@@ -1,10 +1,12 @@
 """What comes from outside passes one reader, what is shown one writer for each format."""
 
 import ast
+import hashlib
 import importlib
 import json
 import os
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,7 +14,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.core.shown import html_text, json_text, markdown_code, markdown_text, visible
-from spragsym.files import cache, journal
+from spragsym.files import cache, journal, own
 from spragsym.files.text import contents, json_of, toml_of
 from spragsym.papers import PaperCheck
 from tests.support import ROOT
@@ -30,6 +32,7 @@ OTHERS = {
     ),
     "spragsym/files/journal.py": ("a journal, bounded there", "FileIO os.open"),
     "spragsym/files/cache.py": ("files of the package, for a digest", "read_bytes"),
+    "spragsym/files/own.py": ("a new file, for the user's key", "open"),
     "spragsym/matrices/files.py": ("bytes of the reader, without objects", "np.load"),
     "spragsym/models/load.py": (
         "the package; code whose digests were verified, if it is trusted",
@@ -257,6 +260,72 @@ def test_a_journal_that_is_a_link_is_not_followed(tmp_path: Path) -> None:
             assert (victim.read_bytes() if victim.exists() else None) == kept
     with journal.journal(target, "key", 1) as (done, _):
         assert not done
+
+
+def kept_points(target: Path, number: float | None = None) -> dict[int, journal.Record]:
+    """The points of a journal of three, which is left as it is, or has one more."""
+    with suppress(KeyboardInterrupt), journal.journal(target, "sweep", 3, 1) as (done, keep):
+        if number is not None:
+            keep(0, ([number], ""))
+        raise KeyboardInterrupt
+    return done
+
+
+@pytest.fixture
+def begun(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The result of a sweep whose journal has a point."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "mine"))
+    kept_points(tmp_path / "r.csv", 7.0)
+    return tmp_path / "r.csv"
+
+
+def test_a_journal_of_another_user_is_refused(begun: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And stays as it is, until its key is there."""
+    whole = journal.path_of(begun).read_bytes()
+    monkeypatch.setenv("XDG_CACHE_HOME", str(begun.with_name("another's")))
+    with pytest.raises(ss.errors.StoreError, match=r"r\.csv\.partial .* set XDG_CACHE_HOME"):
+        kept_points(begun)
+    assert journal.path_of(begun).read_bytes() == whole
+    monkeypatch.setenv("XDG_CACHE_HOME", str(begun.with_name("mine")))
+    assert kept_points(begun) == {0: ([7.0], "")}
+
+
+@pytest.mark.parametrize("signed", ["not", "by its own text", "by another's key", "as another's"])
+def test_no_point_that_others_wrote_is_believed(begun: Path, signed: str) -> None:
+    """Of the right structure, with the numbers or the reason of another point."""
+    kept, text = journal.path_of(begun), json.dumps([1, [7.0], "evil"]).encode()
+    line = {
+        "not": text,
+        "by its own text": hashlib.sha256(b"sweep " + text).hexdigest().encode() + b" " + text,
+        "by another's key": journal._line(bytes(32), "sweep", [1, [7.0], "evil"])[:-1],
+        "as another's": kept.read_bytes().split(b"\n")[1].replace(b"[0", b"[1"),
+    }[signed]
+    kept.write_bytes(kept.read_bytes() + line + b"\n")
+    with pytest.warns(ss.errors.DamageWarning, match="by their signatures"):
+        assert kept_points(begun) == {0: ([7.0], "")}
+
+
+@pytest.mark.parametrize("home", ["relative", "file"])
+def test_a_journal_is_written_where_no_key_can_be_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, home: str
+) -> None:
+    """For this process alone, as is said."""
+    (tmp_path / "file").write_text("", encoding="utf-8")
+    monkeypatch.setenv("XDG_CACHE_HOME", home if home == "relative" else str(tmp_path / home))
+    lost = r"no process but this one can go on .*r\.csv\.partial.* XDG_CACHE_HOME"
+    with pytest.warns(UserWarning, match=lost):
+        assert kept_points(tmp_path / "r.csv", 7.0) == {0: ([7.0], "")}
+    refused = pytest.raises(ss.errors.StoreError, match="not signed with your key")
+    with pytest.warns(UserWarning, match=lost), refused:
+        kept_points(tmp_path / "r.csv")
+
+
+def test_a_key_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "new"))
+    assert len({own.user_key() for _ in range(3)}) == 1
+    own.key_path().write_bytes(b"short")
+    with pytest.raises(ss.errors.StoreError, match="is damaged"):
+        own.user_key()
 
 
 def test_a_relative_cache_is_no_cache(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -190,6 +190,29 @@ def coupling_lines(cos, sin, mu0, kappa, alpha, sigma, beta):
     return (-cos*q*sigma*(sin*sin) - w1, mu0*(-sigma*w2 + w1) - cos*w0*(-mu0*w0 + p*w2), B*mu0)
 
 
+def coupling_friction(cos, sin, sin0, kappa, sigma, beta):
+    """μ₀ where K12 = 0 in direction θ, with the spring at θ₀, in contact. Returns mu0. Source: (14), (15), (28). Operations:
+    12."""
+    B = beta + 1
+    q = B + sigma
+    return -cos*q*sigma*(sin*sin)/(B*sin0 + kappa + sigma*sin)
+
+
+def coupling_conic(cos, sin, kappa, alpha, sigma, beta):
+    """K12 = 0 in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + k2 sin² θ₀. Returns g0, g1, k0, k1, k2.
+    Source: (14), (15), (28). Operations: 27."""
+    B = beta + 1
+    q = B + sigma
+    p = alpha + sigma
+    w0 = sigma*sin
+    w1 = kappa + w0
+    w2 = alpha*q*sin
+    sin_2 = sin*sin
+    w3 = p*w1
+    w4 = q*w0
+    return (w1*w2, B*w2, cos*w1*(w3 - w4*(sin_2 + 1)), cos*(2*B*w3 - w4*(B - sigma*sin_2)), B*B*cos*p)
+
+
 def coupling_crossing(cos, sin, L, cos0, sin0, mu0, alpha, sigma, beta):
     """N, J: L K12 changes by N/J per unit of θ₀, along equilibria in contact. Returns N, J. Source: (14), (15), (28).
     Operations: 39."""

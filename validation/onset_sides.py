@@ -17,8 +17,9 @@ from spragsym.results import Points
 GIVEN = {"theta0": 0.7, "phi0": 0.7}
 #: Models in which nothing damps.
 UNDAMPED = ("coulomb", "coulomb_stick_slip")
-#: A pair that grows less, over the size of the λ, is not told by floats.
-ROUNDING = 1e-10
+#: A pair that grows less, over the size of the λ, is not told by floats: with damping, and without,
+#: where pairs may be next to each other.
+ROUNDING = {True: 1e-12, False: 1e-10}
 ASKED = [
     (name, vary, damping)
     for name in shipped()
@@ -34,7 +35,9 @@ def judge(number: int, rng: np.random.Generator) -> dict[str, Any]:
     model = ss.load(name)
     given = {one: model.base.get(one, GIVEN.get(one, 1.0)) for one in model.parameters}
     if number >= len(ASKED):
-        given = {one: value * 10 ** rng.uniform(-0.6, 0.6) for one, value in given.items()}
+        drawn = {one: value * 10 ** rng.uniform(-0.6, 0.6) for one, value in given.items()}
+        ranges = model.Parameters.ranges
+        given |= {one: value for one, value in drawn.items() if ranges[one].contains(value)}
     p = model.Parameters(**given)
     value = float(p[vary])
     high = p.ranges[vary].high
@@ -100,6 +103,6 @@ def grown(λ: Any, damping: bool) -> int:
     """How many λ of a state grow; −1 where rounding may decide. Without damping pairs of a stable
     state do not decay.
     """
-    growth = λ.real / np.abs(λ).max()
-    told = (np.abs(growth) > ROUNDING) | ((np.abs(growth) < 0.01 * ROUNDING) & (not damping))
-    return int((growth > ROUNDING).sum()) if told.all() else -1
+    growth, least = λ.real / np.abs(λ).max(), ROUNDING[damping]
+    told = (np.abs(growth) > least) | ((np.abs(growth) < 0.01 * least) & (not damping))
+    return int((growth > least).sum()) if told.all() else -1

@@ -12,7 +12,7 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Matrix, expand
 
-from ..algebra import Names, Pair, manifestly_positive
+from ..algebra import Names, Pair, Row, manifestly_positive
 from . import elimination, equilibrium, stability, theorem
 from . import nomenclature as nm
 from .nomenclature import B, L, M, alpha, c, c0, kappa, p, q, s, s0, sigma
@@ -236,6 +236,45 @@ def coupling_lines() -> tuple[Expr, Expr, Expr]:
         "the balance where friction uncouples the two directions",
     )
     return *arranged, B * M
+
+
+@cache
+def coupling_friction() -> Expr:
+    """μ₀ of the equilibrium in contact in direction θ, with the spring at θ₀, at which K₁₂ = 0: of
+    :func:`coupling_lines` the first, which is linear in μ₀.
+    """
+    sine, _, width = coupling_lines()
+    (friction,) = sp.solve(sine - s0 * width, M)
+    arranged = -q * sigma * s**2 * c / (B * s0 + sigma * s + kappa)
+    require(equilibrium.equal(friction, arranged), "the friction that uncouples two directions")
+    return arranged
+
+
+@cache
+def coupling_conic() -> Row:
+    """g0, g1, k0, k1, k2: K₁₂ = 0 at an equilibrium in contact in direction θ where cos θ₀ (g0 + g1
+    sin θ₀) = k0 + k1 sin θ₀ + k2 sin² θ₀.
+
+    That is the second of :func:`coupling_lines`, with :func:`coupling_friction`.
+    """
+    _, cosine, width = coupling_lines()
+    load = sigma * s + kappa
+    pull = alpha * q * s
+    arranged = (
+        pull * load,
+        pull * B,
+        c * load * (p * load - q * sigma * s * (1 + s**2)),
+        c * (2 * p * B * load - q * sigma * s * (B - sigma * s**2)),
+        c * p * B**2,
+    )
+    g0, g1, k0, k1, k2 = arranged
+    gap = (alpha * c0 - cosine / width).subs(M, coupling_friction())
+    form = c0 * (g0 + g1 * s0) - (k0 + (k1 + k2 * s0) * s0)
+    require(
+        equilibrium.equal(form, expand(sp.cancel(gap * q * s * (B * s0 + load)))),
+        "the equilibria where friction uncouples the two directions",
+    )
+    return arranged
 
 
 @cache

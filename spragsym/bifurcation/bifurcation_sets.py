@@ -343,7 +343,7 @@ def on_lines(
     undecided, remarks = listed(family, np.concatenate(left, axis=2))
     curves = FoldCurves(
         Augmented(family, condition),
-        _scales(states, spans, error),
+        unknown_scales(states, spans, error),
         options or ContinuationOptions(),
         alike,
     )
@@ -369,7 +369,7 @@ def on_lines(
     )
 
 
-def _scales(states: FloatArray, spans: FloatArray, error: float) -> FloatArray:
+def unknown_scales(states: FloatArray, spans: FloatArray, error: float) -> FloatArray:
     """Scales of the unknowns: of coordinates their range over the states, of both parameters their
     ranges.
 

@@ -14,8 +14,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.error_states import in_usual_state
-from ..core.questions import model_of
+from ..core.questions import Method, model_of, question
 from ..core.remarks import Remark
 from ..display import own_name
 from ..models.model import Model
@@ -32,7 +31,7 @@ from ..results import Curve, Points, Result
 from ..results.points import UNSTABLE, joined_curves
 from ..statics import stability
 from ..statics.stability import slope_over
-from .bifurcation_sets import FoldCurves, any_pair, on_lines
+from .bifurcation_sets import FoldCurves, OnLines, any_pair, on_lines
 from .borders import with_numbers
 from .defining_systems import (
     FOLD,
@@ -110,7 +109,8 @@ class OnsetCurves(Result):
         parameters, the coordinates, ``error``, the distance of the two proved points with opposite
         signs between which it lies, and ``unstable_before`` and ``unstable_after`` of these.
     lines : mapping
-        For each parameter, the values at which all onsets along the other parameter are searched.
+        For each parameter, the values at which all onsets along the other parameter are searched;
+        of closed forms, frictions alone.
     complete : bool
         Whether all onsets on all lines, and all points, are decided.
     undecided : ndarray
@@ -161,7 +161,7 @@ class OnsetCurves(Result):
         return len(self.curves)
 
 
-@in_usual_state
+@question
 def onset_curves(
     p: ParameterSet,
     vary: Sequence[str] | None = None,
@@ -170,6 +170,7 @@ def onset_curves(
     damping: bool | None = None,
     between: Ranges | None = None,
     options: ContinuationOptions | None = None,
+    method: Method = "auto",
 ) -> OnsetCurves:
     """Curves of Hopf points in the plane of two parameters, each point super- or subcritical.
 
@@ -191,6 +192,8 @@ def onset_curves(
         Ranges of the two, as ``{"mu0": (0, 1)}``.
     options : ContinuationOptions, optional
         Tolerances and limits of the curves, and of the search below them.
+    method
+        As for :func:`spragsym.folds`; a closed form is there for Hopf points over θ₀ and μ₀.
 
     Returns
     -------
@@ -207,7 +210,8 @@ def onset_curves(
     -----
     Source: F = 0 and Hurwitz's determinant along 2 n lines, as for
     :func:`spragsym.bifurcation.flutter.flutter_onsets`. Two points can be neighbours only if no
-    line separates them. A closed curve between two lines is missed. If the damping of the only
+    line separates them. A closed curve between two lines is missed. The article's model:
+    :mod:`spragsym.kang_nam.hopf_curves`. If the damping of the only
     damped coordinate vanishes, as by a falling friction law against a damper, every pair crosses,
     and each is a curve without l₁.
 
@@ -221,12 +225,10 @@ def onset_curves(
     >>> found.changes["V"].round(4).tolist()  # where F‴ = 0, at (1 + √2) v_s
     [0.2414]
     """
-    model = model_of(p)
-    model.require_answered("onset_curves")
-    vary = model.two(vary)
+    vary = model_of(p).two(vary)
     as_count("n", n, 2)
     options = options or ContinuationOptions()
-    planes = _Plane.every(p, vary, between, options=options.given_search)
+    planes = Plane.every(p, vary, between, options=options.given_search)
     first, *others = (plane.curves(n, damping, options) for plane in planes)
     found = _joined(first, others) if others else first
     more = list[str]()
@@ -268,14 +270,14 @@ _GROWING = (
 
 
 @dataclass(frozen=True)
-class _Plane(Family):
+class Plane(Family):
     """The plane of two parameters; states there have the shape (n + 2, N): coordinates, then
     parameters.
     """
 
     def curves(self, n: int, damping: bool | None, options: ContinuationOptions) -> OnsetCurves:
         """Curves of Hopf points or, without damping, curves on which two modes meet."""
-        systems = OnsetSystems.of(self, damping)
+        systems = self.systems(damping)
         damping, said = systems.damping, tuple[str, ...]()
         points, ends = self.points(systems)
         whole, lines = True, dict[str, FloatArray]()
@@ -288,8 +290,7 @@ class _Plane(Family):
             if sought.leaves_pairs:
                 said, whole = (*said, _GROWING), False
                 continue
-            alike = self.alike if sought.has_simple_pair else any_pair
-            found = on_lines(self, sought.condition, n, own_ends, options=options, alike=alike)
+            found = self.traced(sought, n, own_ends, options)
             for chain in found.chains:
                 for curve, of_curve in self.along(sought, found.curves, chain, own_ends):
                     curves.append(curve)
@@ -321,6 +322,19 @@ class _Plane(Family):
             undecided,
             said,
         )
+
+    def systems(self, damping: bool | None) -> OnsetSystems:
+        """The conditions of onsets in this plane."""
+        return OnsetSystems.of(self, damping)
+
+    def traced(
+        self, sought: Sought, n: int, ends: FloatArray, options: ContinuationOptions
+    ) -> OnLines:
+        """All onsets of one kind on ``n`` lines of either parameter, joined to curves, which may
+        end at ``ends``.
+        """
+        alike = self.alike if sought.has_simple_pair else any_pair
+        return on_lines(self, sought.condition, n, ends, options=options, alike=alike)
 
     def along(
         self, sought: Sought, on: FoldCurves, chain: FloatArray, ends: FloatArray

@@ -16,6 +16,7 @@ CLOSED_FORMS = {
         ".kang_nam.folds": ("folds",),
         ".kang_nam.cusps": ("cusps", "precise_cusps"),
         ".kang_nam.flutter": ("flutter_onsets",),
+        ".kang_nam.hopf_curves": ("onset_curves",),
         ".kang_nam.bifurcation_sets": ("bifurcation_set",),
         ".kang_nam.lowest_fold": ("critical_friction",),
         ".kang_nam.jump_values": ("first_limit_points", "limit_point_passed"),

@@ -295,5 +295,5 @@ def test_states_are_hardly_damped_by_the_ratio_of_damper_to_stiffness(
         return tuple(np.full((1, 1, 1), part) for part in parts)
 
     monkeypatch.setattr(hopf_curves, "matrices", matrices)
-    found = hopf_curves._Plane.of_damping(SimpleNamespace(), np.zeros((1, 3, 2)), 1e-6)
+    found = hopf_curves.Plane.of_damping(SimpleNamespace(), np.zeros((1, 3, 2)), 1e-6)
     assert len(found) == remarks

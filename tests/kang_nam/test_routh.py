@@ -197,13 +197,15 @@ def test_dampers_are_no_part_of_the_theorem() -> None:
     assert by_search.growth[0] < -9e-3
 
 
-def test_curves_of_onsets_are_those_of_the_closed_form() -> None:
-    """An upright spring, or K₁₂ = 0: at each point that the search for any model finds."""
+PLANE = {"theta0": (0.1, 3.0), "mu0": (0.02, 0.4)}
+
+
+@pytest.mark.parametrize("method", ["closed", "search"])
+def test_curves_of_onsets_are_an_upright_spring_or_uncoupled(method: Any) -> None:
     p = ss.Parameters.article()
-    found = ss.onset_curves(
-        p, ("theta0", "mu0"), 4, between={"theta0": (0.1, 3.0), "mu0": (0.02, 0.4)}
-    )
+    found = ss.onset_curves(p, n=4, between=PLANE, method=method)
     assert found.complete
+    assert found.points.kind.tolist() == ["ZH", "ZH"]
     for curve in found.curves:
         at = {n: np.broadcast_to(p[n], curve.x.shape) for n in NAMES if n in p.ranges}
         at |= {"theta0": curve.theta0, "mu0": curve.mu0}
@@ -217,3 +219,35 @@ def test_curves_of_onsets_are_those_of_the_closed_form() -> None:
         else:
             assert np.abs(K[:, 0, 1]).max() < 1e-12
             assert curve.omega**2 == pytest.approx(K[:, 1, 1], abs=1e-12)
+
+
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.thorough)])
+def test_curves_in_closed_form_hold_the_points_of_the_search(seed: int) -> None:
+    p = random_fluttering(np.random.default_rng(seed))
+    found = ss.onset_curves(p, ("mu0", "theta0"), 3, method="closed")
+    chosen = found.lines["mu0"][0]
+    searched = ss.flutter_onsets(p.replace(mu0=chosen), method="search")
+    assert searched.complete
+    gaps = [curve.mu0 - chosen for curve in found.curves]
+    assert sum(int(np.diff(gap > 0).sum()) for gap in gaps) == len(searched)
+    for curve in found.curves:
+        inside = (curve.theta0 > 0) & (curve.theta0 < np.pi) & (curve.mu0 > 1e-6)
+        for row in np.flatnonzero(inside)[::8]:
+            onsets = ss.flutter_onsets(p.replace(mu0=curve.mu0[row]), method="search")
+            off = [onsets[name] - curve[name][row] for name in ("theta0", "x", "y", "omega")]
+            assert np.abs(off).max(axis=0).min() < 1e-12
+
+
+def test_a_curve_of_onsets_that_is_lost_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    from spragsym.kang_nam import hopf_curves
+
+    monkeypatch.setattr(hopf_curves, "_upright", lambda fixed: ())
+    found = ss.onset_curves(ss.Parameters.article(), n=2, between=PLANE)
+    assert not found.complete
+    assert "are proved" in found.remarks[0]
+
+
+@pytest.mark.parametrize("asked", [{"vary": ("kappa", "mu0")}, {"damping": False}])
+def test_other_curves_of_onsets_have_no_closed_form(asked: dict[str, Any]) -> None:
+    with pytest.raises(ss.errors.ModelError, match="no closed form"):
+        ss.onset_curves(ss.Parameters.article(theta0=1.0), n=2, method="closed", **asked)

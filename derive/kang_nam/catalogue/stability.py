@@ -9,7 +9,7 @@ from ...algebra import Names, Row
 from ...emit.function import Function, Module, rows
 from .. import routh, stability
 from ..nomenclature import B, C11, L, M, PARAMETERS, V, alpha, beta, c, creep, kappa, mu0, nbar
-from ..nomenclature import p, q, s, sigma, stiffness_entries, y
+from ..nomenclature import p, q, s, s0, sigma, stiffness_entries, y
 from .arrangement import (
     ANGLE,
     ANGLE0,
@@ -170,6 +170,25 @@ def module() -> Module:
                 at_friction,
                 routh.coupling_lines(),
                 "S, A, D",
+                contact,
+            ),
+            Function(
+                "coupling_friction",
+                "μ₀ where K12 = 0 in direction θ, with the spring at θ₀, in contact.",
+                "(14), (15), (28)",
+                (*ANGLE, s0, kappa, sigma, beta),
+                routh.coupling_friction(),
+                "mu0",
+                contact,
+            ),
+            Function(
+                "coupling_conic",
+                "K12 = 0 in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + k2 "
+                "sin² θ₀.",
+                "(14), (15), (28)",
+                (*ANGLE, *WITHOUT_FRICTION),
+                routh.coupling_conic(),
+                "g0, g1, k0, k1, k2",
                 contact,
             ),
             Function(

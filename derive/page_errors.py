@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
+import traceback
 from pathlib import Path
 
 
@@ -29,11 +30,13 @@ def line_of_page() -> int:
     run and not imported, so that its globals have no ``__spec__``. Without a page it is the line of
     the innermost frame outside this folder.
     """
-    found = [info.frame for info in inspect.stack(0)]
+    # Not inspect.stack, which looks for the module of each frame among all that are loaded: it is
+    # asked for every name of a page.
+    found = traceback.walk_stack(inspect.currentframe())
     ours = Path(__file__).parent
-    outside = [frame for frame in found if Path(frame.f_code.co_filename).parent != ours]
-    of_page = [frame for frame in outside if "__spec__" not in frame.f_globals]
-    return next((frame.f_lineno for frame in (*of_page, *outside)), 0)
+    outside = [it for it in found if Path(it[0].f_code.co_filename).parent != ours]
+    of_page = [it for it in outside if "__spec__" not in it[0].f_globals]
+    return next((line for _, line in (*of_page, *outside)), 0)
 
 
 def refused(message: str) -> PageError:

@@ -41,14 +41,14 @@ TESTS = $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reo
 help:
 	@echo "make install       set up .venv with all extras, for use without the tests"
 	@echo "make derive        derive, check against the article, write generated/"
-	@echo "make test          run the quick tests, those marked neither thorough nor validate; a minute"
+	@echo "make test          run the quick tests, those marked neither thorough nor validate: what .ci/run runs; some minutes"
 	@echo "make poor          run them as on a machine without compiler, heyoka, symbolic links and UTF-8, set up for it"
 	@echo "make lint          ruff with its formatter, mypy in strict mode, contracts of imports, clang-format, cppcheck if installed"
-	@echo "make thorough      quick and thorough tests, with more random cases: what CI runs; some minutes"
+	@echo "make thorough      quick and thorough tests, with more random cases: the second job of CI; half an hour"
 	@echo "make validate      tests marked validate and all campaigns, by hand; hours, goes on where it was"
 	@echo "make coverage      as make thorough, and the lines and branches that they reach; twice the time"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"
-	@echo "make check         what CI runs: lint, types, generated/ as committed, quick and thorough tests; and installs"
+	@echo "make check         what both jobs of CI run: lint, types, generated/ as committed, quick and thorough tests; and installs"
 	@echo "make installs      every extra resolves from wheels on Windows, macOS and Linux, quick tests with the lowest versions, if a registry can be reached"
 	@echo "make package       build the wheel and the source distribution into dist/"
 	@echo "make bench         time the solvers"
@@ -88,7 +88,7 @@ install: $(ALL)
 derive: $(DERIVE)
 	$(BIN)/python -m derive
 
-# As many workers as processors leave none for the threads of OpenBLAS; `make check` keeps them, so that both are tested.
+# As many workers as processors leave none for the threads of OpenBLAS; `make thorough` keeps them, so that both are tested.
 test: $(TEST)
 	OPENBLAS_NUM_THREADS=1 $(TESTS) -m "not thorough and not validate"
 

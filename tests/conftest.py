@@ -21,7 +21,7 @@ Begin: TypeAlias = Callable[..., "subprocess.Popen[Any]"]
 Run: TypeAlias = Callable[..., str]
 
 # The same numbers in every run, so that a failure is one everywhere: a few in `make test`, three
-# times as many in `make check`, which sets HYPOTHESIS_PROFILE=all. HYPOTHESIS_PROFILE=search looks
+# times as many in `make thorough`, which sets HYPOTHESIS_PROFILE=all. HYPOTHESIS_PROFILE=search looks
 # for new ones.
 settings.register_profile("repeat", derandomize=True, deadline=None, max_examples=30)
 settings.register_profile("all", derandomize=True, deadline=None, max_examples=100)

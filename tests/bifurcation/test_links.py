@@ -53,6 +53,7 @@ def at_fold(z: np.ndarray, *given: float) -> list[float]:
     return [*forces(a, b, *rest), float(np.linalg.det(np.array(rows)))]
 
 
+@pytest.mark.thorough
 def test_folds_over_a_wide_range_are_all_found() -> None:
     """Angles that turn a hundred times: where each term of the contact's force counted alone, these
     boxes were given up.

@@ -106,6 +106,7 @@ right = page.contact(y + g, lambda depth: 10 * k * depth, name="right")
 '''
 
 
+@pytest.mark.thorough
 def test_an_onset_where_no_contact_touches_is_a_remark() -> None:
     """A wheelset hunts between its flanges from V² = 0.1² + 1.1 c² on: λ² + c λ + κ = 0 for
     κ = 1.1 ± i √(V² − 0.1²).

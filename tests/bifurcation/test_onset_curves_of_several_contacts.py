@@ -11,6 +11,7 @@ PLANE = {"beta": (0.0, 1.0), "mu0": (0.0, 1.0)}
 DISC = ss.load("disc_between_pads")
 
 
+@pytest.mark.thorough
 def test_the_middle_of_a_disc_flutters_on_the_curve_of_its_closed_form() -> None:
     """Without damping, μ = |k_y + 2 k_c − k_t/J| √J / (4 √(N_0 (h − N_0))), to where both meet."""
     p = DISC.Parameters(mu0=None, iota=0.4, tau=1.0, kappa=0.1)

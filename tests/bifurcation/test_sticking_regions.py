@@ -65,6 +65,7 @@ def test_both_blocks_slide_steadily_in_one_state() -> None:
     np.testing.assert_allclose([eq.x_1[0], eq.x_2[0]], q, rtol=1e-12)
 
 
+@pytest.mark.thorough
 def test_one_block_of_two_sticks_where_the_other_slides_without_friction() -> None:
     """x₂ = κ x₁/(β + κ), and |x₁| up to where its spring and its neighbour pull by all that holds;
     with a spring g x₂³ more the ends are told from the balance of the other.

@@ -114,6 +114,7 @@ def test_the_slope_of_the_friction_by_the_share() -> None:
     )
 
 
+@pytest.mark.thorough
 def test_two_sets_of_the_pendulum_whose_tip_sticks() -> None:
     """tan φ = −F/k l and x = −F/k for |F| ≤ μ_s N = 0.3."""
     found = ss.sticking_states(dry_friction.model("tip").Parameters(V=0.0))

@@ -74,6 +74,7 @@ def test_a_date_of_the_environment_that_is_none_is_named(
         assert f"SOURCE_DATE_EPOCH = '{epoch}'" in run("folds", code=2)
 
 
+@pytest.mark.thorough
 def test_check_prints_every_row(run: Run) -> None:
     rows = json.loads(run("check", "--json"))
     assert rows == json.loads(run("check", "--json", "--again"))

@@ -20,6 +20,7 @@ from tests.oracles.exports import CC, RUN
 from tests.oracles.user_pages import derived
 
 
+@pytest.mark.thorough
 @pytest.mark.by_hand(*(f"{language}-forced" for language in RUN))
 @pytest.mark.parametrize(
     ("name", "text"),

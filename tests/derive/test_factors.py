@@ -25,6 +25,7 @@ def _polynomial(rng: random.Random) -> sp.Expr:
     return sp.expand(sp.Mul(*factors))
 
 
+@pytest.mark.thorough
 def test_factors_are_those_of_sympy_whatever_their_order() -> None:
     rng = random.Random(5)
     for _ in range(60):

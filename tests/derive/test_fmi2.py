@@ -106,6 +106,7 @@ def test_another_importer_comes_to_the_same_end(name: str, tmp_path: Path) -> No
     np.testing.assert_allclose(end, tr.state[: len(end), -1], rtol=0, atol=1e-8)
 
 
+@pytest.mark.thorough
 def test_states_are_kept_and_bad_calls_refused(tmp_path: Path) -> None:
     """A step that was taken back is taken again to the bit; derivatives are those of differences;
     what comes at a wrong time is an error, and the instance can be reset.

@@ -310,6 +310,7 @@ def test_an_input_is_a_quantity_of_the_page(
         assert said in capsys.readouterr().err
 
 
+@pytest.mark.thorough
 def test_bad_calls_get_the_status_of_the_standard(tmp_path: Path) -> None:
     """And partial derivatives by states, by parameters in their units and by the units of measure
     are those of differences.

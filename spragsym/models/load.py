@@ -16,6 +16,7 @@ import sys
 import threading
 from collections.abc import Mapping, Sequence
 from functools import cache, partial
+from itertools import chain
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -193,7 +194,7 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
         raise StoreError(f"{path} is no JSON ({error}); derive its model page again") from error
     current = [_about(name) for name in shipped()]
     missing = sorted(set.intersection(*map(set, current)) - {*about} if type(about) is dict else ())
-    if missing or not _is_alike(about, current, _ALSO):
+    if missing or not _is_alike(about, [*current, _with_all(current[0])]):
         parts = f", and does not say {', '.join(missing)}" * bool(missing)
         raise StoreError(
             f"{path} is of another version of spragsym{parts}; derive its model page again"
@@ -218,40 +219,39 @@ def _verified(folder: Path) -> tuple[dict[str, Any], dict[str, bytes]]:
     return about, files
 
 
-#: Entries that no shipped model has: an open end of a range, and coordinates that come around
-#: together.
-_ALSO = ({"parameters": [{"low": None}], "coordinates": [{"comes_around": {"b": 1}}]},)
-
-
-def _is_alike(held: object, examples: Sequence[object], also: Sequence[object]) -> bool:
-    """Whether data have the structure of examples: the keys that all of these have, and in each
-    place, of a key or of a list, a kind that one of them has there, or one of those ``also``.
+def _with_all(about: Mapping[str, Any]) -> Mapping[str, Any]:
+    """A model with what no shipped one has: an open end of a range, and coordinates that come
+    around together with any others.
     """
-    kind = float if type(held) is int else type(held)
-    same, more = (
-        [one for one in some if (float if type(one) is int else type(one)) is kind]
-        for some in (examples, also)
-    )
-    if not (same or more):
-        return False
-    if isinstance(held, dict):
-        tables, others = ([it for it in some if isinstance(it, dict)] for some in (same, more))
-        every = [part for one in (*tables, *others) for part in one.values()]
-        needed = set.intersection(*map(set, tables)) if tables else set()
-        return needed <= {*held} and all(
-            _is_alike(
-                part,
-                [one[name] for one in tables if name in one] or every,
-                [one[name] for one in others if name in one],
-            )
-            for name, part in held.items()
-        )
+    parameter, coordinate = about["parameters"][0], about["coordinates"][0]
+    together = [{**coordinate, "comes_around": others} for others in ({}, {"any": 1})]
+    return {**about, "parameters": [{**parameter, "low": None}], "coordinates": together}
+
+
+def _is_alike(held: object, examples: Sequence[Any]) -> bool:
+    """Whether data have the structure of examples.
+
+    They are of a kind that an example is. A table has the keys that all tables of examples have,
+    and under each key, as in each place of a list, what is alike to something that stands there in
+    an example; under a key that is in none, to something under any. Lists that are empty in all
+    examples may hold anything.
+    """
+    same = [one for one in examples if _kind(one) is _kind(held)]
+    if not same or not isinstance(held, dict | list):
+        return bool(same)
     if isinstance(held, list):
-        parts, further = (
-            [part for one in some if isinstance(one, list) for part in one] for some in (same, more)
-        )
-        return all(not (parts or further) or _is_alike(part, parts, further) for part in held)
-    return True
+        parts = list(chain.from_iterable(same))
+        return not parts or all(_is_alike(part, parts) for part in held)
+    under_any = list(chain.from_iterable(one.values() for one in same))
+    return set.intersection(*map(set, same)) <= {*held} and all(
+        _is_alike(part, [one[key] for one in same if key in one] or under_any)
+        for key, part in held.items()
+    )
+
+
+def _kind(value: object) -> type:
+    """The type of a value; integers are numbers as floats are."""
+    return float if type(value) is int else type(value)
 
 
 def _loaded(where: str, about: Mapping[str, Any], files: Mapping[str, bytes]) -> Model:

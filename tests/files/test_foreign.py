@@ -5,10 +5,12 @@ import hashlib
 import importlib
 import json
 import os
+import shutil
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -210,6 +212,46 @@ def test_no_formula_of_a_ledger_commands(latex: str) -> None:
     assert r"\[" not in letter or "text" in latex
     right = replace(row, print=r"\frac{1}{2} m \dot{x}^2")
     assert r"\[\frac{1}{2} m \dot{x}^2\]" in replace(found, rows=(right,)).to_latex()
+
+
+def structure_of_a_model(folder: Path, key: str, change: Callable[[Any], object]) -> ss.Model:
+    """A folder whose description was changed and sealed again, as another program may do."""
+    write = pytest.importorskip("spragsym.derive.emit.write", exc_type=ImportError)
+    out = Path(shutil.copytree(ROOT / "generated/models/stick_slip", folder / "model"))
+    shutil.copy(ROOT / "generated/_broadcast.py", out)
+    about = json.loads((out / "model.json").read_text(encoding="utf-8"))
+    about[key] = change(about[key]) or about[key]
+    digests = {
+        name: hashlib.sha256((out / name).read_bytes()).hexdigest()
+        for name in ("_broadcast.py", "algebra.py")
+    }
+    sealed = write.sealed_alone(write.as_json(about | {"files": digests, "digest": write.DIGEST}))
+    (out / "model.json").write_text(sealed, encoding="utf-8", newline="\n")
+    return ss.load(out)
+
+
+@pytest.mark.parametrize(
+    ("key", "change"),
+    [
+        ("layers", lambda _: "1"),
+        ("contacts", lambda _: {"a": 1}),
+        ("contacts", lambda held: held[0].pop("name") and None),
+        ("parameters", lambda held: held[0].update(name=1)),
+        ("parameters", lambda held: held[0].update(low="0")),
+        ("parameters", lambda held: held.append({})),
+        ("coordinates", lambda held: held[0].update(comes_around=["a"])),
+    ],
+)
+def test_a_model_of_another_structure_is_refused(
+    key: str, change: Callable[[Any], object], tmp_path: Path
+) -> None:
+    with pytest.raises(ss.errors.StoreError, match="is of another version of spragsym"):
+        structure_of_a_model(tmp_path, key, change)
+
+
+def test_a_model_may_have_what_no_shipped_one_has(tmp_path: Path) -> None:
+    found = structure_of_a_model(tmp_path, "parameters", lambda held: held[0].update(low=None))
+    assert found.about["parameters"][0]["low"] is None
 
 
 @pytest.fixture

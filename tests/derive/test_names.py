@@ -113,9 +113,9 @@ def test_a_page_of_reserved_names_is_exported_to_every_target(every: bool, tmp_p
     fmpy = pytest.importorskip("fmpy")
     from fmpy.validation import validate_fmu
 
-    asked = every_name()[: None if every else 12]
-    for at in range(0, 9, 1 if every else 3):
-        turned, contacts = [*asked[at:], *asked[:at]], (at // 3 + at) % 3
+    asked = every_name() if every else OURS
+    for at in range(9 if every else 1):
+        turned, contacts = [*asked[at:], *asked[:at]], (at // 3 + at + 1) % 3
         roles = turned[:2], turned[2:5], turned[:contacts], turned[5:]
         path = page(tmp_path, f"model{at}", names.ROLES.format(roles))
         folder.write_page(path, tmp_path / f"of{at}")

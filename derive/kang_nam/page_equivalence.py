@@ -7,13 +7,13 @@ other pages are proved to have the equations of the article's page where what th
 import sympy as sp
 from sympy import Expr, Matrix
 
-from .. import algebra, laws, linearization, pages, statics
+from .. import algebra, hurwitz, laws, linearization, pages, statics
 from ..emit.definitions import flat
 from ..mechanics import MU
 from ..motion import Motion
 from ..statements import objects
 
-from . import unit_circles, equilibrium, mechanics, stability
+from . import unit_circles, equilibrium, mechanics, routh, stability
 from . import nomenclature as nm
 
 #: Pages, and the parameters that they add to the article's model.
@@ -30,6 +30,9 @@ def identities() -> dict[str, bool]:
     found = {
         "the general way gives K (28) and the damping about steady sliding": _linearization(),
         "the general way gives D and b, (16)–(19) and (22)–(25)": _in_direction(),
+        "the general way gives Hurwitz's determinants c, c K₁₁, c² K₁₂ K₂₁ and c² K₁₂ K₂₁ det K": (
+            _hurwitz()
+        ),
     }
     for name, added in ADDED.items():
         zero = " = ".join([*added, "0"])
@@ -74,6 +77,18 @@ def _in_direction() -> bool:
             other,
         )
         for one, other in pairs
+    )
+
+
+def _hurwitz() -> bool:
+    """Whether what decides the stability of any page is what the theorem of the article's asks."""
+    general = hurwitz.conditions(mechanics.of_page())
+    M, C, K = general.matrices
+    names = {C[0, 0]: routh.DAMPING, **dict(zip(K, routh.STIFFNESS, strict=True))}
+    ours = (one.subs(general.coefficients).subs(names) for one in general.determinants)
+    pairs = zip(ours, routh.hurwitz_determinants(), strict=True)
+    return (
+        M == sp.eye(2) and not any(C[1:]) and all(sp.expand(one - two) == 0 for one, two in pairs)
     )
 
 

@@ -12,6 +12,7 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Matrix, expand
 
+from .. import hurwitz
 from ..algebra import Names, Pair, Row, manifestly_positive
 from . import elimination, equilibrium, stability, theorem
 from . import nomenclature as nm
@@ -32,12 +33,7 @@ def characteristic() -> Expr:
 
 def hurwitz_determinants() -> tuple[Expr, ...]:
     """Hurwitz's determinants of sizes 1 to 4."""
-    e = sp.Poly(characteristic(), lam).all_coeffs()
-    size = len(e) - 1
-    table = Matrix(
-        size, size, lambda i, j: e[2 * j - i + 1] if 0 <= 2 * j - i + 1 <= size else sp.S.Zero
-    )
-    return tuple(expand(table[:k, :k].det()) for k in range(1, size + 1))
+    return hurwitz.determinants(tuple(sp.Poly(characteristic(), lam).all_coeffs()))
 
 
 def steps() -> tuple[Step, ...]:

@@ -538,6 +538,7 @@ def _routh(M: Matrix, C: Matrix, K: Matrix) -> list[Any]:
     """Coefficients of det(λ² M + λ C + K), and Hurwitz's determinants of sizes 2 to 2 n − 1.
 
     The first determinant is a coefficient, and the last is a coefficient times the one before it.
+    As polynomials in the entries: ``derive/hurwitz.py``.
     """
     a = characteristic(K, C, M)
     return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]

@@ -32,18 +32,27 @@ Factors: TypeAlias = Mapping[PolyElement, int]
 
 
 def expanded(expression: Expr) -> Expr:
-    """An expression multiplied out, except for denominators and exponentials.
+    """An expression multiplied out, except for denominators, exponentials, and roots of sums with
+    the powers of sums that hold one.
 
     Over intervals 1/(1 − x)² keeps its sign, and 1/(1 − 2x + x²) does not; exp(−(x − 1)²) is at
-    most 1, and a factor of it, as exp(2 x), overflows.
+    most 1, and a factor of it, as exp(2 x), overflows; and of a spring that hardens,
+    (√((a − x)² + y²) − l)³, multiplied out, is a sum of large terms that cancel.
     """
     below = {
         node
         for node in expression.atoms(sp.Pow)
         if node.exp.is_Integer and node.exp.is_negative and node.base.is_Add
     }
-    kept = {node: Dummy() for node in below | expression.atoms(sp.exp)}
+    kept = {node: Dummy() for node in below | expression.atoms(sp.exp) | rooted(expression)}
     return expand(expression.xreplace(kept)).xreplace({dummy: node for node, dummy in kept.items()})
+
+
+def rooted(expression: Expr) -> set[sp.Pow]:
+    """The roots of sums in an expression, and the powers of sums that hold one."""
+    sums = {node for node in expression.atoms(sp.Pow) if node.base.is_Add}
+    roots = {node for node in sums if node.exp.is_Rational and not node.exp.is_Integer}
+    return roots | {node for node in sums if node.exp.is_Integer and node.base.has(*roots)}
 
 
 def reached(level: Expr) -> Expr:

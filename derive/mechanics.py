@@ -21,7 +21,7 @@ from functools import cached_property
 import sympy as sp
 from sympy import Add, Dummy, Expr, Matrix, S, Symbol, diff
 
-from .algebra import Circles, Names, Pair, Row, Symbols, expanded, fewest_terms, quotients
+from .algebra import Circles, Names, Pair, Row, Symbols, expanded, fewest_terms, quotients, rooted
 from .model import Contact, Datum, Element, Page, PageError, Point, expression_of, speed_of
 
 #: Contact indicator: 1 in contact, 0 in lift-off; n̄ of the article.
@@ -374,7 +374,9 @@ class Mechanics:
         """
         # Functions are not expanded: exponentials may overflow, and logarithms become sums.
         nodes = sorted(
-            expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan) | self._quotients(expression),
+            expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan)
+            | self._quotients(expression)
+            | rooted(expression),
             key=sp.default_sort_key,
         )
         placeholders = {1 / line.l: Dummy() for line in self.lines} | {

@@ -24,6 +24,15 @@ def test_the_state_on_a_hardening_spring_is_found_and_proved_to_be_all() -> None
     assert total == pytest.approx(0.0, abs=1e-12)
 
 
+def test_the_cube_of_an_elongation_is_not_multiplied_out() -> None:
+    """Its sums of large terms that cancel left the box undecided after 12 s."""
+    given = {"theta0": 2.0053, "mu0": 0.2551, "alpha": 0.0708, "sigma": 0.0332, "theta0_2": 0.3598}
+    given |= {"sigma_2": 0.1305, "lambda_2": 1.7335, "k_3": 0.6628}
+    eq = ss.equilibria(hardening().Parameters(**given), options=ss.SearchOptions(seconds=1.0))
+    assert eq.complete
+    assert eq.count == 3
+
+
 def test_all_states_of_two_rods_and_what_newton_finds_where_time_is_short() -> None:
     """No angle repeats, since springs hold both joints."""
     p = pendulum().Parameters()

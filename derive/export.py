@@ -44,7 +44,7 @@ def export(
     """
     model = pages.read(page, name)
     is_packed = targets.packer(written_in) is not None
-    motion_material = _motion(model, data, inputs) if is_packed else None
+    motion_material = _motion(model, data, inputs) if targets.moves(written_in) else None
     beside = (motion.outputs(model.mechanics),) if is_packed else ()
     page_material = material(model, written_in, beside=beside)
     return targets.render(written_in, replace(page_material, motion=motion_material))

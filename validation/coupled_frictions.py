@@ -1,7 +1,10 @@
 """Motions and cycles of eleven pages whose dry frictions share inertias, against an event-driven
-driver with its own complementarity, a regularized law by Radau, SciPy's backend and the FMU.
+driver with its own complementarity, a regularized law by Radau, SciPy's backend, the FMU and the
+exported C.
 """
 
+import ctypes
+import subprocess
 import tempfile
 from functools import cache
 from pathlib import Path
@@ -73,8 +76,9 @@ def _motion(number: int, name: str, p: Any, values: dict[str, float], start: Any
         smooth = regularized(name, values, start, 10.0, 1e-5)
         found["regularized"] = float(np.abs(smooth - Driver(name, values).run(start, 10.0)).max())
         wrong += ["not as the regularized law"] * (found["regularized"] > 2e-3)
-    found["fmu"] = float(np.abs(np.array(_by_fmu(name, p, full))[kept] - end).max())
-    wrong += [f"the FMU is {found['fmu']:.2g} off"] * (found["fmu"] > max(1e-6, allowed))
+    for by, state in (("fmu", _by_fmu(name, p, full)), ("c", _by_c(name, p, full))):
+        found[by] = float(np.abs(np.array(state)[kept] - end).max())
+        wrong += [f"by {by} it is {found[by]:.2g} off"] * (found[by] > max(1e-6, allowed))
     return found | {"wrong": [f"{text}: {values}, {start.tolist()}" for text in wrong]}
 
 
@@ -85,18 +89,40 @@ def _allowed(name: str, values: dict[str, float], start: Any, end: Any) -> float
 
 
 @cache
-def _fmu(name: str) -> str:
-    """The FMU of a page."""
+def _exported(name: str, language: str) -> Path:
+    """The export of a page: the FMU, or a folder."""
     from spragsym.cli import main
 
-    out = Path(tempfile.mkdtemp()) / f"{name}.fmu"
-    command = ["export", "--model", str(derived(SYSTEMS[name].text, name)), "--language", "fmu"]
+    out = Path(tempfile.mkdtemp()) / f"{name}.{language}"
+    command = ["export", "--model", str(derived(SYSTEMS[name].text, name)), "--language", language]
     try:
         main([*command, "--out", str(out)])
     except SystemExit as ended:
         if ended.code:
-            raise RuntimeError(f"no FMU of {name}") from ended
-    return str(out)
+            raise RuntimeError(f"no {language} of {name}") from ended
+    return out
+
+
+@cache
+def _compiled(name: str) -> ctypes.CDLL:
+    """The C library of a page."""
+    (source,) = (one for one in _exported(name, "c").glob("*.c") if one.name != "main.c")
+    built = source.with_suffix(".so")
+    flags = ("-std=c99", "-O2", "-ffp-contract=off", "-shared", "-fPIC")
+    subprocess.run(["cc", *flags, "-o", built, source, "-lm"], check=True)
+    return ctypes.CDLL(str(built))
+
+
+def _by_c(name: str, p: Any, start: Any) -> list[float]:
+    """The state at the end by the exported stepper."""
+    library, numbers = _compiled(name), ctypes.c_double * 1000
+    (prefix,) = (one.stem for one in _exported(name, "c").glob("*.h"))
+    motion, given = numbers(), [float(getattr(p, each)) for each in p.model.parameters]
+    tolerance, t_end = ctypes.c_double(1e-12), ctypes.c_double(T_END)
+    begin, advance = getattr(library, f"{prefix}_begin"), getattr(library, f"{prefix}_advance")
+    if begin(motion, numbers(*given), numbers(*start), tolerance) or advance(motion, t_end):
+        return [np.nan] * len(start)
+    return [*motion[1 : 1 + len(start)]]
 
 
 def _by_fmu(name: str, p: Any, start: Any) -> list[float]:
@@ -109,7 +135,7 @@ def _by_fmu(name: str, p: Any, start: Any) -> list[float]:
         each: float(getattr(p, each)) for each in p.model.parameters
     }
     found = fmpy.simulate_fmu(
-        _fmu(name),
+        str(_exported(name, "fmu")),
         start_values=given,
         stop_time=T_END,
         output_interval=T_END,

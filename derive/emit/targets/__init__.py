@@ -14,6 +14,7 @@ Files that only one model has in a language stand with that model and come with 
 """
 
 import importlib
+import itertools
 import pkgutil
 import re
 from collections.abc import Callable, Mapping
@@ -82,7 +83,7 @@ class Edge:
 
 @dataclass(frozen=True)
 class MotionMaterial:
-    """The motion of a page's model, for languages that export it as a whole (FMU)."""
+    """The motion of a page's model, for languages whose libraries step in time."""
 
     time: Variable
     states: tuple[Variable, ...]  #: coordinates, then their rates
@@ -129,7 +130,7 @@ class Material:
     asked: tuple[str, ...] = ()
     arithmetic: Source = field(default_factory=Source)  #: double-double arithmetic
     widened: Source = field(default_factory=Source)  #: the kernel on double-doubles
-    motion: MotionMaterial | None = None  #: of a page, for an FMU
+    motion: MotionMaterial | None = None  #: of a page, for a language that steps in time
 
     @property
     def algebra(self) -> dict[str, Definition]:
@@ -188,6 +189,13 @@ def packer(language: str) -> Callable[..., bytes] | None:
     return vars(_target(language)).get("packed")
 
 
+def moves(language: str) -> bool:
+    """Whether the library of a page in a language steps in time, so that its material needs the
+    motion.
+    """
+    return hasattr(_target(language), "MOVES")
+
+
 def in_python(language: str) -> bool:
     """Whether a language is Python on another array library, which keeps a page's names."""
     return hasattr(_target(language), "NAMESPACE")
@@ -211,6 +219,18 @@ def spoken(text: str, words: Mapping[str, str]) -> str:
 def words(text: str, comment: str) -> set[str]:
     """The words of a source outside its comments; ``comment`` is the pattern of these."""
     return set(re.findall(r"\w+", re.sub(comment, "", text, flags=re.DOTALL)))
+
+
+def beginnings(source: str) -> frozenset[str]:
+    """The beginnings of the words of a source in C, up to one of their underscores, in small
+    letters: a library of such a name would have functions that are called so.
+    """
+    return frozenset(
+        beginning.casefold()
+        for word in words(source, r"/\*.*?\*/")
+        for beginning in itertools.accumulate(word.split("_"), "{}_{}".format)
+        if beginning != word
+    )
 
 
 def taken(function: Definition, angles: Angles) -> list[str]:

@@ -9,8 +9,8 @@ from collections.abc import Iterable
 from ...definitions import WIDTH
 from ...expressions import printed
 from ...language import ROUGH, Routine, Source
-from .. import Material, runtime, spoken, words
-from . import algebra, cost, kernel
+from .. import Material, beginnings, runtime, spoken, words
+from . import algebra, cost, kernel, motion
 from .layout import plain
 
 
@@ -23,7 +23,9 @@ RESERVED = frozenset(
         "stdint stdio stdlib stdnoreturn string strings tgmath threads time uchar unistd w wchar "
         "wctype x",
     )
-)
+) | beginnings("\n".join(runtime(motion.__file__, name) for name in motion.PARTS))
+#: The library of a page steps in time.
+MOVES = True
 
 
 def render(material: Material) -> dict[str, str]:
@@ -39,11 +41,12 @@ def render(material: Material) -> dict[str, str]:
     used = called & functions.keys()
     inside = {f"algebra_{name}": function for name, function in functions.items() if name in used}
     public = [functions[name] for name in material.public]
+    declared, stepper = motion.stepper(material, material.motion) if material.motion else ("", "")
     parts = {
         "algebra": "\n".join(map(algebra.static, inside, inside.values())),
         "primitives": runtime(__file__, "kernel.c") if material.kernel.routines else "",
         "kernel": _kernel(material, definitions) if material.kernel.routines else "",
-        "declarations": own.get("declarations.h", ""),
+        "declarations": own.get("declarations.h", "") + declared,
         "definitions": definitions,
         "public": "\n".join(
             algebra.public(it, library, material.angles, inside=it.name in used) for it in public
@@ -62,7 +65,8 @@ def render(material: Material) -> dict[str, str]:
         **_words(material),
         **_costs(header + source, {name: it.operations for name, it in inside.items()}),
     }
-    files = {f"{library}.h": header, f"{library}.c": source}
+    # The operations of a step are not counted: it may be halved any number of times.
+    files = {f"{library}.h": header, f"{library}.c": source + stepper}
     if example in own:
         files |= {"Makefile": spoken(runtime(__file__, "Makefile"), names), example: own[example]}
     return {name: spoken(text, said) for name, text in files.items()}
@@ -94,13 +98,6 @@ def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
     costs, constants = cost.costs(source, emitted), cost.constants(source)
     said = {f"cost:{name}": cost.describe(value) for name, value in costs.items()}
     return said | {f"constant:{name}": str(value) for name, value in constants.items()}
-
-
-def rule(source: Source) -> str:
-    """The constants and functions of a small source, for a file that defines ``INLINE``."""
-    numbers = {item.name: (item.value, item.comment) for item in source.constants}
-    functions = (kernel.routine(it, source) for it in source.routines.values())
-    return "\n".join([kernel.constants(numbers), *functions])
 
 
 def _kernel(material: Material, definitions: str) -> str:

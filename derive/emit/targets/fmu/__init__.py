@@ -7,7 +7,6 @@ everything is dimensionless.
 
 import hashlib
 import io
-import itertools
 import math
 import os
 import platform
@@ -24,33 +23,27 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
-from ...definitions import Definition
 from ...expressions import number
-from .. import (
-    Edge,
-    Material,
-    MotionMaterial,
-    Variable,
-    c,
-    runtime,
-    spoken,
-    taken,
-    transition,
-    words,
-)
+from .. import Material, MotionMaterial, Variable, beginnings, c, runtime, spoken
+from ..c import motion as c_motion
 from ..c.layout import plain
+
+
+def _text(name: str) -> str:
+    """A source of the FMU, or that of C."""
+    return runtime(c_motion.__file__ if name == "motion.h" else __file__, name)
 
 
 #: Sources besides the library, which has functions of its name, an underscore, and another word.
 OWN = ("fmi2.c", "fmi3.h", "fmu.c", "model.h", "motion.h")
 #: Names of files, and beginnings of the names in them.
-RESERVED = c.RESERVED | {
-    beginning.casefold()
-    for name in OWN
-    for word in (name.partition(".")[0], *words(runtime(__file__, name), r"/\*.*?\*/"))
-    for beginning in itertools.accumulate(word.split("_"), "{}_{}".format)
-    if beginning == name.partition(".")[0] or beginning != word
-}
+RESERVED = (
+    c.RESERVED
+    | {name.partition(".")[0].casefold() for name in OWN}
+    | beginnings("\n".join(map(_text, OWN)))
+)
+#: The motion is exported as a whole.
+MOVES = True
 
 
 #: Versions of the standard.
@@ -77,18 +70,20 @@ class _Told:
 
 def render(material: Material) -> dict[str, str]:
     """The text files of both archives by their paths: descriptions and all sources."""
-    library, source, motion = material.library, c.render(material), material.motion
+    library, motion = material.library, material.motion
     assert motion, "an FMU is made of a page"
+    source = c.render(replace(material, motion=None))
     words = {
         "header": material.header.replace("``", ""),
         "library": library,
-        "transition": c.rule(transition()),
+        "transition": c_motion.rule(),
     }
-    own = ("buildDescription.xml", "fmi2.c", "fmi3.h", "motion.h", "fmu.c")
+    own = ("buildDescription.xml", "fmi2.c", "fmi3.h", "fmu.c")
     texts = {name: source[name] for name in (f"{library}.c", f"{library}.h")} | {
         "model.h": _model(material, motion, words)
     }
     texts |= {name: spoken(runtime(__file__, name), words) for name in own}
+    texts["motion.h"] = spoken(_text("motion.h"), words)
     token = {"token": hashlib.sha256("".join(texts.values()).encode()).hexdigest()}
     texts["model.h"] = spoken(texts["model.h"], token)
     described = words | token | _description(material.summary, motion)
@@ -211,118 +206,20 @@ def _compiler(given: str) -> list[str]:
 
 
 def _model(material: Material, motion: MotionMaterial, words: Mapping[str, str]) -> str:
-    """The text of model.h: sizes, quantities with their units, and adapters through which the
-    motion calls the library's functions with arrays.
-    """
-    algebra, parameters, count = (
-        material.algebra,
-        len(material.parameters),
-        len(motion.accelerations),
-    )
-    layers, turnings = (
-        len(algebra[name].leaves) if name in algebra else 0
-        for name in ("layers", "turning_borders")
-    )
-    kinds = [one.kind for one in motion.borders]
-    contacts, sides = len(motion.rooted), len(motion.rubbing)
-    sizes = {
-        "coordinates": count,
-        "parameters": parameters,
-        "units": len(motion.given) - parameters,
-        "contacts": contacts,
-        "sides": sides,
-        "lifts": kinds.count("gap") + kinds.count("face"),
-        "slides": kinds.count("slip"),
-        "holds": kinds.count("ahead"),
-        "layers": layers,
-        "turnings": turnings,
-        "clock": "clock" in algebra,
-        "springs": len(algebra["geometry"].leaves) // 3 if "geometry" in algebra else 0,
-        "outputs": len(motion.outputs),
-    }
-    # The elements of arrays that stand for the arguments of functions: s is the state, a has
-    # accelerations, p parameters, and m the mode.
-    elements = [
-        *(f"s[{i}]" for i in range(2 * count)),
-        *(f"p[{i}]" for i in range(parameters)),
-        *(f"m[{i}]" for i in range(contacts + sides + layers + turnings)),
-    ]
-    places = dict(zip(taken(algebra["regime_rhs"], material.angles), elements, strict=True))
-    names = taken(algebra["border_rates"], material.angles)
-    accelerations = (name for name in names if name not in places)
-    places |= {name: f"a[{i}]" for i, name in enumerate(accelerations)}
-    # Functions of the library that the motion calls, and the arrays that each is given.
-    in_c = {
-        "rhs": "sp",
-        "regime_rhs": "spm",
-        "regime_jacobian": "spm",
-        "regime_by_parameters": "spm",
-        "borders": "sp",
-        "border_rates": "sap",
-        "layers": "spm",
-        "layer_rates": "sapm",
-        "turning_borders": "spm",
-        "turning_rates": "sapm",
-        "grip": "spm",
-        "grip_slopes": "spm",
-        **({"mass_matrix": "sp"} if "grip" in algebra else {}),
-        "outputs": "spm",
-        "output_slopes": "spm",
-        "clock": "p",
-        "geometry": "sp",
-    }
-    called = [
-        _adapter(material, algebra[name], arrays, places)
-        for name, arrays in in_c.items()
-        if name in algebra
-    ]
+    """The text of model.h: quantities with their units, and what the motion knows of the model."""
+    besides = {"regime_by_parameters": "spm", "outputs": "spm", "output_slopes": "spm"}
     texts = {
+        "units": str(len(motion.given) - len(material.parameters)),
+        "outputs": str(len(motion.outputs)),
         "quantities": ",\n    ".join(map(_quantity, (*motion.given, Variable("", "")))),
-        "powers": ", ".join(map(_powers, (*motion.states[:count], motion.time))),
-        "angles": ", ".join(f"{bool(one.dimension[3]):d}" for one in motion.states[:count]),
-        "output_powers": ", ".join(map(_powers, motion.outputs)),
-        "rooted": ", ".join(f"{one:d}" for one in motion.rooted),
-        "of_place": ", ".join(f"{one:d}" for one in motion.of_place),
-        "rubbing": ", ".join(
-            f"{{{contact}, {_row(motion, contacts + side)}}}"
-            for side, contact in enumerate(motion.rubbing)
+        "powers": ", ".join(
+            map(_powers, (*motion.states[: len(motion.accelerations)], motion.time))
         ),
-        "event_borders": ", ".join(map(_event_border, motion.borders)) or '{LIFT, 0, -1, ""}',
-        "adapters": "\n".join(called),
+        "output_powers": ", ".join(map(_powers, motion.outputs)),
+        "tables": c_motion.tables(material, motion),
+        "adapters": c_motion.adapters(material, motion, besides),
     }
-    return spoken(
-        runtime(__file__, "model.h"),
-        {**words, **{name: str(int(size)) for name, size in sizes.items()}, **texts},
-    )
-
-
-def _row(motion: MotionMaterial, index: int) -> int:
-    """The index among the frictions that can stick of that at an index of the mode; −1 if it can't
-    stick.
-    """
-    return max((one.row for one in motion.borders if one.place == index), default=-1)
-
-
-def _event_border(edge: Edge) -> str:
-    kind = {"gap": "lift", "face": "lift"}.get(edge.kind, edge.kind).upper()
-    return (
-        f'{{{kind}, {edge.place}, {edge.row}, "{edge.contact and f" of {plain(edge.contact)}"}"}}'
-    )
-
-
-def _adapter(
-    material: Material, function: Definition, arrays: str, places: Mapping[str, str]
-) -> str:
-    """A C function of arrays that calls the library's with their elements; it returns 0 if that
-    has a result.
-    """
-    head = ", ".join(f"const double *{name}" for name in arrays)
-    given = ", ".join(places[name] for name in taken(function, material.angles))
-    called = f"{material.library}_{function.name}({given}, result)"
-    return (
-        f"static int {function.name}({head}, double *result) {{ return {called} != "
-        f"{material.library.upper()}_OK; }}\n"
-    )
+    return spoken(runtime(__file__, "model.h"), {**words, **texts})
 
 
 def _quantity(variable: Variable) -> str:

@@ -8,19 +8,8 @@
 #include <math.h>
 
 #define TOKEN "@token@"
-#define COORDINATES @coordinates@
-#define PARAMETERS @parameters@
 #define UNITS @units@         /* of measure: quantities that are 1 inside */
-#define CONTACTS @contacts@
-#define SIDES @sides@         /* frictions; one without any */
-#define LIFTS @lifts@         /* contacts that open */
-#define SLIDES @slides@        /* frictions */
-#define HOLDS @holds@         /* frictions that hold where nothing slides */
-#define LAYERS @layers@        /* exponentials of the friction laws */
-#define TURNINGS @turnings@      /* torsion springs whose turning is counted */
-#define CLOCK @clock@         /* whether the last coordinate is the phase of a clock, whose rate is given */
 #define OUTPUTS @outputs@       /* forces, energy and power */
-#define SPRINGS @springs@       /* along lines */
 
 /* Parameters, then units of measure, as they are given; inside, a number is divided by powers of the units of measure. */
 struct quantity {
@@ -38,27 +27,8 @@ static const struct quantity QUANTITIES[] = {
 /* The powers of coordinates, and of time. */
 static const double POWERS[][3] = {@powers@};
 
-/* Whether a coordinate is an angle. */
-static const int ANGLES[] = {@angles@};
-
 /* The powers of outputs. */
 static const double OUTPUT_POWERS[][3] = {@output_powers@};
 
-/* Of each contact whether its law has no values beyond its border, and whether it goes with the place of a state at rest. */
-static const int ROOTED[] = {@rooted@}, OF_PLACE[] = {@of_place@};
-
-/* Of each friction its contact, and its number among those that hold; -1 of one that doesn't. */
-static const struct {
-    int contact, row;
-} RUBBING[] = {@rubbing@};
-
-/* Borders that are events: the number of a mode that each changes, and of friction that holds its number among these. */
-enum { LIFT, SLIP, AHEAD, BEHIND };
-static const struct {
-    int kind, place, row;
-    const char *contact;
-} EVENT_BORDERS[] = {@event_borders@};
-
-/* Functions of the library, given the state, accelerations, parameters and numbers of the mode. Not 0: they have no result there. */
-
-@adapters@
+// @tables@
+// @adapters@

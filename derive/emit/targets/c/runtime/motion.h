@@ -139,12 +139,14 @@ static int look(const Motion *it, Point *at) {
 }
 
 #if HOLDS
+#ifndef INLINE
 #define INLINE static
+#endif
 // @transition@
 
 /* The largest share of its limit that a friction of some lacks for a mode to agree with its own accelerations. */
 static double lacking(const Motion *it, const double *state, const double *mode, const int *some) {
-    double margin[2 * HOLDS], pull[COORDINATES], change[NEAR], largest = 0.0;
+    double margin[2 * HOLDS], pull[COORDINATES], change[NEAR] = {0.0}, largest = 0.0;
     const int none = regime_rhs(state, it->p, mode, pull) || border_rates(state, pull, it->p, change);
     if (grip(state, it->p, mode, margin)) {
         return INFINITY;
@@ -174,7 +176,7 @@ static double differs(const Motion *it, const double *state, const double *mode,
 
 /* The sides of some frictions that hold, by the rule. Not 0: the mode has no accelerations. */
 static int settled(Motion *it, const double *state, const int *some, const double *before) {
-    double mode[MODES], found[MODES], pull[COORDINATES] = {0.0}, lack = INFINITY, change = INFINITY;
+    double mode[MODES], found[MODES] = {0.0}, pull[COORDINATES] = {0.0}, lack = INFINITY, change = INFINITY;
     int count = 0, most = 1, fewest = 0;
     for (int i = 0; i < SIDES; i++) {
         count += some[i];

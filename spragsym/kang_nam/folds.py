@@ -107,10 +107,20 @@ def _nothing_ends(points: Points) -> Ended:
 
 
 def _unstable_numbers(points: Points) -> IntArray:
-    """The numbers of growing λ, of folds as of any model."""
+    """The numbers of growing λ where det K = 0: two by flutter where K₁₂ K₂₁ < 0, by the theorem of
+    ``derive/kang_nam/routh.py``, and one more in one of the states that meet; beyond its domain, or
+    where the signs are not told, as of any model.
+    """
     from ..bifurcation.borders import unstable_numbers  # imported late: it loads the search
 
-    return unstable_numbers(points)
+    theta0, mu0, V, d = (points[name] for name in ("theta0", "mu0", "V", "d"))
+    at = (points.L, *(points[name] for name in ("mu0", "alpha", "sigma", "beta")))
+    (_, K12), (K21, _) = kernel.stiffness(*kernel.cos_sin(points.theta), *at, 1)
+    product, size = K12 * K21, np.abs(K12) + np.abs(K21)
+    known = (np.abs(product) > 1e-9 * size**2) & (points.y < 0) & (theta0 > 0) & (theta0 < np.pi)
+    known &= (mu0 > 0) & (V > 0) & (d > 0)
+    found = np.where(product < 0, 2, 0) + np.array([[0], [1]])
+    return found if known.all() else np.where(known, found, unstable_numbers(points))
 
 
 def _words(fold: Fold) -> tuple[str, str, str]:

@@ -197,6 +197,25 @@ def test_dampers_are_no_part_of_the_theorem() -> None:
     assert by_search.growth[0] < -9e-3
 
 
+def test_growth_on_both_sides_of_folds_needs_no_damping_that_floats_tell() -> None:
+    """By matrices written by hand, of the two states that are about to meet."""
+    told = set[tuple[int, ...]]()
+    for p in (ss.Parameters.article(d=200.0, mu0=mu0) for mu0 in (0.1, 0.5)):
+        folds = ss.folds(p)
+        for row, value in enumerate(
+            folds.theta0 * (1 - 1e-6 * np.where(folds.when == "up", 1, -1))
+        ):
+            eq = ss.equilibria(p.replace(theta0=value))
+            two = np.argsort(np.hypot(eq.x - folds.x[row], eq.y - folds.y[row]))[:2]
+            at = {n: float(p[n]) for n in NAMES if n != "theta0"} | {"theta0": value}
+            K, _ = linearizations(eq.x[two], eq.y[two], at)
+            number = (np.linalg.det(K) < 0) + 2 * (K[:, 0, 1] * K[:, 1, 0] < 0)
+            numbers = [folds.unstable_before[row], folds.unstable_after[row]]
+            assert sorted(number.tolist()) == numbers
+            told.add(tuple(numbers))
+    assert told == {(0, 1), (2, 3)}
+
+
 PLANE = {"theta0": (0.1, 3.0), "mu0": (0.02, 0.4)}
 
 

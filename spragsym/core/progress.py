@@ -41,9 +41,9 @@ def show_progress(part: str = "", to: Listener | None = None) -> Iterator[None]:
     part : str, optional
         What the block as a whole is.
     to : callable, optional
-        Called with each text. Without it a line on stderr says the last one: on a terminal until
-        all is done, elsewhere after ten seconds, and again each time that it has taken twice as
-        long.
+        Called with each text. Without it a line on stderr, in a notebook an output of the cell,
+        says the last one: there and on a terminal until all is done, elsewhere after ten seconds,
+        and again each time that it has taken twice as long.
 
     Returns
     -------
@@ -119,11 +119,37 @@ def _line(work: _Work) -> AbstractContextManager[object]:
     from rich.text import Text
 
     console = Console(stderr=True)
+    if console.is_jupyter:
+        return _cell(work)
     if not console.is_terminal:
         return _lines(work)
     status = console.status(Text(str(work)))
     work.listener = lambda text: status.update(Text(text))
     return status
+
+
+@contextmanager
+def _cell(work: _Work) -> Iterator[None]:
+    """One output of a notebook's cell, written anew at most five times a second."""
+    from IPython.display import display
+
+    latest = 0.0
+
+    def shown(text: str) -> dict[str, str]:
+        return {"text/plain": text}
+
+    def said(text: str) -> None:
+        nonlocal latest
+        if time.monotonic() - latest > 0.2:
+            latest = time.monotonic()
+            place.update(shown(text), raw=True)
+
+    place = display(shown(str(work)), raw=True, display_id=True)  # type: ignore[no-untyped-call]
+    work.listener = said
+    try:
+        yield
+    finally:
+        place.update(shown(""), raw=True)
 
 
 @contextmanager
@@ -150,7 +176,7 @@ def _lines(work: _Work) -> Iterator[None]:
 @contextmanager
 def advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
     """Give a function to be called after every point: it advances a progress bar if ``progress``,
-    else it reports to the listener.
+    in a notebook a text, else it reports to the listener.
     """
     if not progress:
         made = itertools.count(done + 1)
@@ -158,6 +184,12 @@ def advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None
             yield lambda: tell("{} of {} points", next(made), total)
         return
     from rich.console import Console
+
+    console = Console(stderr=True)
+    if console.is_jupyter:  # where rich draws bars with another library only
+        with show_progress(), advance(False, total, done) as one_more:
+            yield one_more
+        return
     from rich.progress import (
         BarColumn,
         MofNCompleteColumn,
@@ -173,6 +205,6 @@ def advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None
         "ends in",
         TimeRemainingColumn(),
     )
-    with Progress(*columns, console=Console(stderr=True)) as bar:
+    with Progress(*columns, console=console) as bar:
         task = bar.add_task("", total=total, completed=done)
         yield lambda: bar.advance(task)

@@ -62,3 +62,33 @@ def test_what_takes_long_says_again_how_long(
         time.sleep(0.3)
     first, second, *_ = capsys.readouterr().err.splitlines()
     assert first == second == "work: 0 s so far"
+
+
+@pytest.mark.thorough
+def test_a_notebook_shows_within_a_second_what_it_is_at() -> None:
+    nbformat, nbclient = pytest.importorskip("nbformat"), pytest.importorskip("nbclient")
+    shown = []
+
+    class Client(nbclient.NotebookClient):  # type: ignore[misc]
+        def process_message(self, message: Any, cell: Any, index: int) -> Any:
+            if message["msg_type"].endswith("display_data"):
+                shown.append((cell.source, message["content"]["data"]["text/plain"]))
+            return super().process_message(message, cell, index)
+
+    begin = "import time\nimport spragsym as ss\nfrom spragsym.core.progress import advance, doing, tell"
+    block = "with ss.show_progress('work'), doing('half'):\n    time.sleep(0.3)\n    tell('whole')"
+    bar = "with advance(True, 2, 0) as step:\n    time.sleep(0.3)\n    step()"
+    cells = [nbformat.v4.new_code_cell(it) for it in (begin, block, bar)]
+    Client(nbformat.v4.new_notebook(cells=cells), timeout=60, kernel_name="python3").execute()
+    assert [text for cell, text in shown if cell == block] == [
+        "work",
+        "work: half",
+        "work: whole",
+        "",
+    ]
+    assert [text for cell, text in shown if cell == bar] == [
+        "",
+        "0 of 2 points",
+        "1 of 2 points",
+        "",
+    ]

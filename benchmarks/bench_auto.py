@@ -94,8 +94,8 @@ def run(
             raise RuntimeError(
                 f"AUTO did not end as it should:\n{done.stdout[-2000:]}{done.stderr[-2000:]}"
             )
-        rows = [_rows(folder / f"b.{branch}") for branch in branches]
-    return rows, [float(one) for one in re.findall(r"Total Time\s+(\S+)", done.stdout)]
+        found = [rows(folder / f"b.{branch}") for branch in branches]
+    return found, [float(one) for one in re.findall(r"Total Time\s+(\S+)", done.stdout)]
 
 
 def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]], float]:
@@ -104,12 +104,14 @@ def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]
     """
     base = ss.load("stick_slip").base
     script = _SCRIPT.format(intervals=intervals, speeds=list(SPEEDS))
-    (steady, rows), times = run(
+    (steady, on_cycles), times = run(
         _FIELD.format(**base), _START.format(**base), script, "steady", "cycles"
     )
     hopf = next(row[4] for row in steady if row[2] == 3)  # type 3: Hopf point
-    cycles = {row[4]: (row[8], row[6]) for row in rows if row[2] == -4}  # type −4: as asked for
-    spent = times[-1] / len(rows)
+    cycles = {
+        row[4]: (row[8], row[6]) for row in on_cycles if row[2] == -4
+    }  # type −4: as asked for
+    spent = times[-1] / len(on_cycles)
     return (
         hopf,
         {
@@ -120,10 +122,10 @@ def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]
     )
 
 
-def _rows(path: Path) -> list[list[float]]:
+def rows(path: Path) -> list[list[float]]:
     """Branch, point, type, label, V, norm, maxima of x and v, period."""
-    rows = [line.split() for line in path.read_text(encoding="utf-8").splitlines()]
-    return [[float(value) for value in row] for row in rows if row and row[0] not in ("0", "-0")]
+    table = [line.split() for line in path.read_text(encoding="utf-8").splitlines()]
+    return [[float(value) for value in row] for row in table if row and row[0] not in ("0", "-0")]
 
 
 def hopf_exactly() -> float:

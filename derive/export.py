@@ -36,15 +36,19 @@ def export(
     written_in: str,
     data: Data | None = None,
     inputs: Collection[str] = (),
+    starts: tuple[targets.Start, ...] = (),
 ) -> dict[str, str]:
     """The files of a page's library in a language, by name.
 
     ``name`` is that of the model. ``data`` and ``inputs`` are for an FMU: values with units, and
-    the quantities that other models drive; all others are parameters.
+    the quantities that other models drive; all others are parameters. ``starts`` are for languages
+    that continue branches.
     """
     model = pages.read(page, name)
     is_packed = targets.packer(written_in) is not None
-    motion_material = _motion(model, data, inputs) if targets.moves(written_in) else None
+    motion_material = None
+    if targets.moves(written_in):
+        motion_material = replace(_motion(model, data, inputs), starts=starts)
     beside = (motion.outputs(model.mechanics),) if is_packed else ()
     page_material = material(model, written_in, beside=beside)
     return targets.render(written_in, replace(page_material, motion=motion_material))

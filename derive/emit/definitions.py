@@ -167,6 +167,18 @@ def ported(expression: str, names: Mapping[str, str], home: str = "") -> str:
     )
 
 
+def with_reals(expression: str, written: str) -> str:
+    """An expression whose integers are real numbers, in a format as ``{}.0``."""
+
+    def real(found: re.Match[str]) -> str:
+        largest_exact = 2**53
+        if int(found[0]) > largest_exact:
+            raise ArithmeticError(f"the integer {found[0]} would be rounded")
+        return written.format(found[0])
+
+    return re.sub(r"(?<![\w.])\d+(?![\w.])", real, expression)
+
+
 def symbols(functions: Iterable[Definition]) -> dict[str, None]:
     """All arguments of functions, each once, in order."""
     return dict.fromkeys(name for function in functions for name in function.accepted)

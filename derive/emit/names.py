@@ -5,7 +5,7 @@ an underscore behind it.
 """
 
 import re
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable
 
 import sympy as sp
 from sympy.core.alphabets import greeks
@@ -27,16 +27,16 @@ def free(name: str, taken: Collection[str]) -> str:
     return name
 
 
-def apart(names: Iterable[str]) -> list[str]:
+def apart(names: Iterable[str], same: Callable[[str], str] = str) -> list[str]:
     """Names of which none is the same as another: those that come later have underscores behind
-    them.
+    them. Two are the same if ``same`` gives one text of both.
     """
-    found = list[str]()
+    found = dict[str, str]()
     for name in names:
-        while name in found:
+        while same(name) in found:
             name += "_"
-        found.append(name)
-    return found
+        found[same(name)] = name
+    return list(found.values())
 
 
 def library(name: str, taken: Collection[str]) -> str:

@@ -2,7 +2,9 @@
 through to a folder.
 """
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
@@ -11,12 +13,13 @@ import click
 
 from .. import derive as derive_package
 from ..core.errors import MissingExtraError, ParameterError, StoreError
-from ..derive.emit.targets import languages, packer
+from ..derive.emit.targets import Start, continues, languages, packer
 from ..derive.kang_nam.library import exported
 from ..files.cache import cached, digest_of_folder
 from ..files.storage import probe
 from ..models import Model
 from ..models.load import USUAL, load, page_of, shipped
+from ..statics.search import steady_states
 from . import options as o
 from .case import study_of
 from .output import refuse, write
@@ -64,7 +67,8 @@ def export(
     """Write the solver in another language, with an example that runs.
 
     The article's solver, generated algebra and a step in time; of another model, and as an FMU, its
-    forces and motion with their derivatives, derived from its model page (extra derive). What was
+    forces and motion with their derivatives, derived from its model page (extra derive); for AUTO
+    and Julia with proved states from which branches are continued. What was
     derived is kept in the user's cache folder, and derived again when page or package change.
 
     \b
@@ -72,6 +76,7 @@ def export(
       spragsym export --language c --out sprag
       spragsym export --model trolley --out trolley_c
       make -C sprag && ./sprag/example
+      spragsym export --language auto --model trolley --out trolley_auto
       spragsym export --language fmu --data brake.toml --input V --out brake.fmu
     """
     pack = packer(language)
@@ -93,7 +98,9 @@ def export(
     for path in archives.values() if pack else (out / "file",):
         probe(path, made=True)
     study = study_of(data, model_name) if data else None
-    name = study.model if study else model_name or (USUAL if pack else None)
+    name = study.model if study else model_name
+    if name is None and (pack or continues(language)):
+        name = USUAL
     if name:
         texts = _of_page(load(name), language, study.in_units() if study else None, inputs)
     else:
@@ -125,17 +132,38 @@ def _of_page(
         from ..derive import export as translation
 
         try:
-            return translation.export(page, model.name, language, data, inputs)
+            return translation.export(page, model.name, language, data, inputs, starts)
         except translation.UnknownInput as error:
             raise ParameterError(f"--input: {error}") from error
 
+    starts = tuple(_starts(model)) if continues(language) else ()
     made_of = {
         "page": page.read_text(encoding="utf-8", errors="replace") if page.is_file() else "",
         "derivation": digest_of_folder(derivation),
         "sympy": version("sympy") if find_spec("sympy") else "",
-        "called": (model.name, language, data, inputs),
+        "called": (model.name, language, data, inputs, [asdict(start) for start in starts]),
     }
     return cached(made_of, derived)
+
+
+def _starts(model: Model) -> Iterator[Start]:
+    """The steady states at the base values, proved by search, each in its smooth regime; none where
+    friction holds, or under a clock.
+    """
+    if model.clock:
+        return
+    _, p = model.cases()[0]
+    values = {name: float(p[name]) for name in model.parameters}
+    field, along = model.field, model.inclination or model.coefficient or model.parameters[0]
+    constants = field.constants([values[name] for name in model.parameters])
+    numbers = len(model.contacts) + max(1, len(model.frictions)) + model.about["layers"]
+    for touching, places, errors in steady_states(p):
+        for count, (place, error) in enumerate(zip(places, errors, strict=True), 1):
+            mode = field.exact(field.resting_mode(place.tolist(), constants))
+            mode = tuple(map(int, (*mode[:numbers], *mode[len(mode) - field.torsion_sides :])))
+            if 0 not in mode[len(model.contacts) :]:
+                label = re.sub(r"\W+", "_", f"{touching} {count}")
+                yield Start(label, along, values, tuple(place.tolist()), mode, float(error))
 
 
 @o.command()

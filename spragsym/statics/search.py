@@ -179,6 +179,17 @@ def rest_index(p: ParameterSet, places: FloatArray) -> Int8Array:
     return out
 
 
+def steady_states(p: ParameterSet) -> Iterator[tuple[str, FloatArray, FloatArray]]:
+    """The states of steady sliding for scalar parameters, with the friction μ(V) of a motion: of
+    each combination of contacts its name, the places of its states and bounds of their errors.
+    """
+    for contact, name in p.model.regimes.items():
+        (balance,) = balances_of(p.model, contact=contact, law="friction_at_speed")
+        found, _, _ = roots_of(balance, columns(p, balance.parameters))
+        found = found.select(_in_slots(found)[0])
+        yield name, found.middle.T, found.error
+
+
 def columns(p: ParameterSet, names: list[str]) -> FloatArray:
     """The named parameters as an array of shape (parameters, points)."""
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(

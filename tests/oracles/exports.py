@@ -3,6 +3,8 @@
 import importlib.util
 import inspect
 import json
+import math
+import re
 import shutil
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
@@ -16,6 +18,8 @@ from tests.oracles.emission import flat, functions, results_of_c, with_angles
 from tests.oracles.languages import NODE, OCTAVE, octave
 
 CC = shutil.which("cc")
+GFORTRAN = shutil.which("gfortran")
+JULIA = shutil.which("julia")
 
 
 @dataclass(frozen=True)
@@ -109,11 +113,62 @@ def in_jax(folder: Path, asked: Sequence[Call]) -> list[float]:
         return in_this_process(folder, asked)
 
 
+def in_fortran(folder: Path, asked: Sequence[Call]) -> list[float]:
+    """Compiled without a warning, and with nothing that the standard does not have."""
+    (source,) = folder.glob("*.f90")
+    most = max(len(one.results) for one in asked)
+    lines = ["program asked", f"use {source.stem}", "implicit none"]
+    lines += [f"double precision :: found({most})"]
+    for call in asked:
+        numbers = [f"{value!r}_8" for value in call.by_angles.values()]
+        lines += [f"call {call.function}(&", *(f"{one}, &" for one in numbers), "found)"]
+        lines += [f"print '(es25.17e3)', found({k})" for k in range(1, len(call.results) + 1)]
+    program = folder / "asked.f95"
+    of_auto = ["double precision function getp()", "getp = 0", "end function", ""]
+    program.write_text("\n".join([*lines, "end program", *of_auto]), encoding="utf-8")
+    strict = ["-std=f2018", "-pedantic", "-Wall", "-Wno-unused-dummy-argument", "-Werror"]
+    command = [str(GFORTRAN), *strict, "-ffp-contract=off", source.name, program.name]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True, timeout=120)
+    done = subprocess.run([folder / "a.out"], capture_output=True, text=True, check=True)
+    return [float(word) for word in done.stdout.split()]
+
+
+def in_julia(folder: Path, asked: Sequence[Call]) -> list[float]:
+    """By Julia; where there is none its functions are read as Python's, whose statements they
+    have.
+    """
+    module = min(folder.glob("*.jl"), key=lambda path: len(path.stem))
+    if JULIA is None:
+        return _as_python(module.read_text(encoding="utf-8"), asked)
+    lines = [f'include("{module.name}")', f"import .{module.stem}"]
+    lines.append("flat(a) = a isa Tuple ? reduce(vcat, map(flat, a)) : [float(a)]")
+    for call in asked:
+        given = ", ".join(map(repr, call.by_angles.values()))
+        lines.append(f"foreach(println, flat({module.stem}.{call.function}({given})))")
+    (folder / "asked.jl").write_text("\n".join(lines), encoding="utf-8")
+    command = [JULIA, "--startup-file=no", "asked.jl"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
+    return [float(word) for word in done.stdout.split()]
+
+
+def _as_python(text: str, asked: Sequence[Call]) -> list[float]:
+    """Results of Julia's functions, each of one statement a line but for lines that go on."""
+    functions = text[text.index("\nfunction ") :].removesuffix("end\n")
+    joined = re.sub(r"(?<=[-,+*/=(])\n +", " ", functions).replace("//", "/")
+    program = re.sub(r"(?m)^end$", "", re.sub(r"(?m)^function (.*)$", r"def \1:", joined))
+    space = {**vars(math), "sign": lambda u: (u > 0) - (u < 0)}
+    space["atan"] = lambda *given: (math.atan2 if len(given) > 1 else math.atan)(*given)
+    exec(program, space)
+    return [float(v) for one in asked for v in flat(space[one.function](*one.by_angles.values()))]
+
+
 #: Language of an export → what runs it, where that is, and how.
 RUN: dict[str, tuple[str, str | None, Callable[[Path, Sequence[Call]], list[float]]]] = {
     "c": ("C compiler", CC, in_c),
     "javascript": ("node", NODE, in_node),
     "matlab": ("Octave", OCTAVE, in_octave),
     "casadi": ("CasADi", str(importlib.util.find_spec("casadi") or "") or None, in_this_process),
+    "auto": ("gfortran", GFORTRAN, in_fortran),
+    "julia": ("Julia", "read as Python", in_julia),
     "jax": ("JAX", str(importlib.util.find_spec("jax") or "") or None, in_jax),
 }

@@ -41,7 +41,8 @@ TERMS = (
 _COMMENTS = {
     **dict.fromkeys((".c", ".h"), ("/*", " */")),
     **dict.fromkeys((".mjs", ".ts", ".mts"), ("//", "")),
-    **dict.fromkeys((".py", "Makefile"), ("#", "")),
+    **dict.fromkeys((".py", ".jl", ".auto", "Makefile"), ("#", "")),
+    ".f90": ("!", ""),
     ".m": ("%", ""),
     ".xml": ("<!--", " -->"),
 }
@@ -82,8 +83,20 @@ class Edge:
 
 
 @dataclass(frozen=True)
+class Start:
+    """A steady state of a page's model at its base values, from which a branch is continued."""
+
+    name: str
+    along: str  #: the parameter that is followed first
+    values: Mapping[str, float]  #: all parameters
+    place: tuple[float, ...]
+    mode: tuple[int, ...]  #: the numbers that select its smooth regime
+    error: float  #: bound of the error of each coordinate
+
+
+@dataclass(frozen=True)
 class MotionMaterial:
-    """The motion of a page's model, for languages whose libraries step in time."""
+    """The motion of a page's model, for languages whose libraries step in time or continue it."""
 
     time: Variable
     states: tuple[Variable, ...]  #: coordinates, then their rates
@@ -100,6 +113,7 @@ class MotionMaterial:
     #: for each friction the index of its contact; one entry on a page without friction
     rubbing: tuple[int, ...]
     outputs: tuple[Variable, ...]  #: forces, energy and power, as the function outputs gives them
+    starts: tuple[Start, ...] = ()  #: for languages that continue branches
 
 
 @dataclass(frozen=True)
@@ -130,7 +144,7 @@ class Material:
     asked: tuple[str, ...] = ()
     arithmetic: Source = field(default_factory=Source)  #: double-double arithmetic
     widened: Source = field(default_factory=Source)  #: the kernel on double-doubles
-    motion: MotionMaterial | None = None  #: of a page, for a language that steps in time
+    motion: MotionMaterial | None = None  #: of a page, for a language that has it as a whole
 
     @property
     def algebra(self) -> dict[str, Definition]:
@@ -190,10 +204,15 @@ def packer(language: str) -> Callable[..., bytes] | None:
 
 
 def moves(language: str) -> bool:
-    """Whether the library of a page in a language steps in time, so that its material needs the
-    motion.
+    """Whether the library of a page in a language steps in time, or continues states, so that its
+    material needs the motion.
     """
-    return hasattr(_target(language), "MOVES")
+    return hasattr(_target(language), "MOVES") or continues(language)
+
+
+def continues(language: str) -> bool:
+    """Whether a language continues branches of states: it takes starts."""
+    return vars(_target(language)).get("CONTINUES", False)
 
 
 def in_python(language: str) -> bool:

@@ -4,7 +4,7 @@ import re
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from ...definitions import SPELLED, WIDTH, Definition, ported
+from ...definitions import SPELLED, WIDTH, Definition, ported, with_reals
 from ...quantities import Quantity
 from .. import Angles, taken
 from .layout import broken, comment, definition, plain
@@ -15,17 +15,10 @@ def _expression(text: str) -> str:
     text = re.sub(
         r"(?<!\w)\((\w+)\*\1\)|\b(\w+)\*\2\b", lambda found: f"square({found[1] or found[2]})", text
     )
-    text = re.sub(r"(?<![\w.])(\d+)(?![\w.])", _whole, text)
+    text = with_reals(text, "{}.0")
     text = re.sub(r"(?<![\w.])(cos|sin)\b(?!\()", lambda found: SPELLED[found[1]], text)
     names = {"abs": "fabs", "pi": "3.14159265358979323846"}
     return re.sub(r"([*/])", r" \1 ", ported(text, names))
-
-
-def _whole(found: re.Match[str]) -> str:
-    largest_exact = 2**53
-    if int(found[1]) > largest_exact:
-        raise ArithmeticError(f"the integer {found[1]} would be rounded")
-    return f"{found[1]}.0"
 
 
 def c_name(name: str) -> str:

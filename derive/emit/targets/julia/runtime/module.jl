@@ -1,0 +1,9 @@
+# @summary@
+@meanings@
+@header@
+module @library@
+
+@exported@
+
+@algebra@
+end

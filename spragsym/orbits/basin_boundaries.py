@@ -84,7 +84,7 @@ class BasinBoundary(Result):
     saddle : ndarray, shape (m,)
         The saddle.
     growth : float
-        Its unstable eigenvalue.
+        Its unstable eigenvalue, the only one that grows.
     how : tuple of str
         Reason for which the curve ends, at its first and at its last point; half of that time
         being over is one.

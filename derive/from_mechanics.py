@@ -137,15 +137,24 @@ class _MethodReader:
         self.kinetic = expand(whole + self.stored)
 
     def plain(self, expression: Expr) -> Expr:
-        """An expression in the page's symbols."""
+        """An expression in the page's symbols, of which time is none: what a turning frame brings
+        in has to cancel.
+        """
+        value = self.read(expression)
+        if value.has(self.time):
+            value = sp.trigsimp(expand(value))
+        if value.has(self.time):
+            raise refused(f"{value} varies in time by itself: {Limit.FORCING}")
+        return value
+
+    def read(self, expression: Expr) -> Expr:
+        """An expression in the page's symbols, and time."""
         value = sp.sympify(expression)
         entries = (*self.page.units, *self.page.parameters)
         ours = {str(entry.symbol): entry.symbol for entry in entries}
         value = value.xreplace({one: ours.get(one.name, one) for one in value.atoms(sp.Symbol)})
         for names in self.names:
             value = value.subs(names)
-        if value.has(self.time):
-            raise refused(f"{value} varies in time by itself: {Limit.FORCING}")
         return value
 
     def gradient(self, expression: Expr) -> Matrix:
@@ -200,11 +209,11 @@ class _MethodReader:
                 point.vel(self.frame) if hasattr(point, "vel") else point.ang_vel_in(self.frame)
             )
             velocities, components = (
-                part.to_matrix(self.frame).applyfunc(self.plain) for part in (velocity, vector)
+                part.to_matrix(self.frame).applyfunc(self.read) for part in (velocity, vector)
             )
             forces += velocities.jacobian(self.rates).T * components
         normal = contact.pop("normal", None)
-        forces = forces.applyfunc(self.on_both_sides)
+        forces = forces.applyfunc(self.plain).applyfunc(self.on_both_sides)
         if any(one.has(*self.rates) for one in forces.atoms(sp.sign)):
             forces, friction = self.dry(forces, normal, friction)
         coefficient = friction.pop("coefficient", 0)

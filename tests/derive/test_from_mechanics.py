@@ -8,6 +8,8 @@ import pytest
 
 pytest.importorskip("sympy")
 
+import sympy as sp
+
 from spragsym.derive import folder, pages
 from spragsym.derive.model import PageError
 from tests.oracles.user_pages import replaced
@@ -264,3 +266,46 @@ def test_a_method_is_refused_by_the_line_of_the_file_of_the_user(
         pages.read(tmp_path / "block.py")
     line = int(str(refused.value).partition("line ")[2].partition(":")[0])
     assert first <= line <= len(lines)
+
+
+#: A particle on springs in a frame that turns, by Kane's method, its velocity in either frame.
+TURNING = """'A mass on springs in a frame that turns.'
+from spragsym.derive.model import Page, page_from
+import sympy as sp
+from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
+
+page = Page("A mass on springs in a frame that turns.")
+m, k, L = (page.unit(name, unit, "scale") for name, unit in (("m", "kg"), ("k", "N/m"), ("L", "m")))
+W = page.parameter("W", "1/s", "speed of the frame", ">= 0", 0.1)
+x, y, u, v = dynamicsymbols("x y u v")
+t, ground, frame, O = dynamicsymbols._t, ReferenceFrame("N"), ReferenceFrame("A"), Point("O")
+O.set_vel(ground, 0)
+frame.orient_axis(ground, ground.z, W * t)
+P = O.locatenew("P", x * frame.x + y * frame.y)
+P.set_vel(frame, u * frame.x + v * frame.y)
+P.v1pt_theory(O, ground, frame)
+if {0}:
+    P.set_vel(ground, P.vel(ground).express(ground))
+method = KanesMethod(ground, [x, y], [u, v], kd_eqs=[x.diff() - u, y.diff() - v])
+force = -k * x * frame.x - k * y * frame.y
+method.kanes_equations([Particle("B", P, m)], [(P, {1})])
+page_from(method, page, dict.fromkeys((x, y), ("m", "displacement")))
+"""
+
+
+@pytest.mark.parametrize("expressed", [False, True])
+def test_a_turning_frame_is_read_as_one(expressed: bool, tmp_path: Path) -> None:
+    """Time cancels in its energies and forces; Coriolis and centrifugal forces are left."""
+    path = tmp_path / "turning.py"
+    path.write_text(TURNING.format(expressed, "force"), encoding="utf-8")
+    it = pages.read(path).mechanics
+    (Omega,), (x, y) = it.arguments, it.coordinates
+    assert it.gyroscopic == sp.Matrix([[0, -2 * Omega], [2 * Omega, 0]])
+    assert [*it.residuals] == [place * (1 - Omega**2) for place in (x, y)]
+
+
+def test_a_force_that_keeps_its_direction_while_the_frame_turns_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "turning.py"
+    path.write_text(TURNING.format(False, "m * ground.x"), encoding="utf-8")
+    with pytest.raises(PageError, match=r"cos\(W\*t\).* varies in time by itself"):
+        pages.read(path)

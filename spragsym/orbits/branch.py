@@ -39,12 +39,10 @@ from .arclength import (
     at_zero,
     between,
     corrected,
-    placed,
     point_of,
     remeshed_point,
     started,
     steps,
-    turning,
     within,
 )
 from .events import (
@@ -60,7 +58,8 @@ from .events import (
 )
 from .homoclinic import limit_of_periods
 from .options import BranchOptions
-from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of, same_cycle
+from .orbit import Cycle, Cycles, cycle_of, is_stable, range_of
+from .retracing import CLOSED, returned
 from .switching import halved, meets, switched
 
 FAMILIES = "there is a whole family of cycles at every value of the parameter from there on"
@@ -74,8 +73,9 @@ class CycleEvent(Result):
     ----------
     kind : str
         "fold", "branch_point" where another branch of cycles crosses, as where a symmetry is
-        broken, "period_doubling", "torus", "grazing", "homoclinic" or "end". With dry friction
-        also the sliding bifurcations, at each of which a phase of the cycle shrinks to nothing:
+        broken, "period_doubling", "torus", "grazing", "homoclinic", "end", or "closed" where the
+        branch comes back to its first cycle, as an isola does. With dry friction also the sliding
+        bifurcations, at each of which a phase of the cycle shrinks to nothing:
 
         - "grazing-sliding": a phase of sticking; the orbit touches x′ = V in contact. (If it
           touches x′ = V in lift-off, the kind is "grazing".)
@@ -242,7 +242,7 @@ class CycleBranch(Result):
         >>> len(branch.of("end"))
         2
         """
-        others = ("grazing", *SLIDING, "homoclinic", "catastrophic-sliding", "end")
+        others = ("grazing", *SLIDING, "homoclinic", "catastrophic-sliding", "end", CLOSED)
         offered = (*CRITERIA, BRANCH_POINT, *others)
         chosen = [one_of("kinds", kind, offered) for kind in kinds]
         return tuple(event for event in self.events if event.kind in chosen)
@@ -320,15 +320,15 @@ def cycle_branch(
     start = remeshed_point(started(setting, guess))
     backward = list(_followed([start.oriented(-1.0)], (low, high), points, options))
     behind = [item.oriented(-1.0) for item in backward if isinstance(item, BranchPoint)]
-    forward = list(_followed([*behind[:1], start], (low, high), points, options))
     last = backward[-1] if backward else None
-    closed = isinstance(last, DetectedEvent) and last.kind == "closed"
-    items = [*reversed(backward), start, *([] if closed else forward)]
+    closed = isinstance(last, DetectedEvent) and last.kind == CLOSED
+    ahead = iter(()) if closed else _followed([*behind[:1], start], (low, high), points, options)
+    items = [*reversed(backward), start, *ahead]
     orbits, events, places = [], [], []
     for item in items:
         if isinstance(item, BranchPoint):
             orbits.append(item.orbit)
-        elif item.kind != "closed":
+        else:
             orbit = item.orbit
             value = orbit.values[index] if np.isnan(item.value) else item.value
             events.append(
@@ -393,6 +393,10 @@ def _followed(
             if length > options.event_step and not in_family(point):
                 raise ConvergenceError("the orbit is one of a whole family")
             return [*_joins(followed, found)]
+        comes_back = None if point is start else returned(start, point, found, arc)
+        if comes_back:
+            found, end = comes_back
+            arc = between(point, found)
         items = list[BranchPoint | DetectedEvent]()
         before = followed[-2] if len(followed) > 1 else None
         if before and followed[-1] is not point:  # it has a new mesh, and needs one before it alike
@@ -404,7 +408,9 @@ def _followed(
         if extent(found.orbit) < options.vanished * min(1.0, first_extent):
             return [*items, _shrunk(followed)]
         followed.append(found)
-        return [*items, found, *_ends(start, point, followed, arc, to, options)]
+        if comes_back:
+            return [*items, found, end]
+        return [*items, found, *_ends(point, followed, arc, to, options)]
 
     try:
         for items in islice(steps(start, ahead, options, look), points):
@@ -491,7 +497,6 @@ def _at_border(followed: Sequence[BranchPoint]) -> DetectedEvent | None:
 
 
 def _ends(
-    start: BranchPoint,
     point: BranchPoint,
     followed: Sequence[BranchPoint],
     length: float,
@@ -517,8 +522,6 @@ def _ends(
         rest := _rests(orbit, options.still)
     ):
         yield _homoclinic(followed, rest, options)
-    elif point is not start and _passes(start, point, ahead):
-        yield DetectedEvent("closed", orbit, 0.0)
 
 
 def _joins(followed: Sequence[BranchPoint], found: BranchPoint) -> Iterator[DetectedEvent]:
@@ -572,23 +575,6 @@ def _homoclinic(
     last = followed[-1]
     error += 1e-15 * (last.setting.spans[0] + abs(last.value))
     return DetectedEvent("homoclinic", last.orbit, error, how=rest, value=value)
-
-
-def _passes(start: BranchPoint, point: BranchPoint, ahead: BranchPoint) -> bool:
-    """True if the step from one point to the next passes the first cycle in the first direction:
-    the branch is closed.
-
-    Cycles are compared, not states: the phase may have changed along the branch.
-    """
-    change = ahead.value - point.value
-    if (start.value - point.value) * (start.value - ahead.value) > 0:
-        return False
-    if change * turning(start) <= 0:
-        return False
-    try:
-        return same_cycle(cycle_of(placed(point, start.value).orbit), cycle_of(start.orbit))
-    except ConvergenceError:
-        return False
 
 
 def _rests(orbit: Orbit, still: float) -> str:

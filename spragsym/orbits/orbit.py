@@ -53,6 +53,9 @@ from ..results.result import Result
 if TYPE_CHECKING:
     from xarray import Dataset
 
+#: Cycles whose states differ by less than this share of their extent are the same.
+SAME_STATES = 1e-5
+
 
 @dataclass(frozen=True, eq=False)
 class Cycle(Result):
@@ -370,15 +373,41 @@ def cycle_of(orbit: Orbit) -> Cycle:
 def same_cycle(one: Cycle, other: Cycle) -> bool:
     """True if two cycles at the same values of the parameters are the same.
 
-    Period and averages must agree to 1e-6, and the state of one must be near the samples of the
-    other, within 5 % of the extent.
+    Period and averages must agree to 1e-6, and the state of one must lie on the other, within
+    :data:`SAME_STATES` of the extent.
     """
     units, tolerance = units_of(one), 1e-6
     size = max(extent(one.orbit, units), extent(other.orbit, units))
     averages = np.abs([one.rms - other.rms, one.mean - other.mean]) / units[0]
     if abs(one.period / other.period - 1) >= tolerance or averages.max() >= tolerance * size:
         return False
-    return distance(one, other.state) < 0.05 * size
+    return apart(one, other.state[None]) < SAME_STATES * size
+
+
+def apart(cycle: Cycle, states: FloatArray) -> float:
+    """The largest distance of states, (k, m), from a cycle as a curve, modulo whole turns, in units
+    of the motion: from the nearest sample along the flow to where the rest is normal to it.
+    """
+    samples, units = cycle.samples, units_of(cycle)
+
+    def off(places: FloatArray) -> FloatArray:
+        found: FloatArray = state_difference(states, places, cycle.field.periodic) / units
+        return found
+
+    nearest = [
+        np.square(state_difference(samples.states.T, state, cycle.field.periodic) / units)
+        .sum(axis=1)
+        .argmin()
+        for state in states
+    ]
+    t = samples.t[nearest]
+    for _ in range(4):
+        places = samples(t).T
+        flow = np.array([cycle.orbit.rate(place) for place in places]) / units
+        square = np.square(flow).sum(axis=1)
+        along = (off(places) * flow).sum(axis=1)
+        t = (t + np.divide(along, square, np.zeros_like(t), where=square > 0)) % cycle.period
+    return float(np.abs(off(samples(t).T)).max())
 
 
 def units_of(cycle: Cycle) -> FloatArray:

@@ -24,9 +24,14 @@ from spragsym.generated import laws
 from spragsym.models.field import Border, Field, exact_field
 from spragsym.motion import multipliers
 from spragsym.motion.integrators import Flow
+from spragsym.motion.shooting import in_scales
 from spragsym.numerics.decimals import exactly
 from spragsym.numerics.jets import gradient, variables
+from spragsym.orbits import branch as branches
 from spragsym.orbits import diagram, exponents, finding, orbit
+from spragsym.orbits.arclength import Setting, between, corrected, started
+from spragsym.orbits.orbit import same_cycle
+from spragsym.orbits.retracing import CLOSED, CLOSES, MIRRORED, RETRACES, is_mirrored, returned
 from spragsym.orbits.system import System, growth_of_cycle
 from tests.oracles import random_motions
 from tests.oracles.clocks import STOPPED
@@ -345,6 +350,77 @@ def test_where_another_branch_crosses_it_can_be_followed() -> None:
     assert turn.value == pytest.approx(0, abs=1e-8)
     assert not pair.of("fold")
     assert abs(pair.switch(turn, step=0.1).state[1]) < 1e-8
+    (mirrored,) = (end for end in pair.of("end") if end.how == MIRRORED)
+    assert mirrored.value == pytest.approx(other.values[0], abs=1e-9)
+    assert mirrored.cycle.state[1] == pytest.approx(-other.state[1], abs=1e-8)
+
+
+def isola(x: Any, v: Any, e: Any) -> Any:
+    """The circles with e² + s² = 0.04, s = r² − 1.5."""
+    s = x * x + v * v - 1.5
+    return (0.04 - e * e - s * s) * v - x
+
+
+def test_an_isola_is_followed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    directions, followed = [], branches._followed
+
+    def counted(*arguments: Any) -> Any:
+        directions.append(arguments)
+        return followed(*arguments)
+
+    monkeypatch.setattr(branches, "_followed", counted)
+    begin = cycle_near(field_of("isola", isola), (0.0,), (math.sqrt(1.7), 0.0))
+    branch = ss.cycle_branch(
+        begin, "e", between={"e": (-1, 1)}, options=ss.BranchOptions(longest_step=0.3)
+    )
+    assert [event.kind for event in branch.events] == ["closed", "fold", "fold"]
+    assert sorted(fold.value for fold in branch.of("fold")) == pytest.approx([-0.2, 0.2], abs=1e-9)
+    assert branch.of("closed")[0].value == pytest.approx(0, abs=1e-9)
+    assert len(directions) == 1
+    s = branch.highest**2 - 1.5
+    np.testing.assert_allclose(branch.values**2 + s**2, 0.04, atol=1e-9)
+    angles = np.unwrap(np.arctan2(s, branch.values))
+    assert abs(angles[-1] - angles[0]) == pytest.approx(2 * math.pi, abs=1e-9)
+
+
+def test_a_branch_that_comes_back_the_other_way_retraces_itself() -> None:
+    own = in_scales(cycle_near(field_of("isola", isola), (0.0,), (math.sqrt(1.7), 0.0)).orbit)
+    start = started(Setting(own.flow, (0,), own.period, (1.0,)), own.guess)
+    steps = [corrected(start, length) for length in (-0.02, 0.02)]
+    for sign, end in ((1.0, (CLOSED, CLOSES)), (-1.0, ("end", RETRACES))):
+        back = returned(start.oriented(sign), *steps, between(*steps))
+        assert back
+        assert (back[1].kind, back[1].how) == end
+    assert returned(steps[0], start, steps[1], 0.02) is None  # its value is not passed
+
+
+def test_mirror_images_of_cycles() -> None:
+    """About any centre, or with coordinates exchanged; two circles of one period are none."""
+
+    def turning(field: Field, e: float, x: float, y: float) -> ss.results.Cycle:
+        system = System(Flow.of(field, None), (e,))
+        return finding.cycle_at(system, np.array([x, y, 0.0, 0.0]), 2 * math.pi)
+
+    alike = field_of(
+        "two alike",
+        lambda x, y, v, w, e: isola(x, v, e),
+        lambda x, y, v, w, e: isola(y, w, e),
+    )
+    outer, inner = math.sqrt(1.7), math.sqrt(1.3)
+    one, beside, other = (
+        turning(alike, 0.0, x, y) for x, y in ((outer, 0.0), (inner, 0.0), (0.0, outer))
+    )
+    assert is_mirrored(one, other)
+    assert not same_cycle(one, other)
+    assert not is_mirrored(one, beside)
+    fork = field_of(
+        "fork about y = 1",
+        lambda x, y, v, w, e: (1 - x * x - v * v) * v - x,
+        lambda x, y, v, w, e: e * (y - 1) - (y - 1) ** 3 - w,
+    )
+    up, down = (turning(fork, 1e-4, 1.0, 1 + y) for y in (0.01, -0.01))
+    assert is_mirrored(up, down)
+    assert not same_cycle(up, down)
 
 
 def test_a_cycle_that_hardly_moves_has_a_leading_coordinate() -> None:

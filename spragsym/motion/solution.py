@@ -350,11 +350,11 @@ def assembled(
 ) -> Solution:
     """Join the samples of consecutive steps into one motion, which begins at ``t_record``."""
     t, states = pieces[0]
-    if len(pieces) > 1:  # one piece, which may be large, is not copied
+    if len(pieces) > 1 or crossings:  # one piece, which may be large, is else not copied
         t = np.concatenate([each[0] for each in pieces])
         states = np.concatenate([each[1] for each in pieces])
     for crossing in crossings:
-        t, states = _joined_at(t, states, crossing)
+        _join_at(t, states, crossing)
     samples = PiecewisePolynomial(
         np.append(t[:, :-1].ravel(), t[-1, -1]),
         np.append(
@@ -368,8 +368,8 @@ def assembled(
     return Solution(samples, tuple(crossing for crossing in crossings if crossing.t >= t_record))
 
 
-def _joined_at(t: FloatArray, states: FloatArray, crossing: Crossing) -> Samples:
-    """Move the common time of two steps, where the state jumps, back to the border crossing.
+def _join_at(t: FloatArray, states: FloatArray, crossing: Crossing) -> None:
+    """Move the common time of two steps, where the state jumps, back to the border crossing, in place.
 
     The integrator noticed the crossing late, at the end of a step, and corrected the state there.
     Both steps are resampled by their own polynomials, so that the first ends and the second begins
@@ -378,17 +378,16 @@ def _joined_at(t: FloatArray, states: FloatArray, crossing: Crossing) -> Samples
     """
     row = int(np.searchsorted(t[:, -1], crossing.t))
     if row + 1 >= len(t):
-        return t, states
+        return
     gap, delay = magnitude(states[row + 1, :, 0] - states[row, :, -1]), t[row, -1] - crossing.t
     remaining = 4 * OVERSHOOT
     if gap <= remaining or not delay < min(t[row, -1] - t[row, 0], t[row + 1, -1] - t[row, -1]):
-        return t, states
-    t, states, joint = t.copy(), states.copy(), crossing.t + remaining / gap * delay
+        return
+    joint = crossing.t + remaining / gap * delay
     for step, ends in ((row, (t[row, 0], joint)), (row + 1, (joint, t[row + 1, -1]))):
         polynomial = PiecewisePolynomial(t[step].copy(), states[step])
         t[step] = sample_times(*ends)
         states[step] = polynomial(t[step])
-    return t, states
 
 
 def without_chatter(solution: Solution, problem: Problem) -> Solution:

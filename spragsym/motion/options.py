@@ -84,7 +84,8 @@ class MotionOptions(Options):
         Amplitude, in tolerances of a step, that an integrator leaves of a motion at rest.
     times : tuple of float
         A fate is judged at the first of these times, and again at the next while it is undecided;
-        under a fast clock after a hundred turns already, and after eight times as many each.
+        under a fast clock after a hundred turns already, and after eight times as many each. No
+        further one is begun that would take a million steps.
     rtol, finer_rtol : float
         Relative tolerances of the motions that are judged, and of their repetition, which shows the
         effect of rounding.

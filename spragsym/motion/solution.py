@@ -369,7 +369,8 @@ def assembled(
 
 
 def _join_at(t: FloatArray, states: FloatArray, crossing: Crossing) -> None:
-    """Move the common time of two steps, where the state jumps, back to the border crossing, in place.
+    """Move the common time of two steps, where the state jumps, back to the border crossing:
+    the arrays are changed.
 
     The integrator noticed the crossing late, at the end of a step, and corrected the state there.
     Both steps are resampled by their own polynomials, so that the first ends and the second begins

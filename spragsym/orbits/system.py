@@ -210,17 +210,17 @@ def judged(
         verdict = FateVerdict(outcome, motion.state[:, -1].copy(), t_end)
         if not looks and not times and _is_slow(system, motion, scales.time):
             looks = [10 * t_end]
-        if verdict.decided or not looks or _is_long(motion, looks[0]):
+        if verdict.decided or not looks or _is_long(motion, looks[0] - t_end):
             return verdict
         state, begun = verdict.end, t_end
 
 
-def _is_long(motion: Trajectory, t_end: float) -> bool:
-    """Whether to go on to a time would take more steps than those after which an explicit method
-    looks for stiffness: where none is, another method takes a hundred times as long for each.
+def _is_long(motion: Trajectory, left: float) -> bool:
+    """Whether to go on for a time would take more steps than those after which an explicit method
+    looks for stiffness: the implicit one then takes a hundred times as long for each.
     """
     most, duration = 1e6, motion.t[-1] - motion.t[0]
-    return not motion.implicit and len(motion.samples.steps) * t_end > most * duration
+    return not motion.implicit and len(motion.samples.steps) * left > most * duration
 
 
 def _is_slow(system: System, motion: Trajectory, unit: float) -> bool:

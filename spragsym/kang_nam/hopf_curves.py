@@ -60,7 +60,7 @@ def onset_curves(
     as_count("n", n, 2)
     options = options or ContinuationOptions()
     ends = {"mu0": (0.0, 1.1 * _highest(fixed)), **(between or {})}
-    (plane,) = Plane.every(p, vary, ends, options=options.given_search)
+    (plane,) = FrictionPlane.every(p, vary, ends, options=options.given_search)
     return plane.curves(n, True, options)
 
 
@@ -74,7 +74,7 @@ def _highest(fixed: Fixed) -> float:
     return max(q * fixed.alpha / math.sqrt(fixed.kappa * (fixed.kappa + 2 * fixed.sigma)), q / 2)
 
 
-class Plane(hopf_curves.Plane):
+class FrictionPlane(hopf_curves.Plane):
     """The plane of θ₀ and μ₀ of the article's model."""
 
     def systems(self, damping: bool | None) -> OnsetSystems:

@@ -66,6 +66,7 @@ def test_folds_over_a_wide_range_are_all_found() -> None:
     assert found["mu"][0] == pytest.approx(fsolve(at_fold, [0.5, -0.7, 0.05])[2], rel=1e-7)
 
 
+@pytest.mark.thorough
 def test_a_wide_range_of_parameters_has_one_state() -> None:
     p = ss.load(derived(FINGER, "finger")).Parameters()
     box = {"mu": (0.2, 0.3)}

@@ -142,6 +142,7 @@ def test_every_other_question_is_answered(page: str) -> None:
         ask()
 
 
+@pytest.mark.thorough
 def test_a_stop_cuts_the_region_of_rest_of_a_row() -> None:
     """What holds all blocks forwards holds the third against the stop, too."""
     row = ss.sticking_states(model_of(ROW, "row").Parameters(V=0.0))

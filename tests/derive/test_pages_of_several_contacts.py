@@ -111,6 +111,7 @@ page.friction(x, V, law, at_rest=mu0, on=pad)
     assert [str(symbol) for symbol in found[0].coefficients] == ["mu"]
 
 
+@pytest.mark.thorough
 def test_a_friction_that_inertia_couples_with_no_other_holds_by_itself() -> None:
     """What one holds with depends on whether the other sticks only where the blocks are tied."""
     mass = ("page.rate(x_2)**2) / 2", "beta * page.rate(x_2)**2) / 2")

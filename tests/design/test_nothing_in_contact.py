@@ -116,6 +116,7 @@ def test_a_state_is_followed_from_the_fold_in_which_it_ends() -> None:
         ss.jump_value(p, "P", direction="down", begin=0.25 * (1.0 + 1e-10), until=-1.0)
 
 
+@pytest.mark.thorough
 def test_a_hardening_that_is_0_leaves_the_slopes_at_infinity() -> None:
     """The least hardening k_3 > 0 of the rail moves the end at infinity at once, so that it has no
     slope by k_3 at 0; those by the others are the same without it.

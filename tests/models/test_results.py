@@ -355,8 +355,8 @@ def test_every_table_reaches_files_and_frames(result: Any, tmp_path: Path) -> No
     assert list(frame.columns) == list(columns)
     result.save(tmp_path / "a.nc")
     result.save(tmp_path / "a.csv")
-    exact = {"float_precision": "round_trip", "keep_default_na": False, "na_values": "nan"}
-    read = pandas.read_csv(tmp_path / "a.csv", comment="#", **exact)
+    # As texts: pandas before 3.1 rounds the last bit of numbers that it reads.
+    read = pandas.read_csv(tmp_path / "a.csv", comment="#", dtype=str, keep_default_na=False)
     assert len(read)
     with xarray.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as file:
         assert {*file.variables} == {*dataset.variables}

@@ -97,9 +97,9 @@ def test_averages_of_two_cycles_are_compared_in_the_unit_of_the_first_coordinate
     """Whatever that of the others is: 1e-5 of the extent apart they are two, 1e-7 apart one."""
     monkeypatch.setattr(orbit, "units_of", lambda _: np.array([2.0, 200.0]))
     monkeypatch.setattr(orbit, "extent", lambda *_: 1.0)
-    monkeypatch.setattr(orbit, "distance", lambda *_: 0.0)
+    monkeypatch.setattr(orbit, "apart", lambda *_: 0.0)
     cycles = [
-        SimpleNamespace(period=1.0, rms=rms, mean=0.0, orbit=None, state=None)
+        SimpleNamespace(period=1.0, rms=rms, mean=0.0, orbit=None, state=np.zeros(2))
         for rms in (1.0, 1.0 + 2e-5, 1.0 + 2e-7)
     ]
     assert not orbit.same_cycle(cycles[0], cycles[1])

@@ -257,6 +257,7 @@ def test_a_cycle_is_found_where_friction_turns_around_as_x_is_largest(w: float, 
         assert found.multipliers == pytest.approx(other.multipliers, abs=1e-8)
 
 
+@pytest.mark.thorough
 def test_a_cycle_that_begins_as_it_sticks_has_its_least_period() -> None:
     """On a belt that stands x is largest as long as the mass sticks."""
     p = model_of(PUSHED, "pushed").Parameters(w=0.3, mu0=0.6, V=0.0)

@@ -40,6 +40,7 @@ def test_its_rear_leg_lifts_where_a_lever_says() -> None:
             np.testing.assert_allclose(found, place, rtol=1e-12)
 
 
+@pytest.mark.thorough
 def test_its_states_on_two_legs_and_on_one() -> None:
     """Balances of a lever, on either side of the friction at which the rear leg lifts."""
     rng = np.random.default_rng(32)

@@ -61,6 +61,7 @@ def forces(q: NDArray[np.float64], mu: float) -> NDArray[np.float64]:
     )
 
 
+@pytest.mark.thorough
 def test_a_state_of_three_coordinates_is_found_where_nothing_bounds_them() -> None:
     eq = ss.equilibria(plate())
     assert not eq.undecided

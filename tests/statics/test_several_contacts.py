@@ -175,6 +175,7 @@ page.friction(x, V, law, at_rest=mu0, on=rear)
 )
 
 
+@pytest.mark.thorough
 def test_where_no_force_balances_a_couple_no_state_is_left_open() -> None:
     hardening = DRAWER.replace("k_c * depth,", "k_c * depth + k_c * depth**3 / a**2,", 1)
     hard = model_of(hardening, "hard_drawer").Parameters()

@@ -9,6 +9,7 @@ from tests.oracles.stubborn_pages import hardening, pendulum, polar
 pytest.importorskip("sympy")
 
 
+@pytest.mark.thorough
 def test_the_state_on_a_hardening_spring_is_found_and_proved_to_be_all() -> None:
     """Balance by hand: σ_3 e³ and the springs of the article, at k_3 = 0.5."""
     p = hardening().Parameters(theta0=np.pi / 3, k_3=0.5)
@@ -33,6 +34,7 @@ def test_the_cube_of_an_elongation_is_not_multiplied_out() -> None:
     assert eq.count == 3
 
 
+@pytest.mark.thorough
 def test_all_states_of_two_rods_and_what_newton_finds_where_time_is_short() -> None:
     """No angle repeats, since springs hold both joints."""
     p = pendulum().Parameters()

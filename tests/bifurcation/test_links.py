@@ -74,6 +74,7 @@ def test_a_wide_range_of_parameters_has_one_state() -> None:
     assert ss.certify(p, "no flutter", between=box).outcome == "proved"
 
 
+@pytest.mark.thorough
 def test_an_inclination_without_a_least_value_rises_from_where_it_is() -> None:
     """Up the tip leaves the table, where no spring is bent; down there is a fold."""
     p = ss.load(derived(FINGER, "finger")).Parameters(mu=0.0)

@@ -133,6 +133,7 @@ def test_a_margin_with_fewer_rays_is_no_smaller_and_options_reach_the_search():
     assert few.change != usual.change
 
 
+@pytest.mark.thorough
 def test_a_closed_orbit_is_the_same_in_more_mesh_intervals_and_its_branch_keeps_its_options():
     p = ss.load("stick_slip").Parameters(V=0.2)
     usual = ss.cycle(p)

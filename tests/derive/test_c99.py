@@ -223,6 +223,7 @@ def test_sanitizers(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (0, b"")
 
 
+@pytest.mark.thorough
 def test_algebra_is_that_of_python(library: ctypes.CDLL) -> None:
     """Operation for operation; only exp may differ in its last digit."""
     for name, (names, results) in ALGEBRA.items():

@@ -33,6 +33,7 @@ def _verdicts(model: pages.PageModel, text: str) -> dict[str, str]:
     return {row.id: row.status for row in found.rows}
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "path",
     [

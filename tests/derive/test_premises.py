@@ -94,6 +94,7 @@ def wrong() -> PaperCheck:
     )
 
 
+@pytest.mark.thorough
 def test_faults_after_the_premises_are_found() -> None:
     found = {row.id: row for row in wrong().rows}
     for id, (_, _, right) in FAULTS.items():

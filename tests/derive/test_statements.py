@@ -127,6 +127,7 @@ def test_an_energy_is_repaired_in_the_reading_that_it_is_nearest_to() -> None:
     assert wrong.status == "misprint"
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("sign", "limit", "status"),
     [
@@ -507,6 +508,7 @@ def test_a_reversed_equation_may_be_divided_by_a_parameter() -> None:
     assert [row.status for row in found.rows] == ["confirmed", "confirmed"]
 
 
+@pytest.mark.thorough
 def test_equations_are_those_of_which_they_are_multiples() -> None:
     """In another order, and as a chain of two of which one is a sum."""
     across, along = "k_y*y + k_c*y + k/2*(y - x) + F_L", "k_x*x + k/2*(x - y) - mu0*N"
@@ -661,6 +663,7 @@ def test_a_meaning_in_one_form_does_not_hinder_statements_in_the_other() -> None
     assert "nowhere is no name" in found[3].evidence
 
 
+@pytest.mark.thorough
 def test_definitions_of_one_row_and_of_each_other() -> None:
     """Several names in a row, one value of two names, and a name before its own definition."""
     found = rows(

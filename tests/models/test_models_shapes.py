@@ -159,6 +159,7 @@ def pendulum(t: float, s: np.ndarray, gamma: float, nu: float) -> list[float]:
     return [u, v, *np.linalg.solve(M, right)]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("backend", ["heyoka", "scipy"])
 def test_a_double_pendulum_moves_as_in_the_textbook(models: dict[str, Any], backend: str) -> None:
     """Full mass matrix that depends on the place, centrifugal terms, no contact, no friction, no

@@ -199,6 +199,7 @@ def test_the_resonance_of_friction_that_holds_is_that_of_den_hartog() -> None:
     np.testing.assert_allclose(half, exact, rtol=1e-9)
 
 
+@pytest.mark.thorough
 def test_what_friction_holds_in_every_phase_rests_for_good() -> None:
     """P cos φ − k x is all that friction holds: it needs |x| + 1 of μ f."""
     model, rng = model_of(FRICTION, "forced"), np.random.default_rng(79)

@@ -140,6 +140,7 @@ def test_energy_changes_by_the_powers_of_all_frictions() -> None:
         tr.friction_force()
 
 
+@pytest.mark.thorough
 def test_what_sticks_on_a_common_bar_is_the_nearest_force_in_the_box() -> None:
     """Where both are as fast as the belt, and friction at rest is that of sliding, by Gauss: the
     forces within their limits at which M⁻¹ takes the least of what moves.

@@ -326,6 +326,7 @@ def test_rests_that_are_far_apart_in_their_units_are_two() -> None:
         assert same_limit(rests[1], rests[2], model.field, constants)
 
 
+@pytest.mark.thorough
 def test_an_angle_that_uses_friction_up_leaves_other_units_alone() -> None:
     """A pendulum whose tip sticks: at some angles its slider would have to go thousands of lengths
     for the same.

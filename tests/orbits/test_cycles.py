@@ -492,6 +492,7 @@ def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
 # branches
 
 
+@pytest.mark.thorough
 def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.results.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     (again,) = ss.cycle_branch(

@@ -176,6 +176,7 @@ def test_a_branch_that_joins_a_family_ends_where_sticking_does(mu_k: float, V: f
             assert abs(event.value - value) <= event.error < 1e-7
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("vary", "to", "value"), [("mu0", (0.2, 0.5), 1 / 3), ("P", (0.8, 1.4), 1.2)]
 )

@@ -88,6 +88,7 @@ def test_where_the_followed_state_leaves_its_stop_and_what_it_does_then() -> Non
     assert "touching                        right" in text
 
 
+@pytest.mark.thorough
 def test_frictions_that_are_not_the_same_are_told_one_by_one() -> None:
     text = str(a_study(model_of(LADDER, "ladder"), {}).report(oscillation=False))
     assert "friction at the belt's speed    0.3" in text

@@ -142,6 +142,7 @@ def test_every_question_is_answered_of_two_legs() -> None:
         ss.equilibria(p, contact=("left",))
 
 
+@pytest.mark.thorough
 def test_a_table_without_a_spring_stands_on_no_single_leg() -> None:
     """Its weight is on that leg by one row, and nothing by the moments: no force is both."""
     p = model_of(THREE, "pad_on_3").Parameters(k_t=0.0)

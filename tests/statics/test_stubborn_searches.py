@@ -25,6 +25,7 @@ def test_the_state_on_a_hardening_spring_is_found_and_proved_to_be_all() -> None
     assert total == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.thorough
 def test_the_cube_of_an_elongation_is_not_multiplied_out() -> None:
     """Its sums of large terms that cancel left the box undecided after 12 s."""
     given = {"theta0": 2.0053, "mu0": 0.2551, "alpha": 0.0708, "sigma": 0.0332, "theta0_2": 0.3598}

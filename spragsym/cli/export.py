@@ -156,11 +156,10 @@ def _starts(model: Model) -> Iterator[Start]:
     values = {name: float(p[name]) for name in model.parameters}
     field, along = model.field, model.inclination or model.coefficient or model.parameters[0]
     constants = field.constants([values[name] for name in model.parameters])
-    numbers = len(model.contacts) + max(1, len(model.frictions)) + model.about["layers"]
     for touching, places, errors in steady_states(p):
         for count, (place, error) in enumerate(zip(places, errors, strict=True), 1):
             mode = field.exact(field.resting_mode(place.tolist(), constants))
-            mode = tuple(map(int, (*mode[:numbers], *mode[len(mode) - field.torsion_sides :])))
+            mode = tuple(map(int, field.regime(mode)))
             if 0 not in mode[len(model.contacts) :]:
                 label = re.sub(r"\W+", "_", f"{touching} {count}")
                 yield Start(label, along, values, tuple(place.tolist()), mode, float(error))

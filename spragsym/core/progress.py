@@ -144,6 +144,7 @@ def _cell(work: _Work) -> Iterator[None]:
             latest = time.monotonic()
             place.update(shown(text), raw=True)
 
+    # IPython's function has no types.
     place = display(shown(str(work)), raw=True, display_id=True)  # type: ignore[no-untyped-call]
     work.listener = said
     try:

@@ -152,6 +152,9 @@ class Field:
         ``parameter_set(**values)``: the model's parameters, or an error for a value out of range.
     exact : callable
         ``exact(mode)``: the mode in which nothing is neglected, for proofs.
+    regime : callable
+        ``regime(mode)``: the numbers of a mode that the generated functions take, which select a
+        smooth regime.
     forces : tuple of (str, callable)
         Name and ``f(states, constants)``, arrays: forces whose range over an orbit is reported.
     where : str
@@ -201,6 +204,7 @@ class Field:
     modes: tuple[Mode, ...]
     parameter_set: Callable[..., Any]
     exact: Callable[[Mode], Mode] = tuple
+    regime: Callable[[Mode], Mode] = tuple
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
     where: str = ""
     torsion_sides: int = 0
@@ -364,6 +368,7 @@ def field_of(model: Model, reach: float, levels: tuple[float, ...] = ()) -> Fiel
         ),
         model.Parameters,
         lambda mode: (*mode[: motion.near], *(1,) * motion.layers, *mode[motion.turn :]),
+        regime=motion.regime,
         where=model.where,
         torsion_sides=motion.torsions,
         faces=motion.faces
@@ -516,14 +521,16 @@ class _Motion:
         mode that it takes.
         """
         plain = undecorated(getattr(self.model.algebra, name))
-        turn, way, rooted = self.turn, self.way, any(self.rooted)
+        rooted = any(self.rooted)
 
         def call(state: Vector, constants: Vector, mode: Sequence[Any], xp: object) -> list[Any]:
-            return plain(
-                *state, *constants, *mode[:turn], *mode[way:], xp=_Rooted(xp) if rooted else xp
-            )
+            return plain(*state, *constants, *self.regime(mode), xp=_Rooted(xp) if rooted else xp)
 
         return call
+
+    def regime(self, mode: Sequence[Any]) -> tuple[Any, ...]:
+        """The numbers of a mode that generated functions take: all but those of extrema."""
+        return *mode[: self.turn], *mode[self.way :]
 
     def initial_mode(self, state: Vector, constants: Vector) -> Mode:
         """The mode of a state."""

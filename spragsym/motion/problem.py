@@ -45,6 +45,9 @@ RELATIVE_TOLERANCE = Range(
 #: Default maximum number of steps of a motion.
 MAX_STEPS = 10_000_000
 
+#: Steps that an explicit method does not begin where it looks stiff, and a fate in no case.
+MANY_STEPS = 1e6
+
 #: Steps between two checks for signals, since Python notices Ctrl-C only there, and for steps that
 #: have collapsed: a second at most, or so.
 BURST = 20_000
@@ -150,7 +153,7 @@ def check_stiffness(
     state: Sequence[float] | FloatArray,
     step: float,
     left: float,
-    most: float = 1e6,
+    most: float = MANY_STEPS,
 ) -> None:
     """Raise StiffError if stability limits the mean ``step`` of an explicit method, and the time
     ``left`` would take more than ``most`` steps, so that an implicit method takes over. Raise

@@ -24,7 +24,7 @@ from ..motion import Trajectory
 from ..motion.classify import equilibrium_near
 from ..motion.integrators import Flow
 from ..motion.options import MotionOptions
-from ..motion.problem import check_range
+from ..motion.problem import MANY_STEPS, check_range
 from ..motion.regimes import Outcome, Regime, RestSets, same_limit
 from ..motion.scales import MotionScales, scaled, scales_of
 from ..motion.shooting import Conditions, Iterate, Orbit
@@ -216,11 +216,11 @@ def judged(
 
 
 def _is_long(motion: Trajectory, left: float) -> bool:
-    """Whether to go on for a time would take more steps than those after which an explicit method
-    looks for stiffness: the implicit one then takes a hundred times as long for each.
+    """Whether to go on for a time would take so many steps that an explicit method may leave it to
+    the implicit one, which takes a hundred times as long for each.
     """
-    most, duration = 1e6, motion.t[-1] - motion.t[0]
-    return not motion.implicit and len(motion.samples.steps) * left > most * duration
+    duration = float(motion.t[-1] - motion.t[0])
+    return not motion.implicit and len(motion.samples.steps) * left > MANY_STEPS * duration
 
 
 def _is_slow(system: System, motion: Trajectory, unit: float) -> bool:

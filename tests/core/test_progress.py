@@ -69,7 +69,7 @@ def test_a_notebook_shows_within_a_second_what_it_is_at() -> None:
     nbformat, nbclient = pytest.importorskip("nbformat"), pytest.importorskip("nbclient")
     shown = []
 
-    class Client(nbclient.NotebookClient):  # type: ignore[misc]
+    class Client(nbclient.NotebookClient):  # type: ignore[misc]  # of any class
         def process_message(self, message: Any, cell: Any, index: int) -> Any:
             if message["msg_type"].endswith("display_data"):
                 shown.append((cell.source, message["content"]["data"]["text/plain"]))

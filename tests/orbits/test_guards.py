@@ -8,7 +8,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.core.errors import ConvergenceError
-from spragsym.orbits import basin_boundaries, branch, exponents, fate_boundaries, orbit
+from spragsym.orbits import basin_boundaries, branch, exponents, fate_boundaries, orbit, system
 
 
 def test_a_line_along_the_boundary_does_not_cross_it() -> None:
@@ -124,3 +124,13 @@ def test_of_an_exponent_that_is_not_told_from_0_the_remedy_depends_on_the_time_u
         interval=1.0,
     )
     assert said in exponents.Rates.undecided(motion, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("implicit", "left", "is_long"), [(False, 20.0, False), (False, 20.1, True), (True, 1e9, False)]
+)
+def test_a_look_of_a_million_steps_is_too_long(implicit: bool, left: float, is_long: bool) -> None:
+    """Of a motion of 100,000 steps from t = 1 to 3, 20 more take a million."""
+    samples = SimpleNamespace(steps=np.empty(100_000))
+    motion = SimpleNamespace(implicit=implicit, t=np.array([1.0, 3.0]), samples=samples)
+    assert system._is_long(motion, left) is is_long
